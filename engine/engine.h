@@ -1,0 +1,22 @@
+// The engine's one public header: text -> scene -> image -> bytes.
+//
+//   WorkerPool pool(2);
+//   Result<Scene> scene = read_scene(text, Limits{});
+//   RenderProgress progress;
+//   Rendering rendering = render(scene.value(), Limits{}, pool, progress);
+//   std::string png = encode(rendering.image, ImageFormat::png);
+//
+// Everything is in namespace raytracer. Functions are pure unless they say otherwise; after a
+// Scene exists nothing is expected to fail, and a broken invariant throws std::logic_error.
+#pragma once
+
+#include "engine/build_id.h"            // IWYU pragma: export
+#include "engine/image/encode.h"        // IWYU pragma: export
+#include "engine/image/image.h"         // IWYU pragma: export
+#include "engine/render/render.h"       // IWYU pragma: export
+#include "engine/render/worker_pool.h"  // IWYU pragma: export
+#include "engine/scene/canonical.h"     // IWYU pragma: export
+#include "engine/scene/limits.h"        // IWYU pragma: export
+#include "engine/scene/nearest_key.h"   // IWYU pragma: export
+#include "engine/scene/read_scene.h"    // IWYU pragma: export
+#include "engine/scene/scene.h"         // IWYU pragma: export

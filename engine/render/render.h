@@ -1,0 +1,32 @@
+// The spine: a scene becomes an image.
+#pragma once
+
+#include "engine/image/image.h"
+#include "engine/render/worker_pool.h"
+#include "engine/scene/limits.h"
+#include "engine/scene/scene.h"
+
+namespace raytracer {
+
+/// Which bound ended a render.
+enum class Stop { samples, target, budget, cancelled };
+
+/// An image and what is true of it.
+struct Rendering {
+  Image image;
+  double samples_per_pixel = 0;  ///< mean
+  Precision precision = Precision::double_precision;
+  Stop stop = Stop::samples;  ///< `cancelled`: the image is incomplete
+
+  double plan_ms = 0;
+  double build_ms = 0;
+  double trace_ms = 0;
+};
+
+/// Renders on the pool's threads and returns when done, or soon after `progress.stop`.
+/// The pixels depend on the scene alone (with a time budget: up to how far it got), not on the
+/// number of threads. `limits` bounds the samples that a contract may spend.
+Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
+                 RenderProgress& progress);
+
+}  // namespace raytracer

@@ -1,0 +1,53 @@
+// Threads that trace the tiles of several requests at once, a tile of each in turn.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace raytracer {
+
+/// Shared between the one who waits for a render and the threads that make it.
+/// `stop` may be set from any thread at any time; it is looked at before each tile.
+struct RenderProgress {
+  std::atomic<bool> stop{false};
+  std::atomic<double> fraction{0};  ///< 0 to 1, never falls
+};
+
+/// A fixed number of threads; every member function may be called from any thread.
+class WorkerPool {
+ public:
+  /// Starts `thread_count` (at least 1) threads.
+  explicit WorkerPool(std::size_t thread_count);
+  /// Waits for the batches that run.
+  ~WorkerPool();
+  WorkerPool(const WorkerPool&) = delete;
+  WorkerPool& operator=(const WorkerPool&) = delete;
+
+  std::size_t thread_count() const { return threads_.size(); }
+
+  /// Calls task(0) ... task(count - 1), each once, on the pool's threads, and returns when all
+  /// have returned. Batches of different callers take turns task by task. Once `stop` is set no
+  /// further task begins. An exception of a task stops the batch and is thrown here.
+  /// Not to be called from a task.
+  void run(std::size_t count, const std::function<void(std::size_t)>& task,
+           const std::atomic<bool>& stop);
+
+ private:
+  struct Batch;
+  void work();
+
+  std::mutex mutex_;
+  std::condition_variable work_arrived_;
+  std::deque<std::shared_ptr<Batch>> batches_;  ///< those with tasks not yet begun, in turn
+  bool closing_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace raytracer
