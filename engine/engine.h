@@ -19,4 +19,5 @@
 #include "engine/scene/limits.h"        // IWYU pragma: export
 #include "engine/scene/nearest_key.h"   // IWYU pragma: export
 #include "engine/scene/read_scene.h"    // IWYU pragma: export
+#include "engine/scene/result.h"        // IWYU pragma: export
 #include "engine/scene/scene.h"         // IWYU pragma: export

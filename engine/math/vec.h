@@ -53,6 +53,8 @@ inline Vec3 scaled(const Vec3& a, int exponent) {
 
 /// The direction of `a`, which may have any finite length but 0 (the zero vector stays zero).
 inline Vec3 unit(const Vec3& a) {
+  const double square = dot(a, a);
+  if (square > 0x1p-900 && square < 0x1p900) return a / std::sqrt(square);
   const double largest = max_abs(a);
   if (largest == 0) return a;
   const Vec3 near_one = scaled(a, -std::ilogb(largest));  // so that no square leaves the range

@@ -1,6 +1,8 @@
 // The spine: a scene becomes an image.
 #pragma once
 
+#include <optional>
+
 #include "engine/image/image.h"
 #include "engine/render/worker_pool.h"
 #include "engine/scene/limits.h"
@@ -14,7 +16,8 @@ enum class Stop { samples, target, budget, cancelled };
 /// An image and what is true of it.
 struct Rendering {
   Image image;
-  double samples_per_pixel = 0;  ///< mean
+  double samples_per_pixel = 0;           ///< mean
+  std::optional<double> estimated_error;  ///< rms; only where passes were compared
   Precision precision = Precision::double_precision;
   Stop stop = Stop::samples;  ///< `cancelled`: the image is incomplete
 

@@ -34,8 +34,7 @@ inline constexpr std::array<LimitRow, 5> limit_table{{
     // A float image of 2^29 pixels is 6 GiB; stb_image_write counts bytes in an int.
     {&Limits::pixels, "--max-pixels", "RAYTRACER_MAX_PIXELS", "pixels in an image", 1LL << 29},
     {&Limits::objects, "--max-objects", "RAYTRACER_MAX_OBJECTS",
-     "objects in a scene, each sphere of a set and each triangle of a mesh counted",
-     1'000'000'000},
+     "objects in a scene, each sphere of a set and each triangle of a mesh counted", 1'000'000'000},
     {&Limits::samples, "--max-samples", "RAYTRACER_MAX_SAMPLES", "samples per pixel", 1 << 30},
     {&Limits::work, "--max-work", "RAYTRACER_MAX_WORK",
      "rays in all: pixels x samples x (1 + reflections)", 1LL << 62},

@@ -25,7 +25,7 @@ struct Error {
 template <typename T>
 class Result {
  public:
-  Result(T value) : content_(std::move(value)) {}                  // NOLINT: implicit on purpose
+  Result(T value) : content_(std::move(value)) {}                     // NOLINT: implicit on purpose
   Result(std::vector<Error> errors) : content_(std::move(errors)) {}  // NOLINT: as above
 
   bool ok() const { return std::holds_alternative<T>(content_); }

@@ -1,0 +1,31 @@
+#include "engine/image/png.h"
+
+#include <stdexcept>
+
+// The header is old C: its warnings are not this project's.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wpedantic"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace raytracer {
+
+std::string encode_png(int width, int height, const std::vector<unsigned char>& rgb) {
+  std::string file;
+  const auto append = [](void* context, void* data, int size) {
+    static_cast<std::string*>(context)->append(static_cast<const char*>(data),
+                                               static_cast<std::size_t>(size));
+  };
+  if (stbi_write_png_to_func(append, &file, width, height, 3, rgb.data(), 3 * width) == 0)
+    throw std::runtime_error("no memory to encode the PNG");
+  return file;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,12 @@
+#include "engine/image/transfer.h"
+
+#include <cmath>
+
+namespace raytracer {
+
+double encode_channel(double linear, Transfer transfer) {
+  if (transfer == Transfer::linear) return linear;
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+}  // namespace raytracer

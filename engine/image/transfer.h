@@ -1,0 +1,11 @@
+// From linear light to what is stored.
+#pragma once
+
+#include "engine/scene/scene.h"
+
+namespace raytracer {
+
+/// A channel in [0, 1] as it is stored: unchanged, or sRGB-encoded (IEC 61966-2-1).
+double encode_channel(double linear, Transfer transfer);
+
+}  // namespace raytracer

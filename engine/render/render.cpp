@@ -1,0 +1,146 @@
+#include "engine/render/render.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "engine/kernel/packed_scene.h"
+#include "engine/plan/plan.h"
+#include "engine/render/tile.h"
+#include "engine/sample/contract.h"
+#include "engine/sample/pattern.h"
+
+namespace raytracer {
+namespace {
+
+constexpr int tile_side_px = 32;
+
+class Stopwatch {
+ public:
+  double elapsed_ms() const {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+Structure build_structure(const Plan& plan, const PackedScene& scene) {
+  if (plan.structure == Plan::Structure::bvh) return Bvh::build(scene);
+  return BruteForce(scene);
+}
+
+/// What every pass over the image needs.
+struct Tracing {
+  const PackedScene& scene;
+  const Structure& structure;
+  Transfer transfer;
+  WorkerPool& pool;
+  RenderProgress& progress;
+  std::optional<double> budget_ms;
+  Stopwatch watch{};
+
+  bool is_over_time() const { return budget_ms && watch.elapsed_ms() > *budget_ms; }
+
+  /// An image of `samples` per pixel; nothing if it was stopped before it was whole. A pass that
+  /// `may_end_early` is also stopped when the time is over.
+  std::optional<Image> pass(int samples, bool may_end_early) {
+    Image image(scene.view.width, scene.view.height);
+    const std::vector<SamplePoint> pattern = sample_pattern(samples);
+    const std::vector<Tile> tiles = split_into_tiles(image.width, image.height, tile_side_px);
+    std::atomic<bool> stop{progress.stop.load()};
+    std::atomic<std::size_t> done{0};
+    pool.run(
+        tiles.size(),
+        [&](std::size_t i) {
+          if (progress.stop || (may_end_early && is_over_time())) {
+            stop = true;
+            return;
+          }
+          render_tile(scene, structure, pattern, transfer, tiles[i], image);
+          report(static_cast<double>(++done) / static_cast<double>(tiles.size()), may_end_early);
+        },
+        stop);
+    if (stop) return {};
+    return image;
+  }
+
+  /// Under a budget progress is the time's; under a target alone it is each pass's own share of
+  /// what the passes before left, because nobody knows how many will follow.
+  void report(double pass_fraction, bool is_later_pass) {
+    const double fraction = budget_ms       ? std::min(1.0, watch.elapsed_ms() / *budget_ms)
+                            : is_later_pass ? 0.9 + 0.1 * pass_fraction
+                                            : pass_fraction;
+    double before = progress.fraction;
+    while (before < fraction && !progress.fraction.compare_exchange_weak(before, fraction)) {
+    }
+  }
+};
+
+int most_samples(const Scene& scene, const Limits& limits) {
+  const std::int64_t pixels = std::int64_t{scene.camera.width} * scene.camera.height;
+  const std::int64_t most = std::min({limits.samples, limits.work / pixels, std::int64_t{1} << 30});
+  return static_cast<int>(std::max<std::int64_t>(most, 1));
+}
+
+/// Passes of ever more samples, until next_pass says that the contract is kept.
+void render_by_contract(const RenderSettings& settings, int most, Tracing& tracing,
+                        Rendering& rendering) {
+  PassReport last{first_pass_samples, 0, 0, {}};
+  std::optional<Image> image = tracing.pass(last.samples, false);
+  while (image) {
+    rendering.image = *std::move(image);
+    rendering.samples_per_pixel = last.samples;
+    rendering.estimated_error = last.error;
+    const double elapsed_ms = tracing.watch.elapsed_ms();
+    last.pass_ms = elapsed_ms - last.elapsed_ms;
+    last.elapsed_ms = elapsed_ms;
+    const std::optional<int> samples = next_pass(settings, last, most);
+    if (!samples) break;
+    image = tracing.pass(*samples, true);
+    if (!image) break;
+    last.error =
+        estimate_error(rendering.image, *image, static_cast<double>(*samples) / last.samples);
+    last.samples = *samples;
+  }
+  if (tracing.progress.stop)
+    rendering.stop = Stop::cancelled;
+  else if (settings.target_rmse && last.error && *last.error <= *settings.target_rmse)
+    rendering.stop = Stop::target;
+  else
+    rendering.stop = settings.budget_ms ? Stop::budget : Stop::samples;
+}
+
+}  // namespace
+
+Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
+                 RenderProgress& progress) {
+  Rendering rendering;
+
+  const Stopwatch plan_watch;
+  const Plan plan = make_plan(scene);
+  rendering.plan_ms = plan_watch.elapsed_ms();
+
+  const Stopwatch build_watch;
+  const PackedScene packed = pack_scene(scene, plan.frame);
+  const Structure structure = build_structure(plan, packed);
+  rendering.build_ms = build_watch.elapsed_ms();
+
+  // From here on the scene is not looked at: kernels see packed arrays only.
+  const RenderSettings& settings = scene.render;
+  Tracing tracing{packed, structure, settings.transfer, pool, progress, settings.budget_ms};
+  if (settings.target_rmse || settings.budget_ms) {
+    render_by_contract(settings, most_samples(scene, limits), tracing, rendering);
+  } else {
+    const int samples = settings.samples.value_or(1);
+    std::optional<Image> image = tracing.pass(samples, false);
+    if (image) rendering.image = *std::move(image);
+    rendering.samples_per_pixel = samples;
+    rendering.stop = image ? Stop::samples : Stop::cancelled;
+  }
+  rendering.trace_ms = tracing.watch.elapsed_ms();
+  return rendering;
+}
+
+}  // namespace raytracer

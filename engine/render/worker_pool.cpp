@@ -1,0 +1,82 @@
+#include "engine/render/worker_pool.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace raytracer {
+
+/// One caller's tasks. Guarded by the pool's mutex, but for `task` and `stop`.
+struct WorkerPool::Batch {
+  Batch(std::size_t task_count, const std::function<void(std::size_t)>& task_to_run,
+        const std::atomic<bool>& stop_flag)
+      : count(task_count), task(task_to_run), stop(stop_flag) {}
+
+  const std::size_t count;
+  const std::function<void(std::size_t)>& task;
+  const std::atomic<bool>& stop;
+  std::size_t begun = 0;
+  std::size_t running = 0;
+  std::exception_ptr failure{};
+  std::condition_variable finished{};
+
+  bool has_more() const { return begun < count && !failure && !stop; }
+};
+
+WorkerPool::WorkerPool(std::size_t thread_count) {
+  threads_.reserve(std::max<std::size_t>(thread_count, 1));
+  for (std::size_t i = 0; i < std::max<std::size_t>(thread_count, 1); ++i)
+    threads_.emplace_back([this] { work(); });
+}
+
+WorkerPool::~WorkerPool() {
+  {
+    const std::lock_guard lock(mutex_);
+    closing_ = true;
+  }
+  work_arrived_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)>& task,
+                     const std::atomic<bool>& stop) {
+  const auto batch = std::make_shared<Batch>(count, task, stop);
+  std::unique_lock lock(mutex_);
+  if (!batch->has_more()) return;
+  batches_.push_back(batch);
+  work_arrived_.notify_all();
+  batch->finished.wait(lock, [&] { return batch->running == 0 && !batch->has_more(); });
+  // A batch that was stopped may still stand in the queue; its task must not outlive this call.
+  std::erase(batches_, batch);
+  if (batch->failure) std::rethrow_exception(batch->failure);
+}
+
+void WorkerPool::work() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    work_arrived_.wait(lock, [this] { return closing_ || !batches_.empty(); });
+    if (batches_.empty()) return;
+    const std::shared_ptr<Batch> batch = batches_.front();
+    batches_.pop_front();
+    if (!batch->has_more()) {
+      if (batch->running == 0) batch->finished.notify_all();
+      continue;
+    }
+    const std::size_t index = batch->begun++;
+    ++batch->running;
+    if (batch->has_more()) batches_.push_back(batch);  // behind the others: a task of each in turn
+
+    lock.unlock();
+    std::exception_ptr failure;
+    try {
+      batch->task(index);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    lock.lock();
+    if (failure) batch->failure = failure;
+    --batch->running;
+    if (batch->running == 0 && !batch->has_more()) batch->finished.notify_all();
+  }
+}
+
+}  // namespace raytracer

@@ -1,0 +1,18 @@
+// Where in a pixel its samples lie.
+#pragma once
+
+#include <vector>
+
+namespace raytracer {
+
+/// A place in a pixel: 0 to 1 to the right and upwards.
+struct SamplePoint {
+  double x;
+  double y;
+};
+
+/// `count` places, spread evenly: every one of `count` columns and of `count` rows of the pixel
+/// has one. A single sample is at the centre. The same for every pixel.
+std::vector<SamplePoint> sample_pattern(int count);
+
+}  // namespace raytracer

@@ -1,0 +1,81 @@
+#include "engine/scene/canonical.h"
+
+#include <bit>
+#include <concepts>
+#include <cstdint>
+
+namespace raytracer {
+namespace {
+
+/// Appends values as bytes, least significant first, so that all machines agree.
+class Bytes {
+ public:
+  template <std::integral T>
+  void add(T value) {
+    for (std::size_t i = 0; i < 8; ++i)
+      bytes_ += static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * i) & 0xff);
+  }
+  template <typename T>
+  requires std::is_enum_v<T>
+  void add(T value) { add(static_cast<std::int64_t>(value)); }
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value)); }
+  void add(const Vec3& v) { add_all(v.x, v.y, v.z); }
+  void add(const std::array<std::uint32_t, 3>& indices) {
+    add_all(indices[0], indices[1], indices[2]);
+  }
+  template <typename T>
+  void add(const std::optional<T>& value) {
+    add(value.has_value());
+    if (value) add(*value);
+  }
+  template <typename T>
+  void add(const std::vector<T>& values) {
+    add(values.size());
+    for (const T& value : values) add(value);
+  }
+  template <typename... T>
+  void add(const std::variant<T...>& value) {
+    add(value.index());
+    std::visit([this](const auto& alternative) { add(alternative); }, value);
+  }
+
+  void add(const Camera& c) { add_all(c.origin, c.look_at, c.up, c.fov, c.width, c.height); }
+  void add(const Material& m) { add_all(m.color, m.ka, m.kd, m.ks, m.shininess, m.reflectivity); }
+  void add(const Sphere& s) { add_all(s.center, s.radius); }
+  void add(const Spheres& s) { add_all(s.centers, s.radii); }
+  void add(const SphereSquare& s) { add_all(s.center, s.radius, s.n, s.axes); }
+  void add(const Plane& p) { add_all(p.point, p.normal); }
+  void add(const Mesh& m) { add_all(m.vertices, m.triangles); }
+  void add(const Object& o) { add_all(o.shape, o.material); }
+  void add(const DistantLight& l) { add(l.direction); }
+  void add(const PointLight& l) { add(l.position); }
+  void add(const Light& l) { add_all(l.source, l.color, l.intensity); }
+  void add(const RenderSettings& r) {
+    add_all(r.samples.value_or(1), r.target_rmse, r.budget_ms, r.precision, r.max_depth,
+            r.transfer);
+  }
+  void add(const Scene& s) {
+    add_all(s.camera, s.background, s.ambient, s.shadows, s.lights, s.materials, s.objects,
+            s.render);
+  }
+
+  std::string take() && { return std::move(bytes_); }
+
+ private:
+  template <typename... T>
+  void add_all(const T&... values) {
+    (add(values), ...);
+  }
+
+  std::string bytes_;
+};
+
+}  // namespace
+
+std::string canonical_bytes(const Scene& scene) {
+  Bytes bytes;
+  bytes.add(scene);
+  return std::move(bytes).take();
+}
+
+}  // namespace raytracer

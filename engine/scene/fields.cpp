@@ -1,0 +1,165 @@
+#include "engine/scene/fields.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/scene/nearest_key.h"
+
+namespace raytracer {
+namespace {
+
+std::string_view name_of(JsonKind kind) {
+  switch (kind) {
+    case JsonKind::null:
+      return "null";
+    case JsonKind::boolean:
+      return "a boolean";
+    case JsonKind::number:
+      return "a number";
+    case JsonKind::string:
+      return "a string";
+    case JsonKind::array:
+      return "an array";
+    case JsonKind::object:
+      return "an object";
+  }
+  return "";
+}
+
+bool expect(const Field& field, JsonKind kind, std::string_view wanted) {
+  if (field.value.kind() == kind) return true;
+  field.refuse(fmt::format("must be {}, not {}", wanted, name_of(field.value.kind())));
+  return false;
+}
+
+/// Exactly three numbers within `range`.
+std::optional<Vec3> read_triple(const Field& field, const Range& range, std::string_view wanted) {
+  if (!expect(field, JsonKind::array, wanted)) return {};
+  std::array<std::optional<double>, 3> numbers;
+  std::size_t count = 0;
+  read_elements(field, [&](const Field& element) {
+    if (count < numbers.size()) numbers[count] = read_number(element, range);
+    ++count;
+  });
+  if (count != numbers.size()) {
+    field.refuse(fmt::format("must be {}, not {} values", wanted, count));
+    return {};
+  }
+  if (!numbers[0] || !numbers[1] || !numbers[2]) return {};
+  return Vec3{*numbers[0], *numbers[1], *numbers[2]};
+}
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+}  // namespace
+
+void ErrorList::add(ErrorKind kind, const Path& path, std::string detail) {
+  if (count_++ < most_errors) errors_.push_back({kind, path.pointer(), std::move(detail)});
+}
+
+void ErrorList::add(std::vector<Error> errors) {
+  for (Error& error : errors)
+    if (count_++ < most_errors) errors_.push_back(std::move(error));
+}
+
+std::vector<Error> ErrorList::take() && {
+  if (count_ > most_errors)
+    errors_.push_back({ErrorKind::invalid, "",
+                       fmt::format("and {} more errors, not listed", count_ - most_errors)});
+  return std::move(errors_);
+}
+
+std::string Range::describe() const {
+  if (std::isinf(least)) return fmt::format("at most {}", most);
+  if (std::isinf(most)) return fmt::format("{} {}", least_excluded ? "above" : "at least", least);
+  return fmt::format("{} {} to {}", least_excluded ? "above" : "from", least, most);
+}
+
+std::optional<double> read_number(const Field& field, const Range& range) {
+  if (!expect(field, JsonKind::number, "a number")) return {};
+  const double value = field.value.number();
+  if (range.contains(value)) return value;
+  field.refuse(fmt::format("{} is out of range: must be {}", value, range.describe()));
+  return {};
+}
+
+std::optional<std::int64_t> read_integer(const Field& field, std::int64_t least,
+                                         std::int64_t most) {
+  if (!expect(field, JsonKind::number, "an integer")) return {};
+  const double value = field.value.number();
+  if (value != std::floor(value)) {
+    field.refuse(fmt::format("{} must be an integer", value));
+    return {};
+  }
+  const Range range{.least = static_cast<double>(least), .most = static_cast<double>(most)};
+  if (!range.contains(value)) {
+    field.refuse(fmt::format("{} is out of range: must be an integer {}", value, range.describe()));
+    return {};
+  }
+  return static_cast<std::int64_t>(value);
+}
+
+std::optional<std::string_view> read_string(const Field& field) {
+  if (!expect(field, JsonKind::string, "a string")) return {};
+  return field.value.string();
+}
+
+std::optional<Vec3> read_point(const Field& field) {
+  return read_triple(field, any_number, "three numbers");
+}
+
+std::optional<Vec3> read_direction(const Field& field) {
+  const std::optional<Vec3> direction = read_point(field);
+  if (direction != Vec3{}) return direction;
+  field.refuse("the zero vector has no direction");
+  return {};
+}
+
+std::optional<Rgb> read_color(const Field& field) {
+  constexpr std::string_view wanted = "three numbers from 0 to 1 or \"#rrggbb\"";
+  if (field.value.kind() != JsonKind::string) return read_triple(field, unit_interval, wanted);
+  const std::string_view text = field.value.string();
+  const bool well_formed =
+      text.size() == 7 && text[0] == '#' &&
+      std::all_of(text.begin() + 1, text.end(), [](char c) { return hex_digit(c) >= 0; });
+  if (!well_formed) {
+    field.refuse(fmt::format("\"{}\" is not a colour: must be {}", text, wanted));
+    return {};
+  }
+  const auto channel = [&](std::size_t at) {
+    return (16 * hex_digit(text[at]) + hex_digit(text[at + 1])) / 255.0;
+  };
+  return Rgb{channel(1), channel(3), channel(5)};
+}
+
+std::optional<std::size_t> read_choice(const Field& field,
+                                       std::span<const std::string_view> words) {
+  const std::optional<std::string_view> word = read_string(field);
+  if (!word) return {};
+  const auto found = std::find(words.begin(), words.end(), *word);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  field.refuse(fmt::format("\"{}\" is not one of \"{}\"; did you mean \"{}\"?", *word,
+                           fmt::join(words, "\", \""), nearest_key(*word, words)));
+  return {};
+}
+
+bool expect_array(const Field& field) { return expect(field, JsonKind::array, "an array"); }
+
+ObjectReader::ObjectReader(const Field& field, std::initializer_list<std::string_view> known)
+    : field_(field), is_object_(expect(field, JsonKind::object, "an object")) {
+  if (!is_object_) return;
+  field.value.for_each_member([&](std::string_view key, JsonValue) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) return;
+    field.errors.add(ErrorKind::invalid, field.path.child(key),
+                     fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key,
+                                 nearest_key(key, std::span(known.begin(), known.size()))));
+  });
+}
+
+}  // namespace raytracer

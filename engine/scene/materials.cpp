@@ -1,0 +1,76 @@
+#include "engine/scene/materials.h"
+
+#include <tuple>
+
+#include "engine/scene/nearest_key.h"
+
+namespace raytracer {
+namespace {
+
+/// The material as far as it is right: what is wrong was noted, and the scene is refused anyway.
+Material read_material(const Field& field) {
+  const ObjectReader object(field, {"color", "ka", "kd", "ks", "shininess", "reflectivity"});
+  const auto read_share = [](const Field& f) { return read_number(f, unit_interval); };
+  Material material;
+  object.optional("color", material.color, read_color);
+  object.optional("ka", material.ka, read_share);
+  object.optional("kd", material.kd, read_share);
+  object.optional("ks", material.ks, read_share);
+  object.optional("shininess", material.shininess,
+                  [](const Field& f) { return read_number(f, not_negative); });
+  object.optional("reflectivity", material.reflectivity, read_share);
+  return material;
+}
+
+}  // namespace
+
+bool MaterialReader::Less::operator()(const Material& a, const Material& b) const {
+  const auto tie = [](const Material& m) {
+    return std::tie(m.color.x, m.color.y, m.color.z, m.ka, m.kd, m.ks, m.shininess, m.reflectivity);
+  };
+  return tie(a) < tie(b);
+}
+
+void MaterialReader::read_named(const Field& field) {
+  if (field.value.kind() != JsonKind::object) {
+    const ObjectReader complain(field, {});
+    return;
+  }
+  field.value.for_each_member([&](std::string_view name, JsonValue value) {
+    const Path path = field.path.child(name);
+    const auto [named, is_new] = named_.try_emplace(name);
+    const Material material = read_material({value, path, field.errors});
+    if (!is_new) return;  // a duplicate key, already noted
+    named->second.material = material;
+    names_.push_back(name);
+  });
+}
+
+std::optional<MaterialIndex> MaterialReader::read_use(const Field& field) {
+  if (field.value.kind() == JsonKind::object) return use(read_material(field));
+  if (field.value.kind() != JsonKind::string) {
+    field.refuse("must be the name of a material, or a material in place");
+    return {};
+  }
+  const std::string_view name = field.value.string();
+  const auto found = named_.find(name);
+  if (found == named_.end()) {
+    field.refuse(names_.empty()
+                     ? fmt::format("there is no material \"{}\": \"materials\" has none", name)
+                     : fmt::format("there is no material \"{}\"; did you mean \"{}\"?", name,
+                                   nearest_key(name, names_)));
+    return {};
+  }
+  Named& named = found->second;
+  if (!named.index) named.index = use(named.material);
+  return named.index;
+}
+
+MaterialIndex MaterialReader::use(const Material& material) {
+  const auto next = static_cast<MaterialIndex>(used_.size());
+  const auto [place, is_new] = indices_.try_emplace(material, next);
+  if (is_new) used_.push_back(material);
+  return place->second;
+}
+
+}  // namespace raytracer

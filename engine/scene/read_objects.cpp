@@ -1,0 +1,148 @@
+#include "engine/scene/read_objects.h"
+
+#include <array>
+#include <string_view>
+
+#include "engine/scene/read_typed.h"
+
+namespace raytracer {
+namespace {
+
+constexpr std::int64_t most_spheres_per_half_side = 1'000'000'000;
+
+std::optional<double> read_radius(const Field& field) { return read_number(field, positive); }
+
+std::optional<std::vector<Vec3>> read_points(const Field& field) {
+  if (!expect_array(field)) return {};
+  std::vector<Vec3> points;
+  points.reserve(field.value.node_count() / 4);
+  read_elements(
+      field, [&](const Field& element) { points.push_back(read_point(element).value_or(Vec3{})); });
+  return points;
+}
+
+Sphere read_sphere(const Field& field) {
+  const ObjectReader object(field, {"type", "material", "center", "radius"});
+  Sphere sphere;
+  object.required("center", sphere.center, read_point);
+  object.required("radius", sphere.radius, read_radius);
+  return sphere;
+}
+
+/// One radius for all, or as many as there are centres.
+std::optional<std::vector<double>> read_radii(const Field& field, std::size_t center_count) {
+  if (field.value.kind() != JsonKind::array) {
+    const std::optional<double> radius = read_radius(field);
+    if (!radius) return {};
+    return std::vector{*radius};
+  }
+  std::vector<double> radii;
+  radii.reserve(field.value.node_count());
+  read_elements(field,
+                [&](const Field& element) { radii.push_back(read_radius(element).value_or(1)); });
+  if (radii.size() == center_count) return radii;
+  field.refuse(fmt::format("{} radii for {} centers: give one number, or one for each center",
+                           radii.size(), center_count));
+  return {};
+}
+
+Spheres read_spheres(const Field& field) {
+  const ObjectReader object(field, {"type", "material", "centers", "radius"});
+  Spheres spheres;
+  object.required("centers", spheres.centers, read_points);
+  object.required("radius", spheres.radii,
+                  [&](const Field& f) { return read_radii(f, spheres.centers.size()); });
+  return spheres;
+}
+
+SphereSquare read_sphere_square(const Field& field) {
+  static constexpr std::array<std::string_view, 3> axes_words{"xz", "xy", "yz"};
+  const ObjectReader object(field, {"type", "material", "center", "radius", "n", "axes"});
+  SphereSquare square;
+  object.required("center", square.center, read_point);
+  object.required("radius", square.radius, read_radius);
+  object.required("n", square.n,
+                  [](const Field& f) { return read_integer(f, 1, most_spheres_per_half_side); });
+  object.optional("axes", square.axes, [](const Field& f) { return read_choice(f, axes_words); });
+  return square;
+}
+
+Plane read_plane(const Field& field) {
+  const ObjectReader object(field, {"type", "material", "point", "normal"});
+  Plane plane;
+  object.required("point", plane.point, read_point);
+  object.required("normal", plane.normal, read_direction);
+  return plane;
+}
+
+std::optional<std::vector<std::array<std::uint32_t, 3>>> read_triangles(const Field& field,
+                                                                        std::size_t vertex_count) {
+  if (!expect_array(field)) return {};
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  triangles.reserve(field.value.node_count() / 4);
+  read_elements(field, [&](const Field& element) {
+    std::array<std::uint32_t, 3> triangle{};
+    std::size_t count = 0;
+    if (!expect_array(element)) return;
+    read_elements(element, [&](const Field& corner) {
+      const auto index = read_integer(corner, 0, static_cast<std::int64_t>(vertex_count) - 1);
+      if (index && count < 3) triangle[count] = static_cast<std::uint32_t>(*index);
+      ++count;
+    });
+    if (count != 3) element.refuse(fmt::format("must be three indices, not {} values", count));
+    triangles.push_back(triangle);
+  });
+  return triangles;
+}
+
+Mesh read_mesh(const Field& field) {
+  const ObjectReader object(field, {"type", "material", "vertices", "triangles"});
+  Mesh mesh;
+  object.required("vertices", mesh.vertices, read_points);
+  object.required("triangles", mesh.triangles,
+                  [&](const Field& f) { return read_triangles(f, mesh.vertices.size()); });
+  return mesh;
+}
+
+}  // namespace
+
+std::vector<Object> read_objects(const Field& field, MaterialReader& materials) {
+  using Shape = decltype(Object::shape);
+  static constexpr TypedReaders<Shape, 5> readers{{
+      {"sphere", [](const Field& f) -> Shape { return read_sphere(f); }},
+      {"spheres", [](const Field& f) -> Shape { return read_spheres(f); }},
+      {"sphere_square", [](const Field& f) -> Shape { return read_sphere_square(f); }},
+      {"plane", [](const Field& f) -> Shape { return read_plane(f); }},
+      {"mesh", [](const Field& f) -> Shape { return read_mesh(f); }},
+  }};
+  std::vector<Object> objects;
+  if (!expect_array(field)) return objects;
+  read_elements(field, [&](const Field& element) {
+    std::optional<Shape> shape = read_typed(element, readers);
+    if (!shape) return;
+    MaterialIndex material = 0;
+    if (const auto use = element.value.member("material")) {
+      const Path path = element.path.child("material");
+      material = materials.read_use({*use, path, element.errors}).value_or(0);
+    } else {
+      material = materials.use_default();
+    }
+    objects.push_back({std::move(*shape), material});
+  });
+  return objects;
+}
+
+std::int64_t count_objects(const std::vector<Object>& objects) {
+  std::int64_t count = 0;
+  for (const Object& object : objects) {
+    if (const auto* spheres = std::get_if<Spheres>(&object.shape))
+      count += static_cast<std::int64_t>(spheres->centers.size());
+    else if (const auto* mesh = std::get_if<Mesh>(&object.shape))
+      count += static_cast<std::int64_t>(mesh->triangles.size());
+    else
+      ++count;
+  }
+  return count;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,19 @@
+// The array "objects": each element by its "type".
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/scene/fields.h"
+#include "engine/scene/materials.h"
+#include "engine/scene/scene.h"
+
+namespace raytracer {
+
+/// The objects as far as they are right, in the document's order.
+std::vector<Object> read_objects(const Field& field, MaterialReader& materials);
+
+/// What Limits::objects counts: each sphere of a set, each triangle, and one for all else.
+std::int64_t count_objects(const std::vector<Object>& objects);
+
+}  // namespace raytracer
