@@ -1,6 +1,7 @@
 // The scene as kernels see it: arrays of plain values in frame coordinates.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 

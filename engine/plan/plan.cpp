@@ -20,7 +20,9 @@ std::size_t count_bounded(const Scene& scene) {
 }  // namespace
 
 Plan make_plan(const Scene& scene) {
-  constexpr std::size_t few = 12;  // PLACEHOLDER_MEASURE
+  // Random spheres under two lights, brute force's time over the tree's: 0.90 to 0.94 with 2 to 6
+  // spheres, 1.04 with 8, 1.15 with 12, 1.9 with 32.
+  constexpr std::size_t few = 7;
   return {make_frame(scene),
           count_bounded(scene) > few ? Plan::Structure::bvh : Plan::Structure::none};
 }

@@ -87,22 +87,22 @@ int most_samples(const Scene& scene, const Limits& limits) {
 /// Passes of ever more samples, until next_pass says that the contract is kept.
 void render_by_contract(const RenderSettings& settings, int most, Tracing& tracing,
                         Rendering& rendering) {
-  PassReport last{first_pass_samples, 0, 0, {}};
-  std::optional<Image> image = tracing.pass(last.samples, false);
-  while (image) {
-    rendering.image = *std::move(image);
-    rendering.samples_per_pixel = last.samples;
-    rendering.estimated_error = last.error;
+  PassReport last{};
+  std::optional<int> samples = first_pass_samples;
+  while (samples) {
+    std::optional<Image> image = tracing.pass(*samples, last.samples > 0);
+    if (!image) break;
+    if (last.samples > 0)
+      last.error =
+          estimate_error(rendering.image, *image, static_cast<double>(*samples) / last.samples);
+    last.samples = *samples;
     const double elapsed_ms = tracing.watch.elapsed_ms();
     last.pass_ms = elapsed_ms - last.elapsed_ms;
     last.elapsed_ms = elapsed_ms;
-    const std::optional<int> samples = next_pass(settings, last, most);
-    if (!samples) break;
-    image = tracing.pass(*samples, true);
-    if (!image) break;
-    last.error =
-        estimate_error(rendering.image, *image, static_cast<double>(*samples) / last.samples);
-    last.samples = *samples;
+    rendering.image = std::move(*image);
+    rendering.samples_per_pixel = last.samples;
+    rendering.estimated_error = last.error;
+    samples = next_pass(settings, last, most);
   }
   if (tracing.progress.stop)
     rendering.stop = Stop::cancelled;
@@ -135,9 +135,9 @@ Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
   } else {
     const int samples = settings.samples.value_or(1);
     std::optional<Image> image = tracing.pass(samples, false);
-    if (image) rendering.image = *std::move(image);
     rendering.samples_per_pixel = samples;
     rendering.stop = image ? Stop::samples : Stop::cancelled;
+    if (image) rendering.image = std::move(*image);
   }
   rendering.trace_ms = tracing.watch.elapsed_ms();
   return rendering;

@@ -15,9 +15,9 @@ namespace raytracer {
 
 /// What one finished pass tells about the next.
 struct PassReport {
-  int samples;                  ///< per pixel
-  double pass_ms;               ///< of this pass alone
-  double elapsed_ms;            ///< since tracing began
+  int samples = 0;              ///< per pixel
+  double pass_ms = 0;           ///< of this pass alone
+  double elapsed_ms = 0;        ///< since tracing began
   std::optional<double> error;  ///< estimated; nothing after the first pass
 };
 

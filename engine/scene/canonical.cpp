@@ -36,7 +36,7 @@ class Bytes {
   template <typename... T>
   void add(const std::variant<T...>& value) {
     add(value.index());
-    std::visit([this](const auto& alternative) { add(alternative); }, value);
+    std::visit([this](const auto& alternative) { this->add(alternative); }, value);
   }
 
   void add(const Camera& c) { add_all(c.origin, c.look_at, c.up, c.fov, c.width, c.height); }

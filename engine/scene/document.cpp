@@ -16,10 +16,11 @@ namespace {
 
 using nlohmann::json;
 
-/// Where a number that no double holds stands in the text.
+/// A number that no double holds: where it stands in the text, and the how manieth number it is.
 struct HugeNumber {
   std::size_t begin;
   std::size_t size;
+  std::size_t ordinal;
 };
 
 /// Line and column, both from 1, of a byte in a text.
@@ -42,7 +43,10 @@ std::string describe_syntax_error(const json::exception& exception) {
 /// Receives the parser's events and lays the nodes down in their order.
 class DocumentBuilder : public nlohmann::json_sax<json> {
  public:
-  DocumentBuilder(std::string_view text, Document& document) : text_(text), document_(document) {}
+  /// `huge_ordinals`: the numbers that were replaced in `text`, in increasing order.
+  DocumentBuilder(std::string_view text, const std::vector<std::size_t>& huge_ordinals,
+                  Document& document)
+      : text_(text), huge_ordinals_(huge_ordinals), document_(document) {}
 
   bool null() override { return leaf(JsonKind::null); }
   bool boolean(bool) override { return leaf(JsonKind::boolean); }
@@ -74,7 +78,7 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
                    const json::exception& exception) override {
     if (exception.id == number_out_of_range && position >= last_token.size() &&
         text_.substr(position - last_token.size(), last_token.size()) == last_token) {
-      huge_number_ = HugeNumber{position - last_token.size(), last_token.size()};
+      huge_number_ = HugeNumber{position - last_token.size(), last_token.size(), number_count_};
       before_value();
       failure_ = {ErrorKind::invalid, pointer(),
                   fmt::format("{} is beyond the largest double (about 1.8e308)", last_token)};
@@ -125,7 +129,9 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 
   bool number(double value) {
     leaf(JsonKind::number);
-    document_.nodes.back().number = value;
+    const bool is_huge =
+        std::binary_search(huge_ordinals_.begin(), huge_ordinals_.end(), number_count_++);
+    document_.nodes.back().number = is_huge ? std::numeric_limits<double>::quiet_NaN() : value;
     return true;
   }
 
@@ -191,7 +197,9 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
   }
 
   std::string_view text_;
+  const std::vector<std::size_t>& huge_ordinals_;
   Document& document_;
+  std::size_t number_count_ = 0;
   std::vector<Open> open_;
   Error failure_;
   std::optional<HugeNumber> huge_number_;
@@ -204,11 +212,12 @@ Result<Document> parse_document(std::string_view text) {
   // the same, such a number is noted, replaced by a 0 and the text read again, a few times.
   constexpr int most_huge_numbers = 16;
   std::vector<Error> huge_number_errors;
+  std::vector<std::size_t> huge_ordinals;
   std::string patched;
   for (;;) {
     Document document;
     document.nodes.reserve(text.size() / 8);
-    DocumentBuilder builder(text, document);
+    DocumentBuilder builder(text, huge_ordinals, document);
     if (json::sax_parse(text, &builder)) {
       document.errors.insert(document.errors.end(), huge_number_errors.begin(),
                              huge_number_errors.end());
@@ -217,6 +226,7 @@ Result<Document> parse_document(std::string_view text) {
     if (!builder.huge_number()) return std::vector{builder.failure()};
     huge_number_errors.push_back(builder.failure());
     if (huge_number_errors.size() == most_huge_numbers) return huge_number_errors;
+    huge_ordinals.push_back(builder.huge_number()->ordinal);
     if (patched.empty()) patched = text;
     patched.replace(builder.huge_number()->begin, builder.huge_number()->size,
                     std::string(builder.huge_number()->size - 1, ' ') + '0');

@@ -18,15 +18,17 @@ enum class JsonKind : std::uint8_t { null, boolean, number, string, array, objec
 
 /// A parsed document: nodes in the order of the text, an object's members as key, value, key ...
 struct Document {
+  /// A piece of `text`.
+  struct Span {
+    std::uint32_t begin;
+    std::uint32_t size;
+  };
   struct Node {
     JsonKind kind = JsonKind::null;
     std::uint32_t end = 0;  ///< the index behind this value and all that it contains
     union {
-      double number = 0;
-      struct {
-        std::uint32_t begin;  ///< into `text`
-        std::uint32_t size;
-      } string;
+      double number = 0;  ///< not a number where the text has one beyond all doubles
+      Span string;
     };
   };
 
@@ -48,7 +50,7 @@ class JsonValue {
   JsonKind kind() const { return node().kind; }
   double number() const { return node().number; }
   std::string_view string() const {
-    const auto& place = node().string;
+    const Document::Span& place = node().string;
     return std::string_view(document_->text).substr(place.begin, place.size);
   }
 

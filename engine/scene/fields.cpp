@@ -84,6 +84,7 @@ std::string Range::describe() const {
 std::optional<double> read_number(const Field& field, const Range& range) {
   if (!expect(field, JsonKind::number, "a number")) return {};
   const double value = field.value.number();
+  if (std::isnan(value)) return {};  // beyond all doubles, as was noted when it was parsed
   if (range.contains(value)) return value;
   field.refuse(fmt::format("{} is out of range: must be {}", value, range.describe()));
   return {};
@@ -93,6 +94,7 @@ std::optional<std::int64_t> read_integer(const Field& field, std::int64_t least,
                                          std::int64_t most) {
   if (!expect(field, JsonKind::number, "an integer")) return {};
   const double value = field.value.number();
+  if (std::isnan(value)) return {};
   if (value != std::floor(value)) {
     field.refuse(fmt::format("{} must be an integer", value));
     return {};

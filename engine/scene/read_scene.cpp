@@ -109,7 +109,7 @@ std::vector<Light> read_lights(const Field& field) {
   std::vector<Light> lights;
   if (!expect_array(field)) return lights;
   read_elements(field, [&](const Field& element) {
-    if (auto light = read_typed(element, readers)) lights.push_back(*std::move(light));
+    if (auto light = read_typed(element, readers)) lights.push_back(*light);
   });
   return lights;
 }
