@@ -23,13 +23,15 @@ struct HugeNumber {
   std::size_t ordinal;
 };
 
-/// Line and column, both from 1, of a byte in a text.
+/// Line and column, both from 1 and in characters, of a byte in a text.
 std::string describe_position(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte, text.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const auto line_start = before.rfind('\n');
+  const std::string_view in_line = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0
   const auto column =
-      line_start == std::string_view::npos ? before.size() + 1 : before.size() - line_start;
+      1 + std::count_if(in_line.begin(), in_line.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;  // UTF-8's first bytes
+      });
   return fmt::format("line {}, column {}", line, column);
 }
 

@@ -1,0 +1,74 @@
+// The service's part that the page uses, as functions. Nothing else in the page calls fetch.
+// Addresses are relative, so that the page also works below a prefix, behind a proxy.
+
+/// An answer that is not the one asked for, in the terms of RFC 9457.
+export class Problem extends Error {
+  /// status 0: there was no answer at all.
+  constructor({ status = 0, title, detail = "", errors = [], retryAfter = null }) {
+    super(title);
+    Object.assign(this, { status, title, detail, errors, retryAfter });
+  }
+}
+
+/// [{name, title, description}], in the server's order.
+export async function listScenes() {
+  return ask("scenes", {}, async (answer) => (await answer.json()).scenes);
+}
+
+/// The document of a shipped scene, as text.
+export async function sceneText(name, signal) {
+  return ask(`scenes/${encodeURIComponent(name)}`, { signal }, (answer) => answer.text());
+}
+
+/// Renders `text`. `settings`: query parameters; those that are empty are left to the document.
+/// Returns the PNG and what its headers say; rejects with a Problem, or AbortError by `signal`.
+export async function render(text, settings, signal) {
+  const query = new URLSearchParams(Object.entries(settings).filter(([, value]) => value !== ""));
+  const request = {
+    method: "POST",
+    headers: { "Content-Type": "application/json", Accept: "image/png" },
+    body: text,
+    signal,
+  };
+  return ask(`render?${query}`, request, async (answer) => ({
+    blob: await answer.blob(),
+    samples: answer.headers.get("Render-Samples"),
+    precision: answer.headers.get("Render-Precision"),
+    error: answer.headers.get("Render-Error"),
+    stop: answer.headers.get("Render-Stop"),
+    stages: stagesOf(answer.headers.get("Server-Timing") ?? ""),
+  }));
+}
+
+/// Server-Timing's value ("parse;dur=0.3, trace;dur=120") as [{name, ms}], in its order.
+export function stagesOf(header) {
+  const stages = [];
+  for (const metric of header.split(",")) {
+    const [name, ...parameters] = metric.split(";").map((part) => part.trim());
+    const duration = parameters.find((parameter) => parameter.startsWith("dur="));
+    if (name && duration) stages.push({ name, ms: Number(duration.slice(4)) });
+  }
+  return stages;
+}
+
+async function ask(address, request, read) {
+  try {
+    const answer = await fetch(address, request);
+    if (!answer.ok) throw await problemOf(answer);
+    return await read(answer);
+  } catch (error) {
+    if (error instanceof Problem || error.name === "AbortError") throw error;
+    throw new Problem({
+      title: "The server does not answer",
+      detail: `Is raytracer-server still running at ${location.host}? (${error.message})`,
+    });
+  }
+}
+
+async function problemOf(answer) {
+  const { status } = answer;
+  const retryAfter = answer.headers.get("Retry-After");
+  // What stands between this page and the server may answer with something else than JSON.
+  const { title, detail, errors } = await answer.json().catch(() => ({}));
+  return new Problem({ status, title: title ?? `The server answered ${status}`, detail, errors, retryAfter });
+}

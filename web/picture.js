@@ -1,0 +1,86 @@
+// The picture, and what is known about how it came to be.
+import { bytes, digits, duration } from "./units.js";
+
+const stops = { samples: "sample count", target: "accuracy target", budget: "time budget" };
+
+/// Shows what api.js's render() gave. `name` is the scene's, for the file and for screen readers;
+/// `total_ms` is the time from the request to the picture, as this page saw it.
+export async function showPicture(rendering, name, total_ms) {
+  const image = document.querySelector("#picture");
+  const download = document.querySelector("#download");
+  const former = image.src;
+  const address = URL.createObjectURL(rendering.blob);
+
+  // Decoded before it is shown: the former picture stays until then, without a blink.
+  const decoded = new Image();
+  decoded.src = address;
+  await decoded.decode();
+  image.src = address;
+  image.width = decoded.naturalWidth;
+  image.height = decoded.naturalHeight;
+  image.style.setProperty("--ratio", decoded.naturalWidth / decoded.naturalHeight);
+  image.style.setProperty("--width-px", decoded.naturalWidth);
+  image.alt = `Rendered picture of the scene ${name}`;
+  image.hidden = false;
+  if (former) URL.revokeObjectURL(former);
+
+  download.href = address;
+  download.download = `${name}.png`;
+  download.hidden = false;
+
+  showFacts(rendering, `${decoded.naturalWidth} × ${decoded.naturalHeight}`);
+  showStages(rendering.stages, total_ms);
+}
+
+function showFacts({ blob, samples, precision, error, stop }, size) {
+  const facts = [
+    ["Size", size],
+    ["Samples per pixel", samples && digits(Number(samples))],
+    ["Precision", precision],
+    ["Estimated error", error],
+    ["Ended by", stop && (stops[stop] ?? stop)],
+    ["PNG", bytes(blob.size)],
+  ];
+  const rows = facts.filter(([, value]) => value).map(([term, value]) => {
+    const row = document.createElement("div");
+    row.append(element("dt", term), element("dd", value));
+    return row;
+  });
+  document.querySelector("#facts").replaceChildren(...rows);
+}
+
+// A bar whose parts are the server's stages, and below it each with its name and time.
+function showStages(stages, total_ms) {
+  const timings = document.querySelector("#timings");
+  const known_ms = stages.reduce((sum, stage) => sum + stage.ms, 0);
+  // What the server does not account for is the way there and back, and the browser's own work.
+  const parts = [...stages, { name: "transport", ms: Math.max(0, total_ms - known_ms) }];
+  const bar = element("div", "");
+  bar.className = "bar";
+  const legend = element("ul", "");
+  for (const { name, ms } of parts) {
+    const part = element("span", "");
+    part.dataset.stage = name;
+    part.style.flexGrow = ms;
+    bar.append(part);
+    const row = timed(name, ms);
+    row.dataset.stage = name;
+    legend.append(row);
+  }
+  legend.append(timed("total", total_ms));
+  bar.setAttribute("aria-hidden", "true");
+  timings.replaceChildren(bar, legend);
+  timings.hidden = false;
+}
+
+function timed(name, ms) {
+  const row = element("li", `${name} `);
+  row.append(element("span", duration(ms)));
+  return row;
+}
+
+function element(tag, text) {
+  const made = document.createElement(tag);
+  made.textContent = text;
+  return made;
+}

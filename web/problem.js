@@ -1,0 +1,97 @@
+// What is wrong, in words: the problem, and its errors as a list that leads to their places.
+import { lineAndColumn, locator, offsetOf } from "./json_pointer.js";
+import { counted } from "./units.js";
+
+const most_listed = 200;  // errors; nobody reads further, and each is a mark in the editor
+const about_keys = /^unknown key|stands twice/;  // the name is wrong then, whatever its value is
+
+/// The errors of a Problem as marks in `text`, the document that it is about:
+/// [{start, end, line, message, pointer}], in the order of the text. `overriding`: the controls
+/// that stood over the document, by pointer; an error of theirs gets {control} and no place.
+export function marksOf(problem, text, overriding) {
+  const syntax = syntaxMark(problem, text);
+  if (syntax) return [syntax];
+  const place = locator(text);
+  const marks = problem.errors.slice(0, most_listed).map(({ pointer, detail }) => {
+    const control = overriding.get(pointer);
+    if (control) return { control, pointer, message: detail };
+    const { key, value } = place(pointer);
+    const { start, end } = key && about_keys.test(detail) ? key : value;
+    return { start, end, pointer, message: detail, line: lineAndColumn(text, start).line };
+  });
+  return marks.sort((a, b) => rank(a) - rank(b));
+}
+
+// Text that is not JSON has no pointers: the detail says where it stops being JSON, then why.
+function syntaxMark({ status, detail }, text) {
+  const said = status === 400 && /line (\d+), column (\d+)[:\s]*(.*)/s.exec(detail);
+  if (!said) return null;
+  const [, line, column, message] = said;
+  const start = offsetOf(text, Number(line), Number(column));
+  return { start, end: start, pointer: "", message, line: lineAndColumn(text, start).line };
+}
+
+// The controls stand above the text; what is said of the whole document comes last.
+function rank({ control, pointer, start }) {
+  if (control) return -1;
+  return pointer === "" ? Infinity : start;
+}
+
+/// Shows the problem with its marks; `reveal(mark)` follows a click on one.
+export function showProblem(problem, marks, reveal) {
+  const title = document.createElement("strong");
+  title.textContent = titleOf(problem, marks);
+  const says = marks.length > 0 ? [] : [problem.detail];
+  if (problem.errors.length > marks.length && marks.length > 0) says.push(`The first ${marks.length} are listed.`);
+  if (problem.retryAfter) says.push(`The server suggests another attempt in ${problem.retryAfter} s.`);
+  document.querySelector("#problem-summary").replaceChildren(title, ...says.flatMap((sentence) => [" ", sentence]));
+  document.querySelector("#errors").replaceChildren(...marks.map((mark) => row(mark, reveal)));
+  document.querySelector("#problem").hidden = false;
+}
+
+// Where there are marks they say all that the detail does, and HTTP's phrase would explain nothing.
+function titleOf({ status, title, errors }, marks) {
+  if (marks.length === 0) return title;
+  if (status === 400) return "The text is not JSON";
+  if (status === 413) return "More than this server accepts";
+  return `${counted(errors.length, "error")} in the scene`;
+}
+
+export function hideProblem() {
+  document.querySelector("#problem").hidden = true;
+  document.querySelector("#problem-summary").replaceChildren();
+  document.querySelector("#errors").replaceChildren();
+}
+
+/// After an edit: the marks' lines may have changed.
+export function renumber(marks) {
+  const rows = document.querySelector("#errors").children;
+  marks.forEach((mark, index) => {
+    if (mark.control) return;
+    rows[index].dataset.line = mark.line;
+    rows[index].querySelector(".line").textContent = mark.line;
+  });
+}
+
+function row(mark, reveal) {
+  const item = document.createElement("li");
+  const button = document.createElement("button");
+  button.type = "button";
+  const place = mark.control
+    ? [piece("line", "↑"), piece("unseen", mark.control.labels[0].textContent)]
+    : [piece("unseen", "Line"), piece("line", mark.line)];
+  const rest = [piece("message", mark.message), piece("pointer", mark.pointer)];
+  // The spaces part the words for those who hear them; the layout ignores them.
+  button.append(...[...place, ...rest].flatMap((each) => [each, " "]));
+  if (!mark.control) item.dataset.line = mark.line;
+  button.addEventListener("click", () => reveal(mark));
+  item.append(button);
+  return item;
+}
+
+function piece(className, text) {
+  const span = document.createElement("span");
+  span.className = className;
+  span.textContent = text;
+  return span;
+}
