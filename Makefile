@@ -1,0 +1,69 @@
+# Short names for what CMake does. CMAKE_FLAGS goes to every configuration, as in
+#   make CMAKE_FLAGS=-DCMAKE_CXX_COMPILER=clang++
+CMAKE_FLAGS ?=
+PREFIX ?= /usr/local
+JOBS ?= $(shell getconf _NPROCESSORS_ONLN)
+
+MAKEFLAGS += --no-print-directory
+
+sources = $(shell find engine server client tests -name '*.h' -o -name '*.cpp')
+scripts = raytracer-demo .ci/install .ci/run
+
+# Configures every time: it takes a second, and finds what was installed since the last time.
+# $(1) is the directory, $(2) more flags.
+define configure
+	@mkdir -p $(1)
+	@cmake -S . -B $(1) $(2) $(CMAKE_FLAGS) >$(1)/configure.log 2>&1 || { cat $(1)/configure.log; \
+	  echo "If something is missing: .ci/install build"; exit 1; }
+endef
+
+# --parallel with a number: without one, make would start every compiler at once.
+define test_in
+	.ci/install build test
+	$(call configure,$(1),$(2))
+	cmake --build $(1) --parallel $(JOBS) --target all raytracer_tests_all
+	ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
+endef
+
+.PHONY: all test check sanitize tsan install clean help
+
+all:
+	$(call configure,build)
+	@cmake --build build --parallel $(JOBS)
+
+test:
+	$(call test_in,build)
+
+# The sets build and test as well: clang-tidy reads every source with the headers that it includes.
+check:
+	.ci/install build test check
+	clang-format --dry-run -Werror $(sources)
+	shellcheck $(scripts)
+	$(call configure,build)
+	@cmake --build build --parallel $(JOBS)  # some headers are generated
+	run-clang-tidy -quiet -j $(JOBS) -p build '^$(CURDIR)/(engine|server|client|tests)/'
+
+# Directories of their own: the two cannot be combined, and neither with the ordinary build.
+sanitize:
+	$(call test_in,build-sanitize,-DRAYTRACER_SANITIZE=address$(comma)undefined)
+
+tsan:
+	$(call test_in,build-tsan,-DRAYTRACER_SANITIZE=thread)
+
+# DESTDIR, as packagers use it, is read by cmake itself.
+install: all
+	cmake --install build --prefix $(PREFIX)
+
+clean:
+	rm -rf build build-sanitize build-tsan
+
+help:
+	@echo "make           build/raytracer-server and build/raytracer"
+	@echo "make test      all tests; installs what is missing"
+	@echo "make check     clang-format, clang-tidy, shellcheck; installs what is missing"
+	@echo "make sanitize  all tests with AddressSanitizer and UndefinedBehaviorSanitizer"
+	@echo "make tsan      all tests with ThreadSanitizer"
+	@echo "make install   both programs to PREFIX ($(PREFIX)), below DESTDIR if that is set"
+	@echo "make clean     remove what was built"
+
+comma := ,

@@ -1,0 +1,49 @@
+// The command line and its variables, checked before anything is done: see raytracer --help.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "client/server_url.h"
+
+namespace raytracer::client {
+
+/// The server's query parameters by name; they stand over the scene's own values.
+using Overrides = std::map<std::string, std::string>;
+
+struct RenderArguments {
+  std::string scene;                            ///< a file, "-", or a shipped scene's name
+  std::optional<std::filesystem::path> output;  ///< none: the terminal, or standard output
+  Overrides overrides;
+};
+
+struct ValidateArguments {
+  std::string scene;
+};
+
+struct ScenesArguments {};
+
+/// Which daemon to talk to.
+struct ServerChoice {
+  std::optional<ServerUrl> url;  ///< none: a private one
+  std::string token;             ///< empty: none
+};
+
+struct Arguments {
+  ServerChoice server;
+  std::variant<RenderArguments, ValidateArguments, ScenesArguments> command;
+};
+
+/// A text that was asked for, to be printed instead of doing anything.
+struct HelpText {
+  std::string text;
+};
+
+/// Reads argv and the variables RAYTRACER_SERVER and RAYTRACER_TOKEN.
+/// Throws InputError for everything that could not be meant.
+std::variant<Arguments, HelpText> read_arguments(int argc, const char* const* argv);
+
+}  // namespace raytracer::client

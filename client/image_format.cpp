@@ -1,0 +1,74 @@
+#include "client/image_format.h"
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace raytracer::client {
+namespace {
+
+struct FormatRow {
+  ImageFormat format;
+  std::string_view ending;
+  std::string_view media_type;
+};
+
+constexpr std::array<FormatRow, 3> formats{{
+    {ImageFormat::png, ".png", "image/png"},
+    {ImageFormat::ppm, ".ppm", "image/x-portable-pixmap"},
+    {ImageFormat::pfm, ".pfm", "image/x-portable-floatmap"},
+}};
+
+/// A big-endian integer of a PNG; 0 where the bytes end.
+int png_integer(std::string_view bytes, std::size_t at) {
+  unsigned value = 0;
+  for (const char c : bytes.substr(at, 4)) value = value << 8 | static_cast<unsigned char>(c);
+  return static_cast<int>(value);
+}
+
+}  // namespace
+
+std::optional<ImageFormat> format_of(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  for (const FormatRow& row : formats)
+    if (ending == row.ending) return row.format;
+  return std::nullopt;
+}
+
+std::string_view media_type(ImageFormat format) {
+  for (const FormatRow& row : formats)
+    if (row.format == format) return row.media_type;
+  return {};
+}
+
+std::optional<NetpbmHeader> netpbm_header(std::string_view bytes, std::string_view magic) {
+  if (!bytes.starts_with(magic)) return std::nullopt;
+  constexpr std::string_view white = " \t\r\n";
+  std::size_t at = magic.size();
+  std::array<int, 2> size{};
+  for (int field = 0; field < 3; ++field) {  // width, height, and the largest value or scale
+    const std::size_t begin = bytes.find_first_not_of(white, at);
+    const std::size_t end = bytes.find_first_of(white, begin);
+    if (begin == at || end == bytes.npos) return std::nullopt;
+    if (field < 2) {
+      int& value = size[static_cast<std::size_t>(field)];
+      const auto read = std::from_chars(bytes.data() + begin, bytes.data() + end, value);
+      if (read.ec != std::errc() || read.ptr != bytes.data() + end || value < 1)
+        return std::nullopt;
+    }
+    at = end;
+  }
+  return NetpbmHeader{{size[0], size[1]}, at + 1};
+}
+
+std::optional<ImageSize> image_size(std::string_view bytes) {
+  if (bytes.starts_with("\x89PNG\r\n\x1a\n") && bytes.size() >= 24)
+    return ImageSize{png_integer(bytes, 16), png_integer(bytes, 20)};
+  for (const std::string_view magic : {"P6", "PF"})
+    if (const auto header = netpbm_header(bytes, magic)) return header->size;
+  return std::nullopt;
+}
+
+}  // namespace raytracer::client

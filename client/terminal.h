@@ -1,0 +1,17 @@
+// What the client needs to know about the terminal that it writes to.
+#pragma once
+
+namespace raytracer::client {
+
+struct TerminalSize {
+  int columns = 80;
+  int rows = 24;
+};
+
+/// Of the terminal behind the file descriptor; 80 x 24 if it does not say.
+TerminalSize terminal_size(int fd);
+
+/// True if TERM does not say that the terminal takes nothing but text.
+bool takes_control_sequences();
+
+}  // namespace raytracer::client
