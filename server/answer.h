@@ -1,0 +1,28 @@
+// Writing answers into httplib's response, and ending connections that cannot go on.
+#pragma once
+
+#include <httplib.h>
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "server/problem.h"
+
+namespace raytracer {
+
+/// What becomes of the connection after the answer. `close` is for requests whose body, or rest,
+/// is unread: it would be taken for the next request.
+enum class Afterwards { keep, close };
+
+/// Replaces whatever the response held by the problem.
+void answer_problem(httplib::Response& response, const Problem& problem, Afterwards afterwards);
+
+void answer_bytes(httplib::Response& response, std::string bytes, std::string_view media_type);
+
+void answer_json(httplib::Response& response, int status, const nlohmann::ordered_json& json);
+
+/// Whether this response ends its connection; see answer_problem.
+bool closes_connection(const httplib::Response& response);
+
+}  // namespace raytracer

@@ -1,0 +1,29 @@
+#include "server/body_memory.h"
+
+#include <utility>
+
+#include "server/problem.h"
+
+namespace raytracer {
+
+BodyMemory::Share BodyMemory::take(std::int64_t bytes) {
+  const std::scoped_lock lock(mutex_);
+  if (bytes > most_ - taken_)
+    throw Refusal({429,
+                   "The bodies of other requests fill the memory for them; try again later",
+                   {},
+                   {{"Retry-After", "1"}}});
+  taken_ += bytes;
+  return {*this, bytes};
+}
+
+BodyMemory::Share::Share(Share&& other) noexcept
+    : memory_(std::exchange(other.memory_, nullptr)), bytes_(other.bytes_) {}
+
+BodyMemory::Share::~Share() {
+  if (!memory_) return;
+  const std::scoped_lock lock(memory_->mutex_);
+  memory_->taken_ -= bytes_;
+}
+
+}  // namespace raytracer

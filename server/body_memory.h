@@ -1,0 +1,42 @@
+// How many bytes of bodies, and of the scenes read from them, may be in memory at once.
+//
+// --max-body bounds one request; without a bound on their sum, as many large bodies as there are
+// HTTP threads could take the machine's memory together.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+
+namespace raytracer {
+
+class BodyMemory {
+ public:
+  /// `most` bytes in all; a single body always fits if it is no larger.
+  explicit BodyMemory(std::int64_t most) : most_(most) {}
+
+  /// Some of the bytes, given back at the end of its life.
+  class Share {
+   public:
+    Share() = default;
+    Share(Share&& other) noexcept;
+    Share& operator=(Share&&) = delete;
+    ~Share();
+
+   private:
+    friend class BodyMemory;
+    Share(BodyMemory& memory, std::int64_t bytes) : memory_(&memory), bytes_(bytes) {}
+    BodyMemory* memory_ = nullptr;
+    std::int64_t bytes_ = 0;
+  };
+
+  /// Throws Refusal 429 if there is no room now.
+  Share take(std::int64_t bytes);
+
+ private:
+  const std::int64_t most_;
+  std::mutex mutex_;
+  std::int64_t taken_ = 0;
+};
+
+}  // namespace raytracer

@@ -1,0 +1,175 @@
+#include "server/config.h"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <sstream>
+#include <thread>
+
+#include "engine/build_id.h"
+#include "server/token.h"
+
+namespace raytracer {
+namespace {
+
+// The HTTP threads outnumber those who wait, and httplib's select() ends at 1,024 descriptors.
+constexpr std::int64_t longest_queue = 500;
+
+/// A value and where it came from, for messages: "--port" or "RAYTRACER_PORT".
+struct Given {
+  std::string source;
+  std::string text;
+};
+
+/// One flag with its variable. The values stay texts until they are judged, so that a message can
+/// say which of the two was wrong.
+struct Setting {
+  std::string flag;
+  std::string variable;
+  std::string placeholder;
+  std::string help;
+  std::string from_flag{};
+  CLI::Option* option = nullptr;
+
+  std::optional<Given> given(const Environment& environment) const {
+    if (option->count() > 0) return Given{flag, from_flag};
+    const char* const value = environment(variable.c_str());
+    if (value && *value) return Given{variable, value};
+    return {};
+  }
+};
+
+[[noreturn]] void refuse(const Given& given, std::string_view rule) {
+  throw ConfigError(fmt::format("{} is \"{}\" but must be {}", given.source, given.text, rule));
+}
+
+std::int64_t integer_of(const Given& given, std::int64_t least, std::int64_t most) {
+  std::int64_t value = 0;
+  const char* const end = given.text.data() + given.text.size();
+  const auto [stop, error] = std::from_chars(given.text.data(), end, value);
+  if (error != std::errc{} || stop != end || value < least || value > most)
+    refuse(given, fmt::format("an integer from {} to {}", least, most));
+  return value;
+}
+
+void demand_token_beyond_loopback(const Config& config) {
+  if (!config.token.empty() || is_loopback(config.host)) return;
+  throw ConfigError(fmt::format(
+      "--host {} can be reached from other machines, so a token is required: set --token or "
+      "RAYTRACER_TOKEN, or listen on 127.0.0.1, ::1 or localhost",
+      config.host));
+}
+
+/// The table of settings as CLI11 options, and what came of it.
+class CommandLine {
+ public:
+  CommandLine() : app_("Renders scenes over HTTP. A flag stands over its variable.") {
+    app_.set_version_flag("--version",
+                          fmt::format("raytracer-server {} (build {})", version, build_id));
+    app_.add_flag("--quiet", quiet_, "no line on standard error for each request");
+  }
+
+  /// The option takes a text; `help` is followed by the default and the variable.
+  const Setting& add(std::string flag, std::string variable, std::string placeholder,
+                     std::string_view help, std::string_view default_text) {
+    Setting& setting =
+        settings_.emplace_back(Setting{std::move(flag), std::move(variable), std::move(placeholder),
+                                       fmt::format("{} [{}]", help, default_text)});
+    setting.option = app_.add_option(setting.flag, setting.from_flag,
+                                     fmt::format("{}, or {}", setting.help, setting.variable));
+    setting.option->type_name(setting.placeholder);
+    return setting;
+  }
+
+  /// A text to print, if one was asked for. Throws ConfigError.
+  std::optional<Printout> parse(int argc, const char* const* argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::Success& request) {
+      std::ostringstream text;
+      app_.exit(request, text, text);
+      return Printout{text.str()};
+    } catch (const CLI::ParseError& error) {
+      throw ConfigError(fmt::format("{} (--help lists the flags)", error.what()));
+    }
+    return {};
+  }
+
+  bool quiet() const { return quiet_; }
+
+ private:
+  CLI::App app_;
+  std::deque<Setting> settings_;  ///< addresses stay
+  bool quiet_ = false;
+};
+
+}  // namespace
+
+std::variant<Config, Printout> read_config(int argc, const char* const* argv,
+                                           const Environment& environment) {
+  const Config defaults;
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  CommandLine line;
+  const Setting& host =
+      line.add("--host", "RAYTRACER_HOST", "ADDRESS",
+               "address to listen on; beyond loopback a token is required", defaults.host);
+  const Setting& port =
+      line.add("--port", "RAYTRACER_PORT", "PORT", "port to listen on; 0 takes a free one",
+               std::to_string(defaults.port));
+  const Setting& threads = line.add("--threads", "RAYTRACER_THREADS", "COUNT", "threads that trace",
+                                    fmt::format("every core: {}", cores));
+  std::vector<const Setting*> limits;
+  limits.reserve(limit_table.size());
+  for (const LimitRow& row : limit_table)
+    limits.push_back(&line.add(row.flag, row.variable, "COUNT", fmt::format("most {}", row.meaning),
+                               std::to_string(defaults.limits.*row.value)));
+  const Setting& max_queue = line.add("--max-queue", "RAYTRACER_MAX_QUEUE", "COUNT",
+                                      "most renders waiting", std::to_string(defaults.max_queue));
+  const Setting& token = line.add("--token", "RAYTRACER_TOKEN", "TOKEN",
+                                  "bearer token that requests must carry; safer in its variable, "
+                                  "which other users cannot list",
+                                  "none");
+  if (auto printout = line.parse(argc, argv)) return *std::move(printout);
+
+  Config config;
+  config.threads = cores;
+  config.quiet = line.quiet();
+  if (const auto given = host.given(environment)) {
+    if (given->text.empty()) refuse(*given, "an address, such as 127.0.0.1");
+    config.host = given->text;
+  }
+  if (const auto given = port.given(environment))
+    config.port = static_cast<int>(integer_of(*given, 0, 65'535));
+  if (const auto given = threads.given(environment))
+    config.threads = static_cast<std::size_t>(integer_of(*given, 1, 1024));
+  for (std::size_t i = 0; i < limit_table.size(); ++i)
+    if (const auto given = limits[i]->given(environment))
+      config.limits.*limit_table[i].value = integer_of(*given, 1, limit_table[i].largest);
+  if (const auto given = max_queue.given(environment))
+    config.max_queue = static_cast<std::size_t>(integer_of(*given, 0, longest_queue));
+  if (const auto given = token.given(environment)) {
+    if (!is_token(given->text))
+      throw ConfigError(
+          fmt::format("{} must be a non-empty text of letters, digits and -._~+/=", given->source));
+    config.token = given->text;
+  }
+  demand_token_beyond_loopback(config);
+  return config;
+}
+
+bool is_loopback(const std::string& host) {
+  if (host == "localhost") return true;
+  in_addr v4{};
+  if (inet_pton(AF_INET, host.c_str(), &v4) == 1) return (ntohl(v4.s_addr) >> 24) == 127;
+  in6_addr v6{};
+  return inet_pton(AF_INET6, host.c_str(), &v6) == 1 && IN6_IS_ADDR_LOOPBACK(&v6);
+}
+
+}  // namespace raytracer

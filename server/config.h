@@ -1,0 +1,45 @@
+// How the server was told to run: flags over variables over defaults, all checked before anything
+// starts, so that nothing is unset or out of range afterwards.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "engine/scene/limits.h"
+
+namespace raytracer {
+
+struct Config {
+  std::string host = "127.0.0.1";
+  int port = 8080;  ///< 0: one that is free
+  std::size_t threads = 1;
+  Limits limits;
+  std::size_t max_queue = 64;  ///< renders waiting
+  std::string token;           ///< empty: none is asked for
+  bool quiet = false;          ///< no line per request
+};
+
+/// Says which flag or variable, its value, and what is allowed.
+class ConfigError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// --help or --version: a text to print instead of serving.
+struct Printout {
+  std::string text;
+};
+
+/// Looks a variable up, as getenv does.
+using Environment = std::function<const char*(const char* variable)>;
+
+/// Throws ConfigError. A variable that is set but empty counts as not set.
+std::variant<Config, Printout> read_config(int argc, const char* const* argv,
+                                           const Environment& environment);
+
+/// Whether only this machine can reach a server that listens on `host`.
+bool is_loopback(const std::string& host);
+
+}  // namespace raytracer

@@ -1,0 +1,103 @@
+#include "server/connection.h"
+
+#include <netdb.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <optional>
+
+namespace raytracer {
+namespace {
+
+#ifdef POLLRDHUP
+constexpr short end_of_input = POLLRDHUP;  // also seen behind input that was not read yet
+#else
+constexpr short end_of_input = 0;
+#endif
+
+using NameFunction = int (*)(int, sockaddr*, socklen_t*);
+
+/// One end of a TCP connection, in figures.
+struct End {
+  std::string address;
+  std::string port;
+};
+
+/// What getpeername or getsockname tells; nothing if the descriptor is no TCP connection.
+std::optional<End> end_of(int socket, NameFunction name_of_end) {
+  sockaddr_storage storage{};
+  socklen_t length = sizeof storage;
+  auto* const end = reinterpret_cast<sockaddr*>(&storage);
+  if (name_of_end(socket, end, &length) != 0) return {};
+  if (storage.ss_family != AF_INET && storage.ss_family != AF_INET6) return {};
+  std::array<char, NI_MAXHOST> host{};
+  std::array<char, NI_MAXSERV> service{};
+  if (getnameinfo(end, length, host.data(), host.size(), service.data(), service.size(),
+                  NI_NUMERICHOST | NI_NUMERICSERV) != 0)
+    return {};
+  return End{host.data(), service.data()};
+}
+
+bool end_is(int socket, NameFunction name_of_end, const std::string& address, int port) {
+  const std::optional<End> end = end_of(socket, name_of_end);
+  return end && end->address == address && end->port == std::to_string(port);
+}
+
+int descriptor_limit() {
+  constexpr rlim_t most = 65'536;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return 1024;
+  return static_cast<int>(std::min(limit.rlim_cur, most));
+}
+
+}  // namespace
+
+int find_socket(const ConnectionEnds& ends) {
+  // Descriptors are given out from below, so that the search ends soon.
+  const int limit = descriptor_limit();
+  for (int socket = 0; socket < limit; ++socket)
+    if (end_is(socket, getpeername, ends.remote_address, ends.remote_port) &&
+        end_is(socket, getsockname, ends.local_address, ends.local_port))
+      return socket;
+  return -1;
+}
+
+void hang_up_all(int local_port) {
+  const int limit = descriptor_limit();
+  for (int socket = 0; socket < limit; ++socket) {
+    const std::optional<End> local = end_of(socket, getsockname);
+    if (local && local->port == std::to_string(local_port) && end_of(socket, getpeername))
+      shutdown(socket, SHUT_RDWR);
+  }
+}
+
+bool client_has_left(int socket) {
+  if (socket < 0) return false;
+  pollfd state{socket, static_cast<short>(POLLIN | end_of_input), 0};
+  if (poll(&state, 1, 0) <= 0) return false;
+  if ((state.revents & (POLLERR | POLLHUP | POLLNVAL | end_of_input)) != 0) return true;
+  char byte = 0;
+  return (state.revents & POLLIN) != 0 && recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+}
+
+void linger(int socket) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int silence_ms = 1000;
+  if (socket < 0) return;
+  shutdown(socket, SHUT_WR);
+  const auto end = Clock::now() + std::chrono::seconds(5);
+  std::array<char, 65'536> unread;
+  while (Clock::now() < end) {
+    pollfd state{socket, POLLIN, 0};
+    if (poll(&state, 1, silence_ms) <= 0) break;
+    if (recv(socket, unread.data(), unread.size(), MSG_DONTWAIT) <= 0) break;
+  }
+  // What came too late must not be taken for the next request.
+  shutdown(socket, SHUT_RDWR);
+}
+
+}  // namespace raytracer

@@ -1,0 +1,26 @@
+// Entity tags: which bytes an image request is about, known without rendering.
+//
+// A tag is a digest of everything that decides the bytes: the canonical scene with the query's
+// values applied, the media type, and the engine's build. SHA-256 cut to 128 bits.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/scene/scene.h"
+
+namespace raytracer {
+
+/// Hexadecimal digest of the scene's canonical bytes.
+std::string scene_digest(const Scene& scene);
+
+/// The strong entity tag, with its quotes, of the scene drawn by this build in one media type.
+std::string entity_tag(std::string_view scene_digest, std::string_view media_type);
+
+/// Whether an If-None-Match field names `tag`, by weak comparison (RFC 9110, 13.1.2), or is "*".
+bool names_tag(std::string_view if_none_match, std::string_view tag);
+
+/// SHA-256 in hexadecimal. Throws std::runtime_error if OpenSSL has no SHA-256.
+std::string sha256_hex(std::string_view bytes);
+
+}  // namespace raytracer

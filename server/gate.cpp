@@ -1,0 +1,55 @@
+#include "server/gate.h"
+
+#include <fmt/format.h>
+
+#include "server/body.h"
+#include "server/problem.h"
+#include "server/token.h"
+
+namespace raytracer {
+namespace {
+
+// httplib matches its catch-all patterns with std::regex, whose recursion overflows the stack at
+// some thousands of characters.
+constexpr std::size_t longest_target = 2048;
+
+void demand_short_target(const httplib::Request& request) {
+  if (request.target.size() > longest_target)
+    throw Refusal({414, fmt::format("The request's target has {} characters; at most {} are read",
+                                    request.target.size(), longest_target)});
+}
+
+/// "Content-Length : 5" is a body to some and none to others, which smuggles requests through
+/// proxies (RFC 9112, 5.1 wants this refused).
+void demand_plain_field_names(const httplib::Request& request) {
+  for (const auto& [name, value] : request.headers)
+    if (name.find_first_of(" \t") != std::string::npos)
+      throw Refusal({400, "A header field's name contains white space"});
+}
+
+void demand_token(const httplib::Request& request, const std::string& token) {
+  const bool is_open = request.path == "/healthz" || request.path == "/readyz";
+  if (token.empty() || is_open) return;
+  if (carries_token(request.get_header_value("Authorization"), token)) return;
+  throw Refusal({401,
+                 "This server wants a token: send Authorization: Bearer TOKEN",
+                 {},
+                 {{"WWW-Authenticate", "Bearer realm=\"raytracer\""}}});
+}
+
+}  // namespace
+
+RouteTable::Match pass_gate(const httplib::Request& request, const RouteTable& routes,
+                            const Config& config) {
+  demand_short_target(request);
+  demand_plain_field_names(request);
+  demand_token(request, config.token);
+  RouteTable::Match match = routes.match(request.method, request.path);
+  if (match.route.body == RequestBody::none)
+    demand_no_body(request);
+  else
+    demand_scene_body(request, config.limits.body);
+  return match;
+}
+
+}  // namespace raytracer

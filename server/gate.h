@@ -1,0 +1,17 @@
+// What every request is asked before its handler, and before its body is read.
+#pragma once
+
+#include <httplib.h>
+
+#include "server/config.h"
+#include "server/route_table.h"
+
+namespace raytracer {
+
+/// The route that the request belongs to. Throws Refusal, in this order: 414 for a long target,
+/// 400 for field names that proxies read otherwise, 401 without the token, 404, 405, and what
+/// body.h says about the body.
+RouteTable::Match pass_gate(const httplib::Request& request, const RouteTable& routes,
+                            const Config& config);
+
+}  // namespace raytracer

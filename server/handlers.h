@@ -1,0 +1,27 @@
+// What each route does. A handler answers its call or throws Refusal; see routes.cpp for the table.
+#pragma once
+
+#include "server/call.h"
+#include "server/embedded.h"
+#include "server/services.h"
+
+namespace raytracer {
+
+void post_or_get_render(Services& services, Call& call);
+
+void post_job(Services& services, Call& call);
+void get_job(Services& services, Call& call);
+void get_job_image(Services& services, Call& call);
+void delete_job(Services& services, Call& call);
+
+void get_scenes(Services& services, Call& call);
+void get_scene(Services& services, Call& call);
+void get_health(Services& services, Call& call);
+void get_readiness(Services& services, Call& call);
+void get_version(Services& services, Call& call);
+void get_scene_schema(Services& services, Call& call);
+
+/// One of the page's files.
+void get_file(const EmbeddedFile& file, Call& call);
+
+}  // namespace raytracer

@@ -1,0 +1,39 @@
+// A rendering as an HTTP answer: its bytes in the format that the client prefers, and the header
+// fields that say what it is and how it came about.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/image/encode.h"
+#include "engine/render/render.h"
+#include "server/call.h"
+
+namespace raytracer {
+
+/// What decides the picture, as a digest, if the same request would give the same bytes again.
+/// A time budget does not: how far it gets differs from run to run, so such pictures carry no
+/// entity tag and are not to be stored.
+using Reproducible = std::optional<std::string>;
+Reproducible reproducible_digest(const Scene& scene);
+
+/// The format that the call's Accept asks for. Throws Refusal 406.
+ImageFormat demand_format(const httplib::Request& request);
+
+/// Answers 304 if the client has this picture already and does not insist (Cache-Control:
+/// no-cache); returns whether it did.
+bool answer_not_modified(Call& call, const Reproducible& digest, ImageFormat format);
+
+/// What preceded the rendering, in milliseconds.
+struct Preparation {
+  double queue_ms = 0;
+  double parse_ms = 0;
+};
+
+void answer_image(Call& call, const Rendering& rendering, const Preparation& before,
+                  const Reproducible& digest, ImageFormat format);
+
+/// The fields that a GET would have, without drawing anything: for HEAD.
+void answer_image_head(Call& call, const Reproducible& digest, ImageFormat format);
+
+}  // namespace raytracer

@@ -1,0 +1,71 @@
+// What the server says about itself: its scenes, its health, its version, its schema, its page.
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "engine/build_id.h"
+#include "server/answer.h"
+#include "server/handlers.h"
+#include "server/problem.h"
+
+namespace raytracer {
+
+void get_scenes(Services& services, Call& call) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ShippedScene& scene : services.catalog.scenes())
+    list.push_back({{"name", scene.name},
+                    {"title", scene.title},
+                    {"description", scene.description},
+                    {"width", scene.width_px},
+                    {"height", scene.height_px}});
+  answer_json(call.response, 200, {{"scenes", list}});
+}
+
+void get_scene(Services& services, Call& call) {
+  const ShippedScene& scene = services.catalog.at(call.captured);
+  answer_bytes(call.response, std::string(scene.document), "application/json");
+}
+
+void get_health(Services&, Call& call) { answer_json(call.response, 200, {{"status", "ok"}}); }
+
+void get_readiness(Services& services, Call& call) {
+  call.response.set_header("Cache-Control", "no-store");
+  if (services.admission.is_closed())
+    return answer_json(call.response, 503, {{"status", "draining"}});
+  if (services.admission.is_full()) return answer_json(call.response, 503, {{"status", "full"}});
+  answer_json(call.response, 200, {{"status", "ok"}});
+}
+
+void get_version(Services& services, Call& call) {
+  const Config& config = services.config;
+  nlohmann::ordered_json limits = nlohmann::ordered_json::array();
+  const auto add = [&](const char* flag, const char* variable, std::int64_t value,
+                       const char* meaning) {
+    limits.push_back(
+        {{"flag", flag}, {"variable", variable}, {"value", value}, {"meaning", meaning}});
+  };
+  for (const LimitRow& row : limit_table)
+    add(row.flag, row.variable, config.limits.*row.value, row.meaning);
+  add("--max-queue", "RAYTRACER_MAX_QUEUE", static_cast<std::int64_t>(config.max_queue),
+      "renders waiting");
+  answer_json(call.response, 200,
+              {{"version", version},
+               {"build_id", build_id},
+               {"threads", config.threads},
+               {"renders_at_once", renders_at_once},
+               {"limits", limits}});
+}
+
+void get_scene_schema(Services&, Call& call) {
+  for (const EmbeddedFile& file : embedded_files())
+    if (file.path == "scene.schema.json")
+      return answer_bytes(call.response, std::string(file.bytes), "application/schema+json");
+  throw std::logic_error("the schema is not embedded");
+}
+
+void get_file(const EmbeddedFile& file, Call& call) {
+  answer_bytes(call.response, std::string(file.bytes), media_type_of(file.path));
+  call.response.set_header("Cache-Control", "no-cache");
+}
+
+}  // namespace raytracer

@@ -1,0 +1,190 @@
+#include "server/jobs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <random>
+#include <utility>
+
+#include "server/problem.h"
+
+namespace raytracer {
+namespace {
+
+constexpr std::size_t most_finished = 100;
+constexpr std::size_t most_finished_bytes = 512 << 20;  // two and a half images of 4096 x 4096
+
+/// 128 random bits: an id cannot be guessed, and none comes twice.
+std::string random_id() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
+}
+
+Refusal unknown_job(const std::string& id) {
+  return Refusal({404, fmt::format("There is no job \"{}\": it never was, was deleted, or ended "
+                                   "so long ago that it was forgotten",
+                                   id)});
+}
+
+}  // namespace
+
+std::string_view name_of(JobStatus status) {
+  switch (status) {
+    case JobStatus::queued:
+      return "queued";
+    case JobStatus::running:
+      return "running";
+    case JobStatus::done:
+      return "done";
+    case JobStatus::failed:
+      return "failed";
+    case JobStatus::cancelled:
+      break;
+  }
+  return "cancelled";
+}
+
+Job::Job(std::string job_id, SceneRequest request)
+    : id(std::move(job_id)),
+      digest(reproducible_digest(request.scene)),
+      parse_ms(request.parse_ms),
+      request_(std::move(request)) {}
+
+JobState Job::state() const {
+  const std::scoped_lock lock(mutex_);
+  const bool has_ended = status_ != JobStatus::queued && status_ != JobStatus::running;
+  const std::chrono::duration<double, std::milli> elapsed =
+      (has_ended ? ended_ : Clock::now()) - accepted_;
+  return {status_, status_ == JobStatus::done ? 1 : progress_.fraction.load(), elapsed.count(),
+          detail_};
+}
+
+const Rendering* Job::rendering() const {
+  const std::scoped_lock lock(mutex_);
+  return status_ == JobStatus::done ? &rendering_ : nullptr;
+}
+
+Preparation Job::preparation() const {
+  const std::scoped_lock lock(mutex_);
+  return {queue_ms_, parse_ms};
+}
+
+void Job::begin() {
+  const std::scoped_lock lock(mutex_);
+  queue_ms_ = place_->queue_ms();
+  status_ = JobStatus::running;
+}
+
+void Job::end(JobStatus status, std::string detail) {
+  {
+    const std::scoped_lock lock(mutex_);
+    status_ = status;
+    detail_ = std::move(detail);
+    ended_ = Clock::now();
+  }
+  request_.reset();
+  place_.reset();
+}
+
+std::size_t Job::result_bytes() const {
+  const std::scoped_lock lock(mutex_);
+  return rendering_.image.values.size() * sizeof(float);
+}
+
+Jobs::Jobs(Admission& admission, WorkerPool& pool, const Limits& limits, std::size_t runner_count,
+           std::function<void(std::string_view)> note)
+    : admission_(admission), pool_(pool), limits_(limits), note_(std::move(note)) {
+  while (runners_.size() < runner_count) runners_.emplace_back([this] { run_jobs(); });
+}
+
+Jobs::~Jobs() {
+  {
+    const std::scoped_lock lock(mutex_);
+    closing_ = true;
+    for (const auto& [id, job] : jobs_) job->progress_.stop = true;
+  }
+  arrived_.notify_all();
+  for (std::thread& runner : runners_) runner.join();
+}
+
+std::shared_ptr<const Job> Jobs::accept(SceneRequest request) {
+  const auto job = std::make_shared<Job>(random_id(), std::move(request));
+  const std::scoped_lock lock(mutex_);  // places and jobs in one order
+  job->place_.emplace(admission_.enter(job->progress_));
+  jobs_.emplace(job->id, job);
+  queue_.push_back(job);
+  arrived_.notify_one();
+  return job;
+}
+
+std::shared_ptr<const Job> Jobs::at(const std::string& id) const {
+  const std::scoped_lock lock(mutex_);
+  const auto entry = jobs_.find(id);
+  if (entry == jobs_.end()) throw unknown_job(id);
+  return entry->second;
+}
+
+void Jobs::remove(const std::string& id) {
+  std::shared_ptr<Job> job;
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto entry = jobs_.find(id);
+    if (entry == jobs_.end()) throw unknown_job(id);
+    job = entry->second;
+    job->progress_.stop = true;
+    jobs_.erase(entry);
+    if (std::erase(finished_, job) > 0) finished_bytes_ -= job->result_bytes();
+    if (std::erase(queue_, job) == 0) return;
+  }
+  // No runner has it or will: its place is free for others at once.
+  job->end(JobStatus::cancelled, "deleted");
+}
+
+void Jobs::run_jobs() {
+  for (;;) {
+    std::shared_ptr<Job> job;
+    {
+      std::unique_lock lock(mutex_);
+      arrived_.wait(lock, [&] { return closing_ || !queue_.empty(); });
+      if (closing_) return;
+      job = std::move(queue_.front());
+      queue_.pop_front();
+    }
+    run(*job);
+    keep(job);
+  }
+}
+
+void Jobs::run(Job& job) {
+  try {
+    if (!job.place_->wait_for_turn()) return job.end(JobStatus::cancelled, "stopped");
+    job.begin();
+    Rendering rendering = render(job.request_->scene, limits_, pool_, job.progress_);
+    if (rendering.stop == Stop::cancelled) return job.end(JobStatus::cancelled, "stopped");
+    {
+      const std::scoped_lock lock(job.mutex_);
+      job.rendering_ = std::move(rendering);
+    }
+    job.end(JobStatus::done, "");
+  } catch (const Refusal& refusal) {
+    job.end(JobStatus::cancelled, refusal.problem().detail);
+  } catch (const std::exception& error) {
+    note_(fmt::format("job {} failed: {}", job.id, error.what()));
+    job.end(JobStatus::failed, "The render failed inside the server; its log says why");
+  }
+}
+
+void Jobs::keep(const std::shared_ptr<Job>& job) {
+  const std::scoped_lock lock(mutex_);
+  if (!jobs_.contains(job->id)) return;  // removed meanwhile
+  finished_.push_back(job);
+  finished_bytes_ += job->result_bytes();
+  while (finished_.size() > 1 &&
+         (finished_.size() > most_finished || finished_bytes_ > most_finished_bytes)) {
+    finished_bytes_ -= finished_.front()->result_bytes();
+    jobs_.erase(finished_.front()->id);
+    finished_.pop_front();
+  }
+}
+
+}  // namespace raytracer

@@ -1,0 +1,121 @@
+// Renders that nobody holds a connection open for: accepted, watched, fetched, forgotten.
+//
+// A job takes its place in the same queue as every other render when it is accepted, so a full
+// queue refuses both alike. As many threads run jobs as may render at once; since places are given
+// in order of arrival, and these threads take jobs in that order too, none of them waits for a
+// turn behind a job that has no thread yet.
+//
+// Finished jobs are kept until there are too many or they take too much memory, oldest out first.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "engine/render/render.h"
+#include "server/admission.h"
+#include "server/image_answer.h"
+#include "server/scene_request.h"
+
+namespace raytracer {
+
+enum class JobStatus { queued, running, done, failed, cancelled };
+
+/// "queued", "running" and so on.
+std::string_view name_of(JobStatus status);
+
+/// What a job is like at one moment.
+struct JobState {
+  JobStatus status = JobStatus::queued;
+  double progress = 0;    ///< 0 to 1
+  double elapsed_ms = 0;  ///< since it was accepted, until it ended
+  std::string detail;     ///< why it failed or was cancelled
+};
+
+/// One job. The constant members are set when it is accepted; everything else through state().
+class Job {
+ public:
+  Job(std::string job_id, SceneRequest request);
+
+  const std::string id;
+  const Reproducible digest;
+  const double parse_ms;
+
+  JobState state() const;
+
+  /// The rendering and what preceded it, once the job is done; null before.
+  const Rendering* rendering() const;
+  Preparation preparation() const;
+
+ private:
+  friend class Jobs;
+  using Clock = std::chrono::steady_clock;
+
+  void begin();
+  void end(JobStatus status, std::string detail);
+  std::size_t result_bytes() const;
+
+  std::optional<SceneRequest> request_;  ///< until it ended; only its runner reads it
+  RenderProgress progress_;
+  std::optional<Admission::Place> place_;  ///< until it ended
+
+  mutable std::mutex mutex_;
+  JobStatus status_ = JobStatus::queued;
+  std::string detail_;
+  const Clock::time_point accepted_ = Clock::now();
+  Clock::time_point ended_{};
+  double queue_ms_ = 0;
+  Rendering rendering_;  ///< written before `done`, constant from then on
+};
+
+/// Every member function may be called from any thread.
+class Jobs {
+ public:
+  /// `note` is told of exceptions.
+  Jobs(Admission& admission, WorkerPool& pool, const Limits& limits, std::size_t runner_count,
+       std::function<void(std::string_view)> note);
+  /// Cancels what is not done.
+  ~Jobs();
+  Jobs(const Jobs&) = delete;
+  Jobs& operator=(const Jobs&) = delete;
+
+  /// Throws Refusal if the queue is full or closed.
+  std::shared_ptr<const Job> accept(SceneRequest request);
+
+  /// Throws Refusal 404.
+  std::shared_ptr<const Job> at(const std::string& id) const;
+
+  /// Cancels and forgets the job. Throws Refusal 404.
+  void remove(const std::string& id);
+
+ private:
+  void run_jobs();
+  void run(Job& job);
+  void keep(const std::shared_ptr<Job>& job);
+
+  Admission& admission_;
+  WorkerPool& pool_;
+  const Limits limits_;
+  const std::function<void(std::string_view)> note_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable arrived_;
+  std::map<std::string, std::shared_ptr<Job>> jobs_;
+  std::deque<std::shared_ptr<Job>> queue_;     ///< accepted, not yet with a runner
+  std::deque<std::shared_ptr<Job>> finished_;  ///< oldest first
+  std::size_t finished_bytes_ = 0;
+  bool closing_ = false;
+  std::vector<std::thread> runners_;
+};
+
+}  // namespace raytracer

@@ -1,0 +1,223 @@
+#include "server/listener.h"
+
+#include <fmt/format.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <thread>
+
+#include "server/answer.h"
+#include "server/body.h"
+#include "server/gate.h"
+#include "server/problem.h"
+#include "server/services.h"
+
+namespace raytracer {
+namespace {
+
+/// Threads beyond those that may be held by renders: for everything that answers at once.
+constexpr std::size_t spare_threads = 32;
+
+// Nothing but this server's own files runs in the page; nobody else's page may frame it.
+constexpr const char* content_security_policy =
+    "default-src 'self'; img-src 'self' blob: data:; object-src 'none'; base-uri 'none'; "
+    "form-action 'self'; frame-ancestors 'none'";
+
+/// RFC 9110 lets a server ignore Range, and httplib 0.11.4 would build every one of any number of
+/// overlapping ranges in memory. Its handlers see the request as const, but the object is not.
+void ignore_ranges(const httplib::Request& request) {
+  const_cast<httplib::Request&>(request).ranges.clear();
+}
+
+Afterwards after_refusal(const httplib::Request& request) {
+  return announces_body(request) ? Afterwards::close : Afterwards::keep;
+}
+
+Problem internal_error() { return {500, "The server failed on this request; its log says why"}; }
+
+std::string bracketed(const std::string& host) {
+  return host.find(':') == std::string::npos ? host : fmt::format("[{}]", host);
+}
+
+std::string why_not_bound(int error, const std::string& host, int port) {
+  const std::string where = fmt::format("{}:{}", bracketed(host), port);
+  if (error == EADDRINUSE)
+    return fmt::format(
+        "{} is taken by another program: stop that one, or choose another --port "
+        "(RAYTRACER_PORT); 0 takes a free one",
+        where);
+  if (error == EACCES)
+    return fmt::format("{} is not allowed to this user: choose a --port above 1023", where);
+  return fmt::format(
+      "cannot listen on {}: --host (RAYTRACER_HOST) must be an address of this "
+      "machine ({})",
+      where, error == 0 ? "the name is not known" : std::strerror(error));
+}
+
+}  // namespace
+
+Listener::Listener(const Config& config, const RouteTable& routes, RequestLog& log)
+    : config_(config), routes_(routes), log_(log) {
+  set_options();
+  set_handlers();
+}
+
+void Listener::set_options() {
+  const std::size_t thread_count = config_.max_queue + renders_at_once + spare_threads;
+  server_.new_task_queue = [thread_count] { return new httplib::ThreadPool(thread_count); };
+  // Without SO_REUSEPORT, httplib's default: a second server would share the port in silence.
+  server_.set_socket_options([this](socket_t socket) {
+    const int yes = 1;
+    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    listening_socket_ = socket;
+  });
+  server_.set_tcp_nodelay(true);
+  server_.set_keep_alive_max_count(1000);
+  server_.set_keep_alive_timeout(2);  // an idle connection holds a thread, and shutdown up
+  server_.set_read_timeout(5);
+  server_.set_write_timeout(10);
+  server_.set_payload_max_length(static_cast<std::size_t>(config_.limits.body));
+  server_.set_default_headers({{"X-Content-Type-Options", "nosniff"},
+                               {"Referrer-Policy", "no-referrer"},
+                               {"Content-Security-Policy", content_security_policy}});
+}
+
+void Listener::set_handlers() {
+  using httplib::ContentReader;
+  using httplib::Request;
+  using httplib::Response;
+  using HandlerResponse = httplib::Server::HandlerResponse;
+
+  server_.set_expect_100_continue_handler([this](const Request& request, Response& response) {
+    return refuse_at_gate(request, response) ? response.status : 100;
+  });
+  server_.set_pre_routing_handler([this](const Request& request, Response& response) {
+    return refuse_at_gate(request, response) ? HandlerResponse::Handled
+                                             : HandlerResponse::Unhandled;
+  });
+
+  // The gate has found the route already; these are the ways to get there with and without a body.
+  const httplib::Server::Handler bodiless = [this](const Request& request, Response& response) {
+    dispatch(request, response, nullptr);
+  };
+  server_.Get("/.*", bodiless);
+  server_.Delete("/.*", bodiless);
+  server_.Post("/.*",
+               [this](const Request& request, Response& response, const ContentReader& content) {
+                 dispatch(request, response, &content);
+               });
+
+  const httplib::Server::Handler unrouted = [this](const Request& request, Response& response) {
+    answer_unrouted(request, response);
+  };
+  server_.set_error_handler(unrouted);
+  server_.set_exception_handler([this](const Request& request, Response& response,
+                                       std::exception_ptr) {  // NOLINT: httplib's signature
+    log_.note("a request failed outside its handler");
+    answer_problem(response, internal_error(), after_refusal(request));
+  });
+  server_.set_post_routing_handler([](const Request& request, Response& response) {
+    if (closes_connection(response)) response.headers.erase("Keep-Alive");
+    // httplib says "Content-Length: 0" where HTTP wants the length of the GET's body or nothing.
+    const bool has_no_length = response.status == 204 || response.status == 304 ||
+                               (request.method == "HEAD" && response.status == 200 &&
+                                response.get_header_value("Content-Length") == "0");
+    if (has_no_length) response.headers.erase("Content-Length");
+    response.headers.erase("Accept-Ranges");
+    // Texts are compressed for those who accept it; images, which are not, vary by Accept.
+    if (response.status == 200 && !response.has_header("Vary"))
+      response.set_header("Vary", "Accept-Encoding");
+  });
+  server_.set_logger(
+      [this](const Request& request, const Response& response) { finish(request, response); });
+}
+
+bool Listener::refuse_at_gate(const httplib::Request& request, httplib::Response& response) {
+  // httplib does not expect exceptions from the Expect handler.
+  try {
+    log_.begin();
+    ignore_ranges(request);
+    pass_gate(request, routes_, config_);
+    return false;
+  } catch (const Refusal& refusal) {
+    answer_problem(response, refusal.problem(), after_refusal(request));
+  } catch (const std::exception& error) {
+    log_.note(error.what());
+    answer_problem(response, internal_error(), after_refusal(request));
+  }
+  return true;
+}
+
+void Listener::dispatch(const httplib::Request& request, httplib::Response& response,
+                        const httplib::ContentReader* content) {
+  Call call{request, response, {}, content};
+  const auto refuse = [&](const Problem& problem) {
+    answer_problem(response, problem,
+                   call.body_was_read ? Afterwards::keep : after_refusal(request));
+  };
+  try {
+    RouteTable::Match match = routes_.match(request.method, request.path);
+    call.captured = std::move(match.captured);
+    match.route.handler(call);
+  } catch (const Refusal& refusal) {
+    refuse(refusal.problem());
+  } catch (const std::exception& error) {
+    log_.note(fmt::format("{} {} failed: {}", request.method, request.path, error.what()));
+    refuse(internal_error());
+  }
+}
+
+/// Answers of httplib's own, before any handler: a request that it could not read. Where the next
+/// one would begin is unknown then.
+void Listener::answer_unrouted(const httplib::Request& request, httplib::Response& response) {
+  if (response.has_header("Content-Type")) return;
+  ignore_ranges(request);
+  const int status = response.status;
+  const std::string detail = status == 414   ? "The request's target is too long"
+                             : status == 416 ? "The Range field cannot be read; leave it out"
+                             : status < 500  ? "This is not a request that HTTP/1.1 knows"
+                                             : "The server has too many connections";
+  answer_problem(response, {status, detail}, Afterwards::close);
+}
+
+void Listener::finish(const httplib::Request& request, const httplib::Response& response) {
+  // httplib does not expect exceptions from its logger.
+  try {
+    log_.end(request, response);
+    if (closes_connection(response)) linger(find_socket(ends_of(request)));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "raytracer-server: no line for a request: %s\n", error.what());
+  }
+}
+
+std::string Listener::bind() {
+  errno = 0;
+  const bool any_port = config_.port == 0;
+  if (any_port)
+    port_ = server_.bind_to_any_port(config_.host);
+  else
+    port_ = server_.bind_to_port(config_.host, config_.port) ? config_.port : -1;
+  if (port_ < 0) throw ConfigError(why_not_bound(errno, config_.host, config_.port));
+  // httplib's backlog of 5 lets a burst of connections wait a second for TCP to try again.
+  ::listen(listening_socket_, 511);
+  return fmt::format("http://{}:{}", bracketed(config_.host), port_);
+}
+
+bool Listener::run() {
+  const bool served = server_.listen_after_bind();
+  return served && stopping_;
+}
+
+void Listener::stop() {
+  stopping_ = true;
+  // httplib ignores a stop() that comes before it listens.
+  while (!server_.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  server_.stop();
+  // Otherwise a client that says nothing, or says it slowly, keeps its thread and run() waiting.
+  hang_up_all(port_);
+}
+
+}  // namespace raytracer

@@ -1,0 +1,52 @@
+// The HTTP server: httplib with its traps closed, between the route table and the network.
+//
+// httplib reads requests and writes answers; which handler answers is the route table's business.
+// One HTTP thread serves one connection; there are more of them than renders can run and wait
+// together, so that /healthz always finds one. Tracing has its own threads.
+#pragma once
+
+#include <httplib.h>
+
+#include <atomic>
+#include <string>
+
+#include "server/config.h"
+#include "server/request_log.h"
+#include "server/route_table.h"
+
+namespace raytracer {
+
+class Listener {
+ public:
+  /// All three must outlive the listener.
+  Listener(const Config& config, const RouteTable& routes, RequestLog& log);
+
+  /// Takes the address; connections are accepted from here on and served by run(). Returns the
+  /// URL with the real port. Throws ConfigError if the address cannot be had.
+  std::string bind();
+
+  /// Serves until stop(); false if it ended by itself.
+  bool run();
+
+  /// Ends run() and every connection: wait for the answers that matter before.
+  void stop();
+
+ private:
+  void set_options();
+  void set_handlers();
+  bool refuse_at_gate(const httplib::Request& request, httplib::Response& response);
+  void dispatch(const httplib::Request& request, httplib::Response& response,
+                const httplib::ContentReader* content);
+  void answer_unrouted(const httplib::Request& request, httplib::Response& response);
+  void finish(const httplib::Request& request, const httplib::Response& response);
+
+  const Config& config_;
+  const RouteTable& routes_;
+  RequestLog& log_;
+  httplib::Server server_;
+  int listening_socket_ = -1;
+  int port_ = 0;
+  std::atomic<bool> stopping_{false};
+};
+
+}  // namespace raytracer

@@ -1,0 +1,44 @@
+// raytracer-server: configuration, services, routes, listen.
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <variant>
+
+#include "server/config.h"
+#include "server/listener.h"
+#include "server/routes.h"
+#include "server/services.h"
+#include "server/shutdown.h"
+
+namespace {
+
+using namespace raytracer;
+
+int serve(const Config& config) {
+  hold_signals();
+  Services services(config);
+  const RouteTable routes = make_routes(services);
+  Listener listener(services.config, routes, services.log);
+  const std::string url = listener.bind();
+  const Shutdown shutdown(services, listener);
+  std::printf("listening on %s\n", url.c_str());
+  std::fflush(stdout);
+  if (listener.run()) return EXIT_SUCCESS;
+  std::fputs("raytracer-server: the listening socket failed\n", stderr);
+  return EXIT_FAILURE;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const auto outcome = read_config(argc, argv, [](const char* name) { return std::getenv(name); });
+  if (const auto* printout = std::get_if<Printout>(&outcome)) {
+    std::fputs(printout->text.c_str(), stdout);
+    return EXIT_SUCCESS;
+  }
+  return serve(std::get<Config>(outcome));
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "raytracer-server: %s\n", error.what());
+  return EXIT_FAILURE;
+}

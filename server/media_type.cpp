@@ -1,0 +1,27 @@
+#include <array>
+#include <utility>
+
+#include "server/embedded.h"
+
+namespace raytracer {
+
+std::string_view media_type_of(std::string_view path) {
+  using namespace std::string_view_literals;
+  constexpr std::array types{
+      std::pair{".html"sv, "text/html; charset=utf-8"sv},
+      std::pair{".css"sv, "text/css; charset=utf-8"sv},
+      std::pair{".js"sv, "text/javascript; charset=utf-8"sv},
+      std::pair{".json"sv, "application/json"sv},
+      std::pair{".svg"sv, "image/svg+xml"sv},
+      std::pair{".png"sv, "image/png"sv},
+      std::pair{".ico"sv, "image/x-icon"sv},
+      std::pair{".woff2"sv, "font/woff2"sv},
+      std::pair{".txt"sv, "text/plain; charset=utf-8"sv},
+      std::pair{".webmanifest"sv, "application/manifest+json"sv},
+  };
+  for (const auto& [ending, type] : types)
+    if (path.ends_with(ending)) return type;
+  return "application/octet-stream";
+}
+
+}  // namespace raytracer

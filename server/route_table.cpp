@@ -1,0 +1,47 @@
+#include "server/route_table.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "server/problem.h"
+
+namespace raytracer {
+namespace {
+
+/// What {} stands for if the path fits the pattern ("" for patterns without one).
+std::optional<std::string> fit(std::string_view pattern, std::string_view path) {
+  const std::size_t hole = pattern.find("{}");
+  if (hole == std::string_view::npos)
+    return path == pattern ? std::optional<std::string>("") : std::nullopt;
+  const std::string_view before = pattern.substr(0, hole);
+  const std::string_view after = pattern.substr(hole + 2);
+  if (path.size() <= before.size() + after.size()) return {};
+  if (!path.starts_with(before) || !path.ends_with(after)) return {};
+  const std::string_view inside =
+      path.substr(before.size(), path.size() - before.size() - after.size());
+  if (inside.find('/') != std::string_view::npos) return {};
+  return std::string(inside);
+}
+
+}  // namespace
+
+RouteTable::Match RouteTable::match(std::string_view method, std::string_view path) const {
+  const std::string_view wanted = method == "HEAD" ? "GET" : method;
+  std::string allowed;
+  for (const Route& route : routes_) {
+    std::optional<std::string> captured = fit(route.pattern, path);
+    if (!captured) continue;
+    if (route.method == wanted) return {route, *std::move(captured)};
+    if (!allowed.empty()) allowed += ", ";
+    allowed += route.method == "GET" ? "GET, HEAD" : route.method;
+  }
+  if (allowed.empty())
+    throw Refusal({404, fmt::format("There is nothing at {}; the page is at /", path)});
+  throw Refusal({405,
+                 fmt::format("{} is not among the methods of {}: {}", method, path, allowed),
+                 {},
+                 {{"Allow", allowed}}});
+}
+
+}  // namespace raytracer

@@ -1,0 +1,41 @@
+// Which handler a request belongs to: a list of methods and patterns, matched as text.
+//
+// httplib would match with std::regex, which recurses once for each character of the path, and
+// could not tell a wrong method (405) from an unknown path (404).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "server/call.h"
+
+namespace raytracer {
+
+/// What may follow a request's header.
+enum class RequestBody { none, scene };
+
+struct Route {
+  std::string method;   ///< GET also answers HEAD
+  std::string pattern;  ///< a path; one {} in it stands for a segment that is not empty
+  RequestBody body = RequestBody::none;
+  Handler handler;
+};
+
+class RouteTable {
+ public:
+  explicit RouteTable(std::vector<Route> routes) : routes_(std::move(routes)) {}
+
+  struct Match {
+    const Route& route;
+    std::string captured;  ///< what {} stood for
+  };
+
+  /// Throws Refusal: 404 for an unknown path, 405 with Allow for another method.
+  Match match(std::string_view method, std::string_view path) const;
+
+ private:
+  std::vector<Route> routes_;
+};
+
+}  // namespace raytracer

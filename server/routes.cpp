@@ -1,0 +1,42 @@
+#include "server/routes.h"
+
+#include <string_view>
+#include <utility>
+
+#include "server/embedded.h"
+#include "server/handlers.h"
+
+namespace raytracer {
+
+RouteTable make_routes(Services& services) {
+  const auto with = [&services](void (*handler)(Services&, Call&)) -> Handler {
+    return [&services, handler](Call& call) { handler(services, call); };
+  };
+  constexpr auto none = RequestBody::none;
+  constexpr auto scene = RequestBody::scene;
+  std::vector<Route> routes{
+      {"POST", "/render", scene, with(post_or_get_render)},
+      {"GET", "/render", none, with(post_or_get_render)},
+      {"POST", "/jobs", scene, with(post_job)},
+      {"GET", "/jobs/{}", none, with(get_job)},
+      {"GET", "/jobs/{}/image", none, with(get_job_image)},
+      {"DELETE", "/jobs/{}", none, with(delete_job)},
+      {"GET", "/scenes", none, with(get_scenes)},
+      {"GET", "/scenes/{}", none, with(get_scene)},
+      {"GET", "/healthz", none, with(get_health)},
+      {"GET", "/readyz", none, with(get_readiness)},
+      {"GET", "/version", none, with(get_version)},
+      {"GET", "/schema/scene.json", none, with(get_scene_schema)},
+  };
+  constexpr std::string_view page = "web";
+  for (const EmbeddedFile& file : embedded_files()) {
+    if (!file.path.starts_with(page)) continue;
+    const Handler handler = [&file](Call& call) { get_file(file, call); };
+    const std::string path(file.path.substr(page.size()));
+    routes.push_back({"GET", path, none, handler});
+    if (path == "/index.html") routes.push_back({"GET", "/", none, handler});
+  }
+  return RouteTable(std::move(routes));
+}
+
+}  // namespace raytracer

@@ -1,0 +1,41 @@
+// Everything that the handlers share, in the order in which it has to begin and end.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+
+#include "engine/render/worker_pool.h"
+#include "server/admission.h"
+#include "server/body_memory.h"
+#include "server/catalog.h"
+#include "server/config.h"
+#include "server/departures.h"
+#include "server/jobs.h"
+#include "server/request_log.h"
+
+namespace raytracer {
+
+/// Renders that share the worker pool tile by tile; more would only make all of them late.
+inline constexpr std::size_t renders_at_once = 4;
+
+struct Services {
+  explicit Services(const Config& configuration)
+      : config(configuration),
+        log(config.quiet),
+        body_memory(2 * config.limits.body),
+        admission(renders_at_once, config.max_queue),
+        pool(config.threads),
+        jobs(admission, pool, config.limits, renders_at_once,
+             [this](std::string_view text) { log.note(text); }) {}
+
+  const Config config;
+  RequestLog log;
+  const Catalog catalog{};
+  BodyMemory body_memory;
+  Admission admission;
+  WorkerPool pool;
+  Departures departures{};
+  Jobs jobs;  ///< ends first: its threads use what is above
+};
+
+}  // namespace raytracer

@@ -1,0 +1,63 @@
+#include "server/shutdown.h"
+
+#include <chrono>
+
+namespace raytracer {
+namespace {
+
+sigset_t ending_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGINT);
+  return signals;
+}
+
+bool another_signal_came() {
+  sigset_t pending;
+  return sigpending(&pending) == 0 &&
+         (sigismember(&pending, SIGTERM) == 1 || sigismember(&pending, SIGINT) == 1);
+}
+
+}  // namespace
+
+void hold_signals() {
+  const sigset_t signals = ending_signals();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  signal(SIGPIPE, SIG_IGN);  // a client that leaves while it is written to is an error code
+}
+
+Shutdown::Shutdown(Services& services, Listener& listener)
+    : services_(services), listener_(listener), thread_([this] { wait_and_drain(); }) {}
+
+Shutdown::~Shutdown() {
+  is_over_ = true;
+  pthread_kill(thread_.native_handle(), SIGINT);  // stays pending if the thread has ended
+  thread_.join();
+}
+
+void Shutdown::wait_and_drain() {
+  const sigset_t signals = ending_signals();
+  int received = 0;
+  while (sigwait(&signals, &received) != 0) {
+  }
+  if (!is_over_) drain();
+}
+
+void Shutdown::drain() {
+  using Clock = std::chrono::steady_clock;
+  using std::chrono::milliseconds;
+  using std::chrono::seconds;
+  constexpr seconds to_finish{30};
+  constexpr seconds to_answer{10};
+
+  services_.log.note("shutting down: no new work, waiting for what runs");
+  services_.admission.close();
+  const auto end = Clock::now() + to_finish;
+  while (!services_.admission.wait_until_empty(milliseconds(20)))
+    if (Clock::now() > end || another_signal_came()) services_.admission.stop_running();
+  services_.log.wait_until_empty(to_answer);
+  listener_.stop();
+}
+
+}  // namespace raytracer
