@@ -12,7 +12,7 @@
 #include <mutex>
 #include <vector>
 
-#include "engine/render/worker_pool.h"
+#include "engine/parallel/worker_pool.h"
 
 namespace raytracer {
 

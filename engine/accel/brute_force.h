@@ -2,8 +2,8 @@
 // the fastest way where there are few.
 #pragma once
 
-#include "engine/kernel/packed_scene.h"
-#include "engine/kernel/query.h"
+#include "engine/accel/unbounded.h"
+#include "engine/pack/packed_scene.h"
 
 namespace raytracer {
 

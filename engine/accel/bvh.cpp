@@ -84,26 +84,32 @@ struct Bvh::Builder {
     return best;
   }
 
-  /// Reorders the range and returns where its second half begins; the range's end for a leaf.
-  std::uint32_t split(const Range& range, const Box& box, const Box& center_box, int depth) {
-    if (range.size() <= smallest_split) return range.end;
+  /// Where a range's second half begins, and across which axis it was cut.
+  struct Halves {
+    std::uint32_t middle;
+    int axis;
+  };
+
+  /// Reorders the range into halves; the middle is the range's end for a leaf.
+  Halves split(const Range& range, const Box& box, const Box& center_box, int depth) {
+    if (range.size() <= smallest_split) return {range.end, 0};
     const auto begin = bvh.order_.begin();
     const Split best = depth < deepest_by_heuristic ? best_split(range, center_box) : Split{};
     if (best.axis >= 0) {
       const double area = box.half_area();
       const bool leaf_is_cheaper = best.cost + cost_of_node * area >= range.size() * area;
-      if (leaf_is_cheaper && range.size() <= largest_leaf) return range.end;
+      if (leaf_is_cheaper && range.size() <= largest_leaf) return {range.end, 0};
       const double low = component(center_box.low, best.axis);
       const double scale = bin_count / component(center_box.extent(), best.axis);
       const auto middle =
           std::partition(begin + range.begin, begin + range.end, [&](std::uint32_t primitive) {
             return bin_of(component(centers[primitive], best.axis), low, scale) < best.bin;
           });
-      return static_cast<std::uint32_t>(middle - begin);
+      return {static_cast<std::uint32_t>(middle - begin), best.axis};
     }
     // Too deep, or all centres in one place: any halves will do.
-    if (range.size() <= largest_leaf) return range.end;
-    return range.begin + range.size() / 2;
+    if (range.size() <= largest_leaf) return {range.end, 0};
+    return {range.begin + range.size() / 2, 0};
   }
 
   void build(std::uint32_t node, const Range& range, int depth) {
@@ -114,7 +120,7 @@ struct Bvh::Builder {
       center_box.include(centers[bvh.order_[i]]);
     }
     bvh.nodes_[node].box = box;
-    const std::uint32_t middle = split(range, box, center_box, depth);
+    const auto [middle, axis] = split(range, box, center_box, depth);
     if (middle == range.end) {
       bvh.nodes_[node].first = range.begin;
       bvh.nodes_[node].count = range.size();
@@ -123,6 +129,7 @@ struct Bvh::Builder {
     const auto child = static_cast<std::uint32_t>(bvh.nodes_.size());
     bvh.nodes_[node].first = child;
     bvh.nodes_[node].count = 0;
+    bvh.nodes_[node].axis = axis;
     bvh.nodes_.resize(bvh.nodes_.size() + 2);
     build(child, {range.begin, middle}, depth + 1);
     build(child + 1, {middle, range.end}, depth + 1);

@@ -7,19 +7,31 @@
 #include <vector>
 
 #include "engine/accel/box.h"
-#include "engine/kernel/packed_scene.h"
-#include "engine/kernel/query.h"
+#include "engine/accel/unbounded.h"
+#include "engine/pack/packed_scene.h"
 
 namespace raytracer {
 
 /// Refers to the scene, which must outlive it.
 class Bvh {
  public:
+  struct Node {
+    Box box;
+    std::uint32_t first;  ///< leaf: into order(); inner: the first of two children
+    std::uint32_t count;  ///< leaf: of primitives; inner: 0
+    int axis;             ///< inner: of the split; the first child is on its lower side
+  };
+
   /// Deeper than this the tree is split in the middle, so that a stack of fixed size suffices.
   static constexpr int deepest_by_heuristic = 48;
   static constexpr int deepest = deepest_by_heuristic + 32;
 
   static Bvh build(const PackedScene& scene);
+
+  /// The root first; children side by side. Empty if there is nothing to find.
+  const std::vector<Node>& nodes() const { return nodes_; }
+  /// Primitives by leaf: spheres are numbered first, then triangles.
+  const std::vector<std::uint32_t>& order() const { return order_; }
 
   template <typename Query>
   void visit(Query& query) const {
@@ -51,11 +63,6 @@ class Bvh {
   }
 
  private:
-  struct Node {
-    Box box;
-    std::uint32_t first;  ///< leaf: into order_; inner: the first of two children
-    std::uint32_t count;  ///< leaf: of primitives; inner: 0
-  };
   struct Entry {
     std::uint32_t node;
     double enter;
@@ -73,8 +80,8 @@ class Bvh {
   }
 
   const PackedScene* scene_ = nullptr;
-  std::vector<Node> nodes_;           ///< the root first; children side by side
-  std::vector<std::uint32_t> order_;  ///< primitives by leaf: spheres, then triangles
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> order_;
 };
 
 }  // namespace raytracer

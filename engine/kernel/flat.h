@@ -13,8 +13,8 @@
 
 #include <optional>
 
-#include "engine/kernel/packed_scene.h"
 #include "engine/math/ray.h"
+#include "engine/pack/packed_scene.h"
 
 namespace raytracer {
 

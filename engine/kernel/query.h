@@ -6,8 +6,8 @@
 
 #include <limits>
 
-#include "engine/kernel/packed_scene.h"
 #include "engine/math/ray.h"
+#include "engine/pack/packed_scene.h"
 
 namespace raytracer {
 
@@ -64,12 +64,5 @@ class AnyHit {
   double t_max_;
   bool found_ = false;
 };
-
-/// Shows a query all that has no bounded place in a structure: squares and planes.
-template <typename Query>
-void show_unbounded(const PackedScene& scene, Query& query) {
-  for (const PackedSquare& square : scene.squares) query.show(square);
-  for (const PackedPlane& plane : scene.planes) query.show(plane);
-}
 
 }  // namespace raytracer

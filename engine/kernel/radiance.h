@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "engine/kernel/packed_scene.h"
 #include "engine/kernel/query.h"
 #include "engine/kernel/shading.h"
 #include "engine/math/ray.h"
+#include "engine/pack/packed_scene.h"
 
 namespace raytracer {
 

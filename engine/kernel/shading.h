@@ -2,8 +2,8 @@
 // for computer synthesized pictures", SIGGRAPH 1977).
 #pragma once
 
-#include "engine/kernel/packed_scene.h"
 #include "engine/math/ray.h"
+#include "engine/pack/packed_scene.h"
 
 namespace raytracer {
 

@@ -13,9 +13,9 @@
 
 #include <optional>
 
-#include "engine/kernel/packed_scene.h"
 #include "engine/kernel/sphere.h"
 #include "engine/math/ray.h"
+#include "engine/pack/packed_scene.h"
 
 namespace raytracer {
 

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <optional>
 
-#include "engine/kernel/packed_scene.h"
 #include "engine/plan/plan.h"
 #include "engine/render/tile.h"
+#include "engine/render/tracer.h"
 #include "engine/sample/contract.h"
 #include "engine/sample/pattern.h"
 
@@ -26,15 +26,11 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-Structure build_structure(const Plan& plan, const PackedScene& scene) {
-  if (plan.structure == Plan::Structure::bvh) return Bvh::build(scene);
-  return BruteForce(scene);
-}
-
 /// What every pass over the image needs.
 struct Tracing {
-  const PackedScene& scene;
-  const Structure& structure;
+  const Tracer& tracer;
+  int width;
+  int height;
   Transfer transfer;
   WorkerPool& pool;
   RenderProgress& progress;
@@ -46,7 +42,7 @@ struct Tracing {
   /// An image of `samples` per pixel; nothing if it was stopped before it was whole. A pass that
   /// `may_end_early` is also stopped when the time is over.
   std::optional<Image> pass(int samples, bool may_end_early) {
-    Image image(scene.view.width, scene.view.height);
+    Image image(width, height);
     const std::vector<SamplePoint> pattern = sample_pattern(samples);
     const std::vector<Tile> tiles = split_into_tiles(image.width, image.height, tile_side_px);
     std::atomic<bool> stop{progress.stop.load()};
@@ -58,7 +54,7 @@ struct Tracing {
             stop = true;
             return;
           }
-          render_tile(scene, structure, pattern, transfer, tiles[i], image);
+          render_tile(tracer, pattern, transfer, tiles[i], image);
           report(static_cast<double>(++done) / static_cast<double>(tiles.size()), may_end_early);
         },
         stop);
@@ -119,17 +115,18 @@ Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
   Rendering rendering;
 
   const Stopwatch plan_watch;
-  const Plan plan = make_plan(scene);
+  const Plan plan = make_plan(scene, this_machine());
   rendering.plan_ms = plan_watch.elapsed_ms();
+  rendering.precision = plan.precision.value;
 
   const Stopwatch build_watch;
-  const PackedScene packed = pack_scene(scene, plan.frame);
-  const Structure structure = build_structure(plan, packed);
+  const Tracer tracer = make_tracer(plan, scene, pool);
   rendering.build_ms = build_watch.elapsed_ms();
 
   // From here on the scene is not looked at: kernels see packed arrays only.
   const RenderSettings& settings = scene.render;
-  Tracing tracing{packed, structure, settings.transfer, pool, progress, settings.budget_ms};
+  Tracing tracing{tracer, scene.camera.width, scene.camera.height, settings.transfer,
+                  pool,   progress,           settings.budget_ms};
   if (settings.target_rmse || settings.budget_ms) {
     render_by_contract(settings, most_samples(scene, limits), tracing, rendering);
   } else {

@@ -4,7 +4,8 @@
 #include <optional>
 
 #include "engine/image/image.h"
-#include "engine/render/worker_pool.h"
+#include "engine/parallel/worker_pool.h"
+#include "engine/render/progress.h"
 #include "engine/scene/limits.h"
 #include "engine/scene/scene.h"
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/kernel/view.h"
 #include "engine/math/ray.h"
 #include "engine/math/vec.h"
+#include "engine/pack/view.h"
 #include "engine/plan/frame.h"
 #include "engine/scene/scene.h"
 

@@ -1,4 +1,4 @@
-#include "engine/render/worker_pool.h"
+#include "engine/parallel/worker_pool.h"
 
 #include <algorithm>
 #include <exception>

@@ -1,4 +1,4 @@
-#include "engine/kernel/view.h"
+#include "engine/pack/view.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "engine/kernel/packed_scene.h"
+#include "engine/pack/packed_scene.h"
 
 #include <cmath>
 #include <limits>

@@ -13,13 +13,6 @@
 
 namespace raytracer {
 
-/// Shared between the one who waits for a render and the threads that make it.
-/// `stop` may be set from any thread at any time; it is looked at before each tile.
-struct RenderProgress {
-  std::atomic<bool> stop{false};
-  std::atomic<double> fraction{0};  ///< 0 to 1, never falls
-};
-
 /// A fixed number of threads; every member function may be called from any thread.
 class WorkerPool {
  public:

@@ -1,0 +1,50 @@
+// Which spheres may stand between a point and a light.
+//
+// All rays to one light share a direction (distant) or an end (point), so again a 2-D structure
+// finds what they meet. A distant light's is a grid on the plane across its direction, in which
+// spheres are discs; a point light's is a grid on each face of a cube around it. Entries lie cell
+// by cell in columns of the kernel's precision, ready to be tested many at a time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/pack/packed_scene.h"
+#include "engine/parallel/worker_pool.h"
+
+namespace raytracer {
+
+/// For a distant light.
+template <typename T>
+struct DistantGrid {
+  std::array<Vec3, 3> axes;  ///< two across the light's direction, and towards the light
+  T u_low;
+  T v_low;
+  T cells_per_unit;
+  int columns = 0;
+  int rows = 0;
+  std::vector<std::uint32_t> begins;  ///< of each cell, row by row, and the end of the last
+  // Of each cell's discs, those nearest to the light first. The columns are longer than the last
+  // cell by what a packet may read beyond it.
+  std::vector<T> u, v;
+  std::vector<T> radius2;
+  std::vector<T> w;   ///< how far the centre is towards the light
+  std::vector<T> id;  ///< of the primitive
+};
+
+/// `ids[i]` numbers sphere i among the scene's primitives. `towards` is a unit vector.
+template <typename T>
+DistantGrid<T> build_distant_grid(const Vec3& towards, const std::vector<PackedSphere>& spheres,
+                                  const std::vector<std::int32_t>& ids, WorkerPool& pool);
+
+extern template DistantGrid<float> build_distant_grid<float>(const Vec3&,
+                                                             const std::vector<PackedSphere>&,
+                                                             const std::vector<std::int32_t>&,
+                                                             WorkerPool&);
+extern template DistantGrid<double> build_distant_grid<double>(const Vec3&,
+                                                               const std::vector<PackedSphere>&,
+                                                               const std::vector<std::int32_t>&,
+                                                               WorkerPool&);
+
+}  // namespace raytracer

@@ -1,0 +1,54 @@
+// Which spheres each block of pixels may show, near to far.
+//
+// All rays from the eye share their origin, so a 2-D structure finds what they meet: the image,
+// cut into blocks. Every sphere is entered into the blocks that its silhouette may touch.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/accel/binning.h"
+#include "engine/pack/packed_scene.h"
+#include "engine/pack/view.h"
+#include "engine/parallel/worker_pool.h"
+
+namespace raytracer {
+
+/// A sphere in a block.
+struct ScreenEntry {
+  float nearest;         ///< a lower bound of its distance from the eye
+  std::uint32_t sphere;  ///< index into the spheres
+  /// Which of the block's 4 x 4 parts it may touch: bit 4 * row + column, row 0 on top.
+  std::uint16_t parts;
+};
+
+/// Entries by block, blocks row by row from the top.
+struct ScreenBins {
+  int block_columns = 0;
+  Binned<ScreenEntry> spheres;
+
+  /// The spheres of the block at (column, row), nearest first.
+  std::span<const ScreenEntry> block(int column, int row) const {
+    const auto index = static_cast<std::size_t>(row * block_columns + column);
+    const std::uint32_t begin = spheres.begins[index];
+    return std::span(spheres.entries).subspan(begin, spheres.begins[index + 1] - begin);
+  }
+};
+
+/// A rectangle of the image in pixels, y from the top down; empty if begin >= end.
+struct PixelRectangle {
+  double x_begin;
+  double y_begin;
+  double x_end;
+  double y_end;
+};
+
+/// Where a sphere's silhouette may lie, a little generously. For an eye outside of the sphere.
+PixelRectangle project_sphere(const View& view, const Vec3& center, double radius);
+
+/// Uses the pool's threads. `block_side` is in pixels, a multiple of 4.
+ScreenBins build_screen_bins(const View& view, const std::vector<PackedSphere>& spheres,
+                             int block_side, WorkerPool& pool);
+
+}  // namespace raytracer

@@ -1,0 +1,85 @@
+// A packet of rays: one to a lane. Compiled once for each instruction set.
+
+#if defined(RAYTRACER_KERNEL_SIMD_PACKET_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_KERNEL_SIMD_PACKET_INL_H_
+#undef RAYTRACER_KERNEL_SIMD_PACKET_INL_H_
+#else
+#define RAYTRACER_KERNEL_SIMD_PACKET_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "engine/kernel/simd/simd_scene.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Three lanes' worth of coordinates.
+template <class V>
+struct V3 {
+  V x;
+  V y;
+  V z;
+};
+
+template <class D, typename T = hn::TFromD<D>>
+HWY_INLINE V3<hn::Vec<D>> broadcast(D d, const Triple<T>& a) {
+  return {hn::Set(d, a.x), hn::Set(d, a.y), hn::Set(d, a.z)};
+}
+
+template <class D, typename T = hn::TFromD<D>>
+HWY_INLINE V3<hn::Vec<D>> load(D d, const T* x, const T* y, const T* z) {
+  return {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)};
+}
+
+template <class V>
+HWY_INLINE V dot(const V3<V>& a, const V3<V>& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+
+template <class V>
+HWY_INLINE V3<V> sub(const V3<V>& a, const V3<V>& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+template <class V>
+HWY_INLINE V3<V> add(const V3<V>& a, const V3<V>& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+
+/// a * s + b.
+template <class V>
+HWY_INLINE V3<V> mul_add(const V3<V>& a, V s, const V3<V>& b) {
+  return {hn::MulAdd(a.x, s, b.x), hn::MulAdd(a.y, s, b.y), hn::MulAdd(a.z, s, b.z)};
+}
+
+template <class V>
+HWY_INLINE V3<V> scale(const V3<V>& a, V s) {
+  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+}
+
+template <class V>
+HWY_INLINE V3<V> negate(const V3<V>& a) {
+  return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)};
+}
+
+template <class M, class V>
+HWY_INLINE V3<V> select(M mask, const V3<V>& yes, const V3<V>& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+          hn::IfThenElse(mask, yes.z, no.z)};
+}
+
+/// The lanes' directions; the zero vector gives no number.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V3<V> unit(D d, const V3<V>& a) {
+  const V inverse = hn::Div(hn::Set(d, hn::TFromD<D>(1)), hn::Sqrt(dot(a, a)));
+  return scale(a, inverse);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

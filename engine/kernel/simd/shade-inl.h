@@ -1,0 +1,118 @@
+// Blinn-Phong for a packet of points (scene.md, "Lights and shading").
+
+#if defined(RAYTRACER_KERNEL_SIMD_SHADE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_KERNEL_SIMD_SHADE_INL_H_
+#undef RAYTRACER_KERNEL_SIMD_SHADE_INL_H_
+#else
+#define RAYTRACER_KERNEL_SIMD_SHADE_INL_H_
+#endif
+
+#include <hwy/contrib/math/math-inl.h>
+
+#include <limits>
+
+#include "engine/kernel/simd/packet-inl.h"
+#include "engine/kernel/simd/rays-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// Each lane's row of a column of the surface table.
+template <class D, class VI, typename T = hn::TFromD<D>>
+HWY_INLINE hn::Vec<D> column(D d, const std::vector<T>& values, VI rows) {
+  return hn::GatherIndex(d, values.data(), rows);
+}
+
+/// x^exponent for x in [0, 1], by squaring; 0^0 = 1.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V integer_power(D d, V x, std::int32_t exponent) {
+  V power = hn::Set(d, hn::TFromD<D>(1));
+  for (std::uint32_t rest = static_cast<std::uint32_t>(exponent); rest != 0; rest >>= 1U) {
+    if ((rest & 1U) != 0) power = hn::Mul(power, x);
+    x = hn::Mul(x, x);
+  }
+  return power;
+}
+
+/// cosine^shininess with 1 - cosine given apart, which keeps its digits where the cosine has
+/// lost them: exp(shininess log1p(-versine)); 0^0 = 1.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V power(D d, V versine, V shininess) {
+  using T = hn::TFromD<D>;
+  const V one = hn::Set(d, T(1));
+  const auto faces = hn::Lt(versine, one);
+  const V logarithm = hn::Log1p(d, hn::IfThenElseZero(faces, hn::Neg(versine)));
+  // Far below the least number that exp() is made for, and as dark.
+  const V lowest = hn::Set(d, T(-80));
+  const V exponent = hn::Mul(shininess, logarithm);
+  const V result = hn::IfThenElseZero(hn::And(faces, hn::Gt(exponent, lowest)),
+                                      hn::Exp(d, hn::Max(exponent, lowest)));
+  return hn::IfThenElse(hn::Eq(shininess, hn::Zero(d)), one, result);
+}
+
+/// The colour of the packet's points, without what they mirror; rubbish in lanes not `active`.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Start<V>& point, const V3<V>& view,
+                       M active) {
+  const hn::RebindToSigned<D> di;
+  const MaterialTable<T>& table = scene.materials;
+  const V zero = hn::Zero(d);
+  const V one = hn::Set(d, T(1));
+  const auto surface = hn::ConvertTo(di, hn::IfThenElseZero(active, point.id));
+  const auto rows = hn::ConvertTo(di, column(d, scene.surfaces.material, surface));
+  const V ambient = column(d, table.ambient, rows);
+  const V kd = column(d, table.kd, rows);
+  const V ks = column(d, table.ks, rows);
+  const V most = hn::Set(d, std::numeric_limits<T>::max() / T(1e6));
+  const bool ambient_needs_light = scene.shadows == Shadows::black;
+
+  const V start = ambient_needs_light ? zero : ambient;
+  V3<V> sum{start, start, start};
+  for (const SimdLight<T>& light : scene.lights) {
+    V3<V> towards = broadcast(d, light.place);
+    V3<V> emission = broadcast(d, light.emission);
+    V distance = hn::Set(d, std::numeric_limits<T>::max());
+    if (!light.is_distant) {
+      const V3<V> path = sub(towards, point.point);
+      const V square = dot(path, path);
+      const V inverse = hn::Div(one, hn::Max(square, hn::Set(d, std::numeric_limits<T>::min())));
+      distance = hn::Sqrt(square);
+      towards = scale(path, hn::Sqrt(inverse));
+      emission = {hn::Min(hn::Mul(emission.x, inverse), most),
+                  hn::Min(hn::Mul(emission.y, inverse), most),
+                  hn::Min(hn::Mul(emission.z, inverse), most)};
+    }
+    const V incidence = dot(point.normal, towards);
+    M lit = hn::And(active, hn::Gt(incidence, zero));
+    if (hn::AllFalse(d, lit)) continue;
+    if (scene.shadows != Shadows::off) {
+      lit = hn::AndNot(occluded(d, scene, light, point, towards, distance, lit), lit);
+      if (hn::AllFalse(d, lit)) continue;
+    }
+
+    const V3<V> half = unit(d, add(towards, view));
+    V highlight;
+    if (scene.uniform_shininess >= 0) {
+      const V cosine = hn::Min(hn::Max(dot(half, point.normal), zero), one);
+      highlight = integer_power(d, cosine, scene.uniform_shininess);
+    } else {
+      const V3<V> chord = sub(half, point.normal);
+      const V versine = hn::Mul(hn::Set(d, T(0.5)), dot(chord, chord));
+      highlight = power(d, versine, column(d, table.shininess, rows));
+    }
+    const V share = hn::MulAdd(kd, incidence, hn::Mul(ks, highlight));
+    const V base = ambient_needs_light ? ambient : zero;
+    sum.x = hn::Add(sum.x, hn::IfThenElseZero(lit, hn::MulAdd(share, emission.x, base)));
+    sum.y = hn::Add(sum.y, hn::IfThenElseZero(lit, hn::MulAdd(share, emission.y, base)));
+    sum.z = hn::Add(sum.z, hn::IfThenElseZero(lit, hn::MulAdd(share, emission.z, base)));
+  }
+  return {hn::Mul(sum.x, column(d, table.red, rows)), hn::Mul(sum.y, column(d, table.green, rows)),
+          hn::Mul(sum.z, column(d, table.blue, rows))};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

@@ -1,0 +1,246 @@
+#include "engine/kernel/simd/simd_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raytracer {
+namespace {
+
+double component(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+template <typename T>
+Triple<T> narrowed(const Vec3& v) {
+  return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
+}
+
+/// So small that the sum over all lights, times any share, stays finite.
+template <typename T>
+Triple<T> saturated(const Rgb& emission) {
+  constexpr double most = std::numeric_limits<T>::max() / 1e6;
+  return {static_cast<T>(std::min(emission.x, most)), static_cast<T>(std::min(emission.y, most)),
+          static_cast<T>(std::min(emission.z, most))};
+}
+
+template <typename T>
+SimdSphere<T> pack(const PackedSphere& sphere, std::int32_t id) {
+  const double r = sphere.radius;
+  const double distance = length(sphere.center);
+  return {narrowed<T>(sphere.center), static_cast<T>(r), static_cast<T>(r * r),
+          static_cast<T>((distance - r) * (distance + r)), id};
+}
+
+template <typename T>
+SimdPlane<T> pack_plane(const Vec3& normal, const Vec3& point, std::int32_t id) {
+  return {narrowed<T>(normal), static_cast<T>(dot(normal, point)), id};
+}
+
+/// The box's corners rounded outward.
+template <typename T>
+SimdNode<T> pack(const Bvh::Node& node) {
+  const auto toward = [](double value, T end) {
+    const T rounded = static_cast<T>(value);
+    return std::nextafter(rounded, end);
+  };
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  const Vec3& low = node.box.low;
+  const Vec3& high = node.box.high;
+  return {{toward(low.x, -infinity), toward(low.y, -infinity), toward(low.z, -infinity)},
+          {toward(high.x, infinity), toward(high.y, infinity), toward(high.z, infinity)},
+          node.first,
+          node.count,
+          node.axis};
+}
+
+template <typename T>
+SimdTree<T> pack_tree(const Bvh& bvh) {
+  SimdTree<T> tree;
+  tree.nodes.reserve(bvh.nodes().size());
+  for (const Bvh::Node& node : bvh.nodes()) tree.nodes.push_back(pack<T>(node));
+  tree.order = bvh.order();
+  return tree;
+}
+
+template <typename T>
+SimdSquare<T> pack(const PackedSquare& square, std::int32_t id) {
+  const double cell = 2 * square.radius;
+  const auto half = static_cast<double>(square.side) / 2;
+  // In cells from the corner; cell i is centred on i + 1/2.
+  const double first = -component(square.center, square.first_axis) / cell + half;
+  const double second = -component(square.center, square.second_axis) / cell + half;
+  const double first_cell = std::floor(first);
+  const double second_cell = std::floor(second);
+  const auto last = static_cast<double>(square.side - 1);
+  return {{square.first_axis, square.across, square.second_axis},
+          {static_cast<T>(first - first_cell - 0.5),
+           static_cast<T>(-component(square.center, square.across) / cell),
+           static_cast<T>(second - second_cell - 0.5)},
+          static_cast<T>(-first_cell),
+          static_cast<T>(last - first_cell),
+          static_cast<T>(-second_cell),
+          static_cast<T>(last - second_cell),
+          static_cast<T>(1 / cell),
+          static_cast<T>(cell),
+          id};
+}
+
+/// The cells whose spheres come within a diameter of the line from a sphere's centre towards the
+/// light: only they can stand between a point of that sphere and the light.
+template <typename T>
+Stencil<T> make_stencil(const Vec3& towards, const PackedSquare& square) {
+  constexpr double lowest_slope = 0.06;  // about 3.4 degrees; below, the list grows long
+  constexpr int most_cells = 17;         // 1 / lowest_slope
+  const double first = component(towards, square.first_axis);
+  const double second = component(towards, square.second_axis);
+  const double across = std::abs(component(towards, square.across));
+  if (across < lowest_slope) return {{}, false};
+  std::vector<std::pair<double, std::array<T, 2>>> by_distance;
+  for (int i = -most_cells; i <= most_cells; ++i) {
+    for (int k = -most_cells; k <= most_cells; ++k) {
+      if (i == 0 && k == 0) continue;
+      const double forward = i * first + k * second;
+      const double distance2 = i * i + k * k - forward * forward;
+      if (forward > 0 && distance2 < 1)
+        by_distance.push_back({forward, {static_cast<T>(i), static_cast<T>(k)}});
+    }
+  }
+  std::sort(by_distance.begin(), by_distance.end());
+  Stencil<T> stencil{{}, true};
+  for (const auto& [distance, offset] : by_distance) stencil.offsets.push_back(offset);
+  return stencil;
+}
+
+template <typename T>
+void push(Column<T>& column, double value) {
+  column.push_back(static_cast<T>(std::min<double>(value, std::numeric_limits<T>::max())));
+}
+
+template <typename T>
+MaterialTable<T> pack_materials(const PackedScene& scene) {
+  MaterialTable<T> table;
+  for (const Material& m : scene.materials) {
+    push(table.red, m.color.x);
+    push(table.green, m.color.y);
+    push(table.blue, m.color.z);
+    push(table.ambient, m.ka * scene.ambient);
+    push(table.kd, m.kd);
+    push(table.ks, m.ks);
+    push(table.shininess, m.shininess);
+    push(table.reflectivity, m.reflectivity);
+  }
+  return table;
+}
+
+/// Numbers primitives in the document's order, and notes what a hit needs of each.
+template <typename T>
+class SurfaceNumbering {
+ public:
+  SurfaceNumbering(const PackedScene& scene, SurfaceTable<T>& table)
+      : scene_(scene), table_(table) {}
+
+  std::int32_t add_sphere(const PackedSphere& s) {
+    return add(s.id.object, s.center, 1 / s.radius);
+  }
+  std::int32_t add_plane(const PackedPlane& p) { return add(p.id.object, -p.normal, 0); }
+  std::int32_t add_triangle(const PackedTriangle& t) { return add(t.id.object, -t.normal, 0); }
+  std::int32_t add_square(const PackedSquare& s) { return add(s.object, s.center, 1 / s.radius); }
+
+ private:
+  std::int32_t add(std::uint32_t object, const Vec3& place, double curvature) {
+    push(table_.x, place.x);
+    push(table_.y, place.y);
+    push(table_.z, place.z);
+    push(table_.curvature, curvature);
+    push(table_.material, static_cast<double>(scene_.material_of_object[object]));
+    return static_cast<std::int32_t>(table_.x.size() - 1);
+  }
+
+  const PackedScene& scene_;
+  SurfaceTable<T>& table_;
+};
+
+/// The primitives of all kinds in the document's order.
+template <typename T>
+void pack_primitives(const PackedScene& scene, SimdScene<T>& packed) {
+  SurfaceNumbering<T> numbering(scene, packed.surfaces);
+  auto sphere = scene.spheres.begin();
+  auto square = scene.squares.begin();
+  auto plane = scene.planes.begin();
+  auto triangle = scene.triangles.begin();
+  for (std::uint32_t object = 0; object < scene.material_of_object.size(); ++object) {
+    for (; sphere != scene.spheres.end() && sphere->id.object == object; ++sphere)
+      packed.spheres.push_back(pack<T>(*sphere, numbering.add_sphere(*sphere)));
+    for (; square != scene.squares.end() && square->object == object; ++square)
+      packed.squares.push_back(pack<T>(*square, numbering.add_square(*square)));
+    for (; plane != scene.planes.end() && plane->id.object == object; ++plane)
+      packed.planes.push_back(
+          pack_plane<T>(plane->normal, plane->point, numbering.add_plane(*plane)));
+    for (; triangle != scene.triangles.end() && triangle->id.object == object; ++triangle) {
+      const auto& [a, b, c] = triangle->vertices;
+      packed.triangles.push_back(
+          {narrowed<T>(a), narrowed<T>(b), narrowed<T>(c),
+           pack_plane<T>(triangle->normal, a, numbering.add_triangle(*triangle))});
+    }
+  }
+}
+
+/// The spheres' numbers among the primitives.
+template <typename T>
+std::vector<std::int32_t> ids(const SimdScene<T>& scene) {
+  std::vector<std::int32_t> ids;
+  ids.reserve(scene.spheres.size());
+  for (const SimdSphere<T>& sphere : scene.spheres) ids.push_back(sphere.id);
+  return ids;
+}
+
+/// The exponent that all materials share, if it is a small integer; else -1.
+std::int32_t uniform_shininess(const std::vector<Material>& materials) {
+  constexpr double most = 4096;
+  if (materials.empty()) return -1;
+  const double first = materials.front().shininess;
+  const bool uniform = std::all_of(materials.begin(), materials.end(),
+                                   [&](const Material& m) { return m.shininess == first; });
+  if (!uniform || first > most || first != std::floor(first)) return -1;
+  return static_cast<std::int32_t>(first);
+}
+
+}  // namespace
+
+template <typename T>
+SimdScene<T> make_simd_scene(const PackedScene& scene, const Structures& structures,
+                             WorkerPool& pool) {
+  SimdScene<T> packed{};
+  packed.view = scene.view;
+  packed.forward = narrowed<T>(scene.view.forward);
+  packed.right = narrowed<T>(scene.view.right);
+  packed.up = narrowed<T>(scene.view.up);
+  pack_primitives(scene, packed);
+  packed.bins = build_screen_bins(scene.view, scene.spheres, block_side, pool);
+  packed.has_light_grids = structures.light_grids;
+  if (structures.tree) packed.tree = pack_tree<T>(Bvh::build(scene));
+  for (const PackedLight& light : scene.lights) {
+    SimdLight<T> simd{
+        light.is_distant, narrowed<T>(light.place), saturated<T>(light.emission), {}, {}};
+    if (structures.light_grids)
+      simd.grid = build_distant_grid<T>(light.place, scene.spheres, ids(packed), pool);
+    for (const PackedSquare& square : scene.squares)
+      simd.stencils.push_back(light.is_distant ? make_stencil<T>(light.place, square)
+                                               : Stencil<T>{{}, false});
+    packed.lights.push_back(std::move(simd));
+  }
+  packed.background = narrowed<T>(scene.background);
+  packed.shadows = scene.shadows;
+  packed.max_depth = scene.max_depth;
+  packed.materials = pack_materials<T>(scene);
+  packed.reflects = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                [](const Material& m) { return m.reflectivity > 0; });
+  packed.uniform_shininess = uniform_shininess(scene.materials);
+  return packed;
+}
+
+template SimdScene<float> make_simd_scene<float>(const PackedScene&, const Structures&,
+                                                 WorkerPool&);
+template SimdScene<double> make_simd_scene<double>(const PackedScene&, const Structures&,
+                                                   WorkerPool&);
+
+}  // namespace raytracer

@@ -1,0 +1,165 @@
+// The scene as the SIMD kernels read it: structures of arrays in the kernel's own precision.
+//
+// Everything that needs more than that precision (differences of coordinates, the constant C of
+// each sphere as the eye sees it) is computed once, in double, when the scene is packed.
+//
+// Limits: few spheres and planes, squares of any size, no meshes; the eye outside of every
+// sphere. Then no ray ever starts inside one, because every surface is opaque, and the kernels
+// model only spheres seen from outside.
+#pragma once
+
+#include <hwy/aligned_allocator.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/accel/bvh.h"
+#include "engine/accel/light_grid.h"
+#include "engine/accel/screen_bins.h"
+#include "engine/pack/packed_scene.h"
+#include "engine/parallel/worker_pool.h"
+#include "engine/plan/structures.h"
+
+namespace raytracer {
+
+/// Three coordinates in a kernel's precision.
+template <typename T>
+struct Triple {
+  T x;
+  T y;
+  T z;
+};
+
+/// A sphere; `id` numbers the scene's primitives in the document's order.
+template <typename T>
+struct SimdSphere {
+  Triple<T> center;
+  T radius;
+  T radius2;
+  T eye_c;  ///< |center|^2 - radius^2
+  std::int32_t id;
+};
+
+template <typename T>
+struct SimdPlane {
+  Triple<T> normal;  ///< unit
+  T height;          ///< normal . (point - eye)
+  std::int32_t id;
+};
+
+template <typename T>
+struct SimdTriangle {
+  Triple<T> a;
+  Triple<T> b;
+  Triple<T> c;
+  SimdPlane<T> plane;  ///< through its corners; the id is the triangle's
+};
+
+/// A node of a tree of boxes, as Bvh::Node.
+template <typename T>
+struct SimdNode {
+  Triple<T> low;
+  Triple<T> high;
+  std::uint32_t first;
+  std::uint32_t count;
+  int axis;
+};
+
+/// Over the spheres (numbered first in `order`) and the triangles.
+template <typename T>
+struct SimdTree {
+  std::vector<SimdNode<T>> nodes;
+  std::vector<std::uint32_t> order;
+};
+
+inline constexpr int deepest_tree = Bvh::deepest;
+
+/// A square of spheres in units of its cells (one cell is a sphere's diameter), its spanning axes
+/// first and last, the axis across it in the middle. Cells have integer coordinates relative to
+/// the cell in which the eye would stand.
+template <typename T>
+struct SimdSquare {
+  std::array<int, 3> axes;  ///< of x, y, z: first, across, second
+  Triple<T> eye;            ///< relative to the centre of the eye's cell
+  T low_first;              ///< the cells' coordinates
+  T high_first;
+  T low_second;
+  T high_second;
+  T cells_per_unit;  ///< 1 / (2 radius)
+  T unit_per_cell;
+  std::int32_t id;
+};
+
+/// For one light and one square: the neighbours that can shadow a sphere, as cell offsets.
+template <typename T>
+struct Stencil {
+  std::vector<std::array<T, 2>> offsets;
+  bool suffices;  ///< false where the light is so low that only a walk will do
+};
+
+template <typename T>
+struct SimdLight {
+  bool is_distant;
+  Triple<T> place;                   ///< distant: unit, towards the light; point: its position
+  Triple<T> emission;                ///< saturated, so that sums stay finite
+  std::vector<Stencil<T>> stencils;  ///< distant: one for each square
+  DistantGrid<T> grid;               ///< over the spheres, where there are many
+};
+
+/// A column of values that SIMD code gathers from.
+template <typename T>
+using Column = std::vector<T>;
+
+/// What is needed of each primitive once it was hit, in columns by id.
+template <typename T>
+struct SurfaceTable {
+  Column<T> x, y, z;    ///< a sphere's centre; the opposite of a plane's normal
+  Column<T> curvature;  ///< 1 / radius; 0 for a plane
+  Column<T> material;   ///< index into MaterialTable
+};
+
+template <typename T>
+struct MaterialTable {
+  Column<T> red, green, blue;
+  Column<T> ambient;  ///< ka times the scene's
+  Column<T> kd, ks, shininess, reflectivity;
+};
+
+/// Pixels are traced in blocks of this many either way.
+inline constexpr int block_side = 16;
+
+template <typename T>
+struct SimdScene {
+  View view;
+  Triple<T> forward;  ///< the view's basis, in T
+  Triple<T> right;
+  Triple<T> up;
+  std::vector<SimdSphere<T>> spheres;
+  ScreenBins bins;       ///< of the spheres, for rays from the eye
+  bool has_light_grids;  ///< for shadows of spheres; else the tree, or every sphere
+  std::vector<SimdSquare<T>> squares;
+  std::vector<SimdPlane<T>> planes;
+  std::vector<SimdTriangle<T>> triangles;
+  SimdTree<T> tree;  ///< empty where nothing needs it
+  std::vector<SimdLight<T>> lights;
+  SurfaceTable<T> surfaces;
+  MaterialTable<T> materials;
+  Triple<T> background;
+  Shadows shadows;
+  int max_depth;
+  bool reflects;
+  std::int32_t uniform_shininess;  ///< the one integer exponent of all materials, or -1
+};
+
+/// Uses the pool's threads.
+template <typename T>
+SimdScene<T> make_simd_scene(const PackedScene& scene, const Structures& structures,
+                             WorkerPool& pool);
+
+extern template SimdScene<float> make_simd_scene<float>(const PackedScene&, const Structures&,
+                                                        WorkerPool&);
+extern template SimdScene<double> make_simd_scene<double>(const PackedScene&, const Structures&,
+                                                          WorkerPool&);
+
+}  // namespace raytracer

@@ -1,0 +1,202 @@
+#include "engine/plan/census.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace raytracer {
+namespace {
+
+/// The distance from the origin to the nearest of a square's spheres near the eye, or to the box
+/// around all of them where that is far.
+double distance_to_square(const SphereSquare& s, const Vec3& center, double r) {
+  // The square's own axes: first, across, second.
+  const Vec3 p = s.axes == Axes::xz   ? Vec3{-center.x, -center.y, -center.z}
+                 : s.axes == Axes::xy ? Vec3{-center.x, -center.z, -center.y}
+                                      : Vec3{-center.y, -center.x, -center.z};
+  const double half = 2 * static_cast<double>(s.n) * r;
+  const Vec3 outside{std::max(std::abs(p.x) - half, 0.0), std::max(std::abs(p.y) - r, 0.0),
+                     std::max(std::abs(p.z) - half, 0.0)};
+  const double to_box = length(outside);
+  if (to_box > 0) return to_box;
+  // Between the spheres: the nearest is in the eye's cell or a neighbouring one.
+  const auto nearest_center = [&](double place, int neighbour) {
+    const double cell = std::floor(place / (2 * r)) + neighbour;
+    return (2 * cell + 1) * r;
+  };
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const int i : {-1, 0, 1})
+    for (const int k : {-1, 0, 1})
+      nearest = std::min(
+          nearest, length({p.x - nearest_center(p.x, i), p.y, p.z - nearest_center(p.z, k)}) - r);
+  return nearest;
+}
+
+/// A lower bound of the origin's distance to a triangle: that of the ball around its corners'
+/// middle, or of its plane.
+double distance_to_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 middle = (a + b + c) / 3;
+  const double reach = std::max({length(a - middle), length(b - middle), length(c - middle)});
+  const double to_plane = std::abs(dot(unit(cross(b - a, c - a)), a));
+  return std::max(to_plane, length(middle) - reach);
+}
+
+class Counter {
+ public:
+  Counter(const Frame& frame, Census& census) : frame_(frame), census_(census) {}
+
+  void operator()(const Sphere& s) { add_sphere(s.center, s.radius); }
+
+  void operator()(const Spheres& s) {
+    for (std::size_t i = 0; i < s.centers.size(); ++i) add_sphere(s.centers[i], s.radius(i));
+  }
+
+  void operator()(const SphereSquare& s) {
+    const Vec3 center = frame_.frame_from_scene(s.center);
+    const double r = frame_.frame_from_scene(s.radius);
+    const double reach = length(center) + 2 * std::sqrt(2.0) * static_cast<double>(s.n) * r + r;
+    census_.nearest = std::min(census_.nearest, std::max(distance_to_square(s, center, r), 0.0));
+    census_.farthest = std::max(census_.farthest, reach);
+    census_.distance_in_radii = std::max(census_.distance_in_radii, reach / r);
+    ++census_.squares;
+  }
+
+  void operator()(const Plane& p) {
+    const double height = std::abs(dot(unit(p.normal), frame_.frame_from_scene(p.point)));
+    census_.nearest = std::min(census_.nearest, height);
+    ++census_.planes;
+  }
+
+  void operator()(const Mesh& m) {
+    for (const auto& corners : m.triangles)
+      add(distance_to_triangle(frame_.frame_from_scene(m.vertices[corners[0]]),
+                               frame_.frame_from_scene(m.vertices[corners[1]]),
+                               frame_.frame_from_scene(m.vertices[corners[2]])),
+          0);
+    for (const Vec3& vertex : m.vertices)
+      add(std::numeric_limits<double>::infinity(), length(frame_.frame_from_scene(vertex)));
+    census_.triangles += m.triangles.size();
+  }
+
+  double farthest_but_squares() const { return farthest_but_squares_; }
+
+ private:
+  void add(double nearest, double farthest) {
+    census_.nearest = std::min(census_.nearest, std::max(nearest, 0.0));
+    census_.farthest = std::max(census_.farthest, farthest);
+    farthest_but_squares_ = std::max(farthest_but_squares_, farthest);
+  }
+
+  void add_sphere(const Vec3& scene_center, double scene_radius) {
+    const double distance = length(frame_.frame_from_scene(scene_center));
+    const double r = frame_.frame_from_scene(scene_radius);
+    add(distance - r, distance + r);
+    census_.distance_in_radii = std::max(census_.distance_in_radii, (distance + r) / r);
+    ++census_.spheres;
+  }
+
+  const Frame& frame_;
+  Census& census_;
+  double farthest_but_squares_ = 0;
+};
+
+/// How high above or below a square's spheres anything else may receive their shadow: heights
+/// along `axis` over the plane through `center`; the farthest extent where that is not known.
+double receiver_height(const Scene& scene, const Frame& frame, const Vec3& axis, const Vec3& center,
+                       double farthest) {
+  double highest = 0;
+  const auto height_of = [&](const Vec3& point) {
+    return std::abs(dot(axis, frame.frame_from_scene(point) - center));
+  };
+  for (const Object& object : scene.objects) {
+    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+      highest =
+          std::max(highest, height_of(sphere->center) + frame.frame_from_scene(sphere->radius));
+    } else if (const auto* plane = std::get_if<Plane>(&object.shape)) {
+      const bool parallel = cross(unit(plane->normal), axis) == Vec3{};
+      highest = std::max(highest, parallel ? height_of(plane->point) : farthest);
+    } else if (!std::holds_alternative<SphereSquare>(object.shape)) {
+      highest = farthest;
+    }
+  }
+  return highest;
+}
+
+/// The longest way from a point to an occluder that can matter. A square shadows itself from cell
+/// to cell, which no distance makes less accurate; other things it shadows only from as far as a
+/// light's slope takes a ray from their height to the square's.
+double shadow_path(const Scene& scene, const Frame& frame, double farthest,
+                   double farthest_but_squares) {
+  double longest = farthest_but_squares;
+  for (const Object& object : scene.objects) {
+    const auto* square = std::get_if<SphereSquare>(&object.shape);
+    if (square == nullptr) continue;
+    const Vec3 axis = square->axes == Axes::xz   ? Vec3{0, 1, 0}
+                      : square->axes == Axes::xy ? Vec3{0, 0, 1}
+                                                 : Vec3{1, 0, 0};
+    const double height =
+        receiver_height(scene, frame, axis, frame.frame_from_scene(square->center), farthest) +
+        2 * frame.frame_from_scene(square->radius);
+    for (const Light& light : scene.lights) {
+      const auto* distant = std::get_if<DistantLight>(&light.source);
+      const double slope = distant ? std::abs(dot(unit(distant->direction), axis)) : 0;
+      longest = std::max(longest, std::min(height / slope, 2 * farthest));
+    }
+  }
+  return longest;
+}
+
+/// The smallest sphere that mirrors, in frame coordinates; infinite if none does.
+double smallest_mirror(const Scene& scene, const Frame& frame) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Object& object : scene.objects) {
+    if (!(scene.materials[object.material].reflectivity > 0)) continue;
+    if (const auto* sphere = std::get_if<Sphere>(&object.shape))
+      smallest = std::min(smallest, sphere->radius);
+    else if (const auto* square = std::get_if<SphereSquare>(&object.shape))
+      smallest = std::min(smallest, square->radius);
+    else if (const auto* spheres = std::get_if<Spheres>(&object.shape))
+      for (const double radius : spheres->radii) smallest = std::min(smallest, radius);
+  }
+  return frame.frame_from_scene(smallest);
+}
+
+/// How many reflections can change a pixel by a level.
+double visible_bounces(const Scene& scene) {
+  double reflectivity = 0;
+  for (const Material& material : scene.materials)
+    reflectivity = std::max(reflectivity, material.reflectivity);
+  const double fading = std::log(1.0 / 255) / std::log(reflectivity);  // infinite for 1
+  return std::min<double>(scene.render.max_depth, reflectivity < 1 ? std::ceil(fading) : 1e9);
+}
+
+double magnification(const Scene& scene, const Frame& frame, const Census& census) {
+  const double growth = 2 * census.farthest / smallest_mirror(scene, frame);
+  return growth > 1 ? std::pow(growth, visible_bounces(scene)) : 1;
+}
+
+}  // namespace
+
+Census take_census(const Scene& scene, const Frame& frame) {
+  Census census;
+  Counter counter(frame, census);
+  for (const Object& object : scene.objects)
+    std::visit([&](const auto& shape) { counter(shape); }, object.shape);
+  for (const Light& light : scene.lights) {
+    const auto* point = std::get_if<PointLight>(&light.source);
+    if (point == nullptr) continue;
+    census.has_point_lights = true;
+    census.farthest = std::max(census.farthest, length(frame.frame_from_scene(point->position)));
+  }
+  for (const Material& material : scene.materials) {
+    census.shininess = std::max(census.shininess, material.shininess);
+    census.reflects = census.reflects || material.reflectivity > 0;
+  }
+  census.shadow_path = shadow_path(scene, frame, census.farthest, counter.farthest_but_squares());
+  if (census.reflects) census.magnification = magnification(scene, frame, census);
+  const double half_width = std::abs(std::tan(scene.camera.fov / 2));
+  census.pixel_angle = 2 * half_width / scene.camera.width;
+  return census;
+}
+
+}  // namespace raytracer

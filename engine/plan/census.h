@@ -1,0 +1,33 @@
+// What a scene contains, counted and measured once: the facts that the plan's choices rest on.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+
+#include "engine/plan/frame.h"
+#include "engine/scene/scene.h"
+
+namespace raytracer {
+
+/// Lengths are in frame coordinates, distances from the eye.
+struct Census {
+  std::size_t spheres = 0;  ///< of types sphere and spheres
+  std::size_t squares = 0;
+  std::size_t planes = 0;
+  std::size_t triangles = 0;
+  double nearest = std::numeric_limits<double>::infinity();  ///< surface; 0 inside a sphere
+  double farthest = 0;           ///< point of a sphere, square or mesh, and point light
+  double distance_in_radii = 0;  ///< the largest of farthest distance / radius
+  double shadow_path = 0;        ///< no occluder stands farther than this from what it shadows
+  double shininess = 0;          ///< the largest in use
+  bool has_point_lights = false;
+  bool reflects = false;
+  /// By how much reflections can magnify an error of direction: a mirroring sphere of radius r
+  /// spreads neighbouring rays 2 d / r times as far at a distance d.
+  double magnification = 1;
+  double pixel_angle = 0;  ///< radians, at the image's centre
+};
+
+Census take_census(const Scene& scene, const Frame& frame);
+
+}  // namespace raytracer

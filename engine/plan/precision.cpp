@@ -1,0 +1,64 @@
+#include "engine/plan/precision.h"
+
+#include <fmt/format.h>
+
+namespace raytracer {
+namespace {
+
+constexpr double single_rounding = 0x1p-24;
+constexpr double kappa = 8;  // roundings on the way from a coordinate to a pixel; measured: 3
+constexpr double tolerance_px = 1.0 / 256;
+
+}  // namespace
+
+Choice<Precision> choose_precision(Precision wish, const Census& census) {
+  using enum Precision;
+  if (wish != automatic) return {wish, "the request says so"};
+
+  const double direction_error_px = kappa * single_rounding / census.pixel_angle;
+  if (direction_error_px > tolerance_px)
+    return {double_precision,
+            fmt::format("single would displace edges by {:.2g} pixels: a pixel is only {:.2g} "
+                        "radians wide",
+                        direction_error_px, census.pixel_angle)};
+
+  const double mirror_error_px = direction_error_px * census.magnification;
+  if (mirror_error_px > tolerance_px)
+    return {double_precision,
+            fmt::format("single would displace reflections by {:.2g} pixels: curved mirrors "
+                        "magnify its error {:.2g} times",
+                        mirror_error_px, census.magnification)};
+
+  const double shadow_error_px = direction_error_px * (1 + census.shadow_path / census.nearest);
+  if (!(shadow_error_px <= tolerance_px))
+    return {double_precision,
+            fmt::format("single would displace shadows by {:.2g} pixels: occluders up to {:.3g} "
+                        "times as far as the nearest surface",
+                        shadow_error_px, census.shadow_path / census.nearest)};
+
+  const double surface_error = kappa * single_rounding * census.distance_in_radii;
+  constexpr double surface_tolerance = 1.0 / 256;  // of a radius: of a normal, and of a contact
+  if (surface_error > surface_tolerance)
+    return {double_precision,
+            fmt::format("single would displace points by {:.2g} radii of their sphere: it is up "
+                        "to {:.3g} radii away",
+                        surface_error, census.distance_in_radii)};
+
+  constexpr std::size_t most_numbered = std::size_t{1} << 24;  // integers that a single holds
+  const std::size_t primitives = census.spheres + census.squares + census.planes + census.triangles;
+  if (primitives > most_numbered)
+    return {double_precision, fmt::format("single cannot number {} primitives apart", primitives)};
+
+  constexpr double half_level = 0.5 / 255;
+  const double highlight_error = kappa * single_rounding * census.shininess;
+  if (highlight_error > half_level)
+    return {double_precision,
+            fmt::format("single would change highlights by {:.2g}: shininess is {:.3g}",
+                        highlight_error, census.shininess)};
+
+  return {single_precision,
+          fmt::format("displaces edges by at most {:.2g} and shadows by at most {:.2g} pixels",
+                      direction_error_px, shadow_error_px)};
+}
+
+}  // namespace raytracer

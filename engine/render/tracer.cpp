@@ -1,0 +1,96 @@
+#include "engine/render/tracer.h"
+
+#include <algorithm>
+
+#include "engine/image/transfer.h"
+#include "engine/kernel/radiance.h"
+
+namespace raytracer {
+namespace {
+
+Rgb clamped(const Rgb& c) {
+  return {std::clamp(c.x, 0.0, 1.0), std::clamp(c.y, 0.0, 1.0), std::clamp(c.z, 0.0, 1.0)};
+}
+
+float encoded(double linear, Transfer transfer) {
+  // Most images are linear: not a call for each channel of each pixel.
+  return static_cast<float>(transfer == Transfer::linear ? linear
+                                                         : encode_channel(linear, transfer));
+}
+
+void store(const Rgb& mean, Transfer transfer, float* pixel) {
+  pixel[0] = encoded(mean.x, transfer);
+  pixel[1] = encoded(mean.y, transfer);
+  pixel[2] = encoded(mean.z, transfer);
+}
+
+void trace(const ReferenceTracer& tracer, const std::vector<SamplePoint>& pattern,
+           Transfer transfer, const Tile& tile, Image& image) {
+  const PackedScene& scene = *tracer.scene;
+  const auto trace_with = [&](const auto& structure) {
+    for (int y = tile.y_begin; y < tile.y_end; ++y) {
+      for (int x = tile.x_begin; x < tile.x_end; ++x) {
+        Rgb sum;
+        for (const SamplePoint& sample : pattern)
+          sum += clamped(
+              radiance(scene, structure,
+                       scene.view.direction(x + sample.x, image.height - 1 - y + sample.y)));
+        store(sum / static_cast<double>(pattern.size()), transfer, image.pixel(x, y));
+      }
+    }
+  };
+  std::visit(trace_with, tracer.structure);
+}
+
+template <typename T>
+void trace_block(const SimdTracer<T>& tracer, const std::vector<SamplePoint>& pattern,
+                 Transfer transfer, const PixelBlock& block, Image& image) {
+  BlockSums<T> sums{};
+  for (const SamplePoint& sample : pattern)
+    render_block(tracer.scene, block, sample.x, sample.y, tracer.target, sums);
+  const double share = 1 / static_cast<double>(pattern.size());
+  for (int y = 0; y < block.height; ++y) {
+    for (int x = 0; x < block.width; ++x) {
+      const int i = y * block_side + x;
+      const Rgb sum{static_cast<double>(sums.red[i]), static_cast<double>(sums.green[i]),
+                    static_cast<double>(sums.blue[i])};
+      // A mean of singles may exceed 1 by a rounding.
+      store(clamped(sum * share), transfer, image.pixel(block.x_begin + x, block.y_begin + y));
+    }
+  }
+}
+
+template <typename T>
+void trace(const SimdTracer<T>& tracer, const std::vector<SamplePoint>& pattern, Transfer transfer,
+           const Tile& tile, Image& image) {
+  for (int y = tile.y_begin; y < tile.y_end; y += block_side)
+    for (int x = tile.x_begin; x < tile.x_end; x += block_side)
+      trace_block(
+          tracer, pattern, transfer,
+          {x, y, std::min(block_side, tile.x_end - x), std::min(block_side, tile.y_end - y)},
+          image);
+}
+
+}  // namespace
+
+Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool) {
+  PackedScene packed = pack_scene(scene, plan.frame);
+  if (plan.kernel.value == Kernel::simd) {
+    const std::int64_t target = plan.instruction_set.target;
+    if (plan.precision.value == Precision::single_precision)
+      return SimdTracer<float>{make_simd_scene<float>(packed, plan.structures, pool), target};
+    return SimdTracer<double>{make_simd_scene<double>(packed, plan.structures, pool), target};
+  }
+  auto kept = std::make_unique<const PackedScene>(std::move(packed));
+  const PackedScene& reference = *kept;
+  if (plan.kernel.value == Kernel::bvh)
+    return ReferenceTracer{std::move(kept), Bvh::build(reference)};
+  return ReferenceTracer{std::move(kept), BruteForce(reference)};
+}
+
+void render_tile(const Tracer& tracer, const std::vector<SamplePoint>& pattern, Transfer transfer,
+                 const Tile& tile, Image& image) {
+  std::visit([&](const auto& chosen) { trace(chosen, pattern, transfer, tile, image); }, tracer);
+}
+
+}  // namespace raytracer

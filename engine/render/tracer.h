@@ -1,0 +1,42 @@
+// A scene made ready for one of the kernels: what traces tiles of it.
+#pragma once
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "engine/accel/brute_force.h"
+#include "engine/accel/bvh.h"
+#include "engine/image/image.h"
+#include "engine/kernel/simd/render_block.h"
+#include "engine/pack/packed_scene.h"
+#include "engine/plan/plan.h"
+#include "engine/render/tile.h"
+#include "engine/sample/pattern.h"
+
+namespace raytracer {
+
+/// The reference kernel with whatever finds its primitives.
+struct ReferenceTracer {
+  std::unique_ptr<const PackedScene> scene;  // the structure refers to it
+  std::variant<BruteForce, Bvh> structure;
+};
+
+/// The SIMD kernel in precision T.
+template <typename T>
+struct SimdTracer {
+  SimdScene<T> scene;
+  std::int64_t target;
+};
+
+using Tracer = std::variant<ReferenceTracer, SimdTracer<float>, SimdTracer<double>>;
+
+/// Builds what the plan says, on the pool's threads.
+Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool);
+
+/// Traces the tile's pixels with one sample at each place of `pattern` and stores their encoded
+/// means. Touches no other pixel.
+void render_tile(const Tracer& tracer, const std::vector<SamplePoint>& pattern, Transfer transfer,
+                 const Tile& tile, Image& image);
+
+}  // namespace raytracer

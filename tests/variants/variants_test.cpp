@@ -1,0 +1,188 @@
+// Every kernel on every instruction set of this machine draws what the reference draws.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "engine/accel/bvh.h"
+#include "engine/kernel/radiance.h"
+#include "engine/plan/plan.h"
+#include "engine/render/tracer.h"
+#include "engine/scene/read_scene.h"
+
+namespace raytracer {
+namespace {
+
+constexpr int width_px = 160;
+
+struct NamedScene {
+  std::string name;
+  Scene scene;
+};
+
+Scene prepared(const std::string& text) {
+  Overrides overrides;
+  overrides.samples = 1;
+  overrides.transfer = Transfer::linear;
+  Scene scene = read_scene(text, Limits{}, overrides).value();
+  scene.camera.height = std::max(1, scene.camera.height * width_px / scene.camera.width);
+  scene.camera.width = width_px;
+  return scene;
+}
+
+/// A scene of its own, so that what a test changes of it stays there.
+Scene with_objects(const std::string& objects, const std::string& lights) {
+  return prepared(fmt::format(
+      R"({{"camera": {{"origin": [0, 3, -12], "look_at": [0, 0, 0], "fov": 0.9, "width": 160,
+          "height": 120}}, "background": [0.2, 0.3, 0.4], "lights": [{}], "objects": [{}]}})",
+      lights, objects));
+}
+
+constexpr const char* distant_lights =
+    R"({"type": "distant", "direction": [-0.6, -1, 0.7]},
+       {"type": "distant", "direction": [0.6, -0.4, 0.5], "intensity": 0.5})";
+constexpr const char* point_light =
+    R"({"type": "point", "position": [4, 6, -5], "intensity": 900})";
+
+std::string random_spheres(int count, double radius, const std::string& material) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(count));
+  std::uniform_real_distribution<double> place(-4, 4);
+  std::string centers;
+  for (int i = 0; i < count; ++i)
+    centers += fmt::format("{}[{}, {}, {}]", i == 0 ? "" : ",", place(random), place(random),
+                           place(random));
+  return fmt::format(R"({{"type": "spheres", "centers": [{}], "radius": {}, "material": {}}})",
+                     centers, radius, material);
+}
+
+std::vector<NamedScene> scenes() {
+  std::vector<NamedScene> scenes;
+  for (const auto& entry : std::filesystem::directory_iterator(SCENES_DIRECTORY)) {
+    std::ifstream file(entry.path(), std::ios::binary);
+    scenes.push_back(
+        {entry.path().stem().string(), prepared({std::istreambuf_iterator<char>(file), {}})});
+  }
+  const std::string matt = R"({"shininess": 20})";
+  const std::string mirror = R"({"reflectivity": 0.6})";
+  const std::string floor = R"({"type": "plane", "point": [0, -4, 0], "normal": [0, 1, 0]})";
+  const std::string square =
+      R"({"type": "sphere_square", "center": [0, -2, 0], "radius": 0.3, "n": 9, "axes": ")";
+  scenes.push_back({"few spheres, point light",
+                    with_objects(random_spheres(9, 0.8, matt) + "," + floor, point_light)});
+  scenes.push_back({"many spheres, distant lights",
+                    with_objects(random_spheres(900, 0.3, matt) + "," + floor, distant_lights)});
+  scenes.push_back(
+      {"many spheres, point light", with_objects(random_spheres(900, 0.3, matt), point_light)});
+  scenes.push_back({"many mirrors",
+                    with_objects(random_spheres(400, 0.4, mirror) + "," + floor, distant_lights)});
+  for (const std::string axes : {"xz", "xy", "yz"})
+    scenes.push_back(
+        {"square " + axes,
+         with_objects(square + axes + "\"}," + random_spheres(2, 0.7, mirror), distant_lights)});
+  scenes.push_back({"square, point light",
+                    with_objects(square + "xz\"}," + random_spheres(2, 0.7, matt), point_light)});
+  scenes.push_back(
+      {"square, low light",
+       with_objects(square + "xz\"}", R"({"type": "distant", "direction": [-1, -0.04, 0.7]})")});
+  return scenes;
+}
+
+/// The reference: one ray at a time, in double.
+Image reference_image(const Scene& scene) {
+  const PackedScene packed = pack_scene(scene, make_frame(scene));
+  const Bvh structure = Bvh::build(packed);
+  Image image(scene.camera.width, scene.camera.height);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const Rgb seen =
+          radiance(packed, structure, packed.view.direction(x + 0.5, image.height - y - 0.5));
+      image.pixel(x, y)[0] = static_cast<float>(std::clamp(seen.x, 0.0, 1.0));
+      image.pixel(x, y)[1] = static_cast<float>(std::clamp(seen.y, 0.0, 1.0));
+      image.pixel(x, y)[2] = static_cast<float>(std::clamp(seen.z, 0.0, 1.0));
+    }
+  }
+  return image;
+}
+
+Image image_on(const InstructionSet& set, Precision precision, Scene scene) {
+  scene.render.precision = precision;
+  const Plan plan = make_plan(scene, {set});
+  EXPECT_EQ(plan.kernel.value, Kernel::simd) << plan.kernel.reason;
+  EXPECT_EQ(plan.precision.value, precision);
+  WorkerPool pool(2);
+  const Tracer tracer = make_tracer(plan, scene, pool);
+  Image image(scene.camera.width, scene.camera.height);
+  for (const Tile& tile : split_into_tiles(image.width, image.height, 32))
+    render_tile(tracer, sample_pattern(1), Transfer::linear, tile, image);
+  return image;
+}
+
+/// Pixels with a channel that is off by more than a level, or is no number.
+int count_wrong(const Image& image, const Image& expected) {
+  int wrong = 0;
+  for (std::size_t i = 0; i < image.values.size(); i += 3) {
+    bool is_wrong = false;
+    for (std::size_t c = i; c < i + 3; ++c)
+      is_wrong = is_wrong || !(std::abs(image.values[c] - expected.values[c]) <= 1.0F / 255);
+    wrong += is_wrong ? 1 : 0;
+  }
+  return wrong;
+}
+
+TEST(Variants, doubleIsTheReferenceOnEveryInstructionSet) {
+  for (const NamedScene& named : scenes()) {
+    const Image expected = reference_image(named.scene);
+    for (const InstructionSet& set : supported_instruction_sets())
+      EXPECT_EQ(count_wrong(image_on(set, Precision::double_precision, named.scene), expected), 0)
+          << named.name << " on " << set.name;
+  }
+}
+
+TEST(Variants, singleIsNearTheReferenceWhereThePlanChoosesIt) {
+  int chosen = 0;
+  for (const NamedScene& named : scenes()) {
+    const Plan plan = make_plan(named.scene, this_machine());
+    if (plan.precision.value != Precision::single_precision) continue;
+    ++chosen;
+    const Image expected = reference_image(named.scene);
+    const int most = std::max(2, static_cast<int>(expected.values.size() / 3 / 2000));
+    for (const InstructionSet& set : supported_instruction_sets())
+      EXPECT_LE(count_wrong(image_on(set, Precision::single_precision, named.scene), expected),
+                most)
+          << named.name << " on " << set.name;
+  }
+  EXPECT_GE(chosen, 8) << "single precision is hardly ever chosen";
+}
+
+TEST(Variants, runsOnTheInstructionSetThatIsAskedFor) {
+  const Scene scene = with_objects(random_spheres(3, 1, "{}"), distant_lights);
+  const PackedScene packed = pack_scene(scene, make_frame(scene));
+  WorkerPool pool(1);
+  const auto single = make_simd_scene<float>(packed, {}, pool);
+  const auto twice = make_simd_scene<double>(packed, {}, pool);
+  const auto sets = supported_instruction_sets();
+  ASSERT_FALSE(sets.empty());
+  for (const InstructionSet& set : sets) {
+    BlockSums<float> single_sums{};
+    BlockSums<double> double_sums{};
+    EXPECT_EQ(render_block(single, {0, 0, 16, 16}, 0.5, 0.5, set.target, single_sums), set.target)
+        << set.name;
+    EXPECT_EQ(render_block(twice, {0, 0, 16, 16}, 0.5, 0.5, set.target, double_sums), set.target)
+        << set.name;
+  }
+}
+
+TEST(Variants, leavesTheEyeInsideASphereToTheReference) {
+  const Scene scene =
+      with_objects(R"({"type": "sphere", "center": [0, 3, -12], "radius": 1})", point_light);
+  EXPECT_NE(make_plan(scene, this_machine()).kernel.value, Kernel::simd);
+}
+
+}  // namespace
+}  // namespace raytracer
