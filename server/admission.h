@@ -12,7 +12,7 @@
 #include <mutex>
 #include <vector>
 
-#include "engine/parallel/worker_pool.h"
+#include "engine/engine.h"
 
 namespace raytracer {
 

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <optional>
 
-#include "engine/scene/limits.h"
+#include "engine/engine.h"
 #include "server/header_text.h"
 #include "server/problem.h"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "engine/scene/nearest_key.h"
+#include "engine/engine.h"
 #include "server/embedded.h"
 #include "server/problem.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <variant>
 
-#include "engine/scene/limits.h"
+#include "engine/engine.h"
 
 namespace raytracer {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "engine/build_id.h"
-#include "engine/scene/canonical.h"
+#include "engine/engine.h"
 #include "server/header_text.h"
 
 namespace raytracer {

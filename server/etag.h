@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/scene/scene.h"
+#include "engine/engine.h"
 
 namespace raytracer {
 

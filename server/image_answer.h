@@ -5,8 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/image/encode.h"
-#include "engine/render/render.h"
+#include "engine/engine.h"
 #include "server/call.h"
 
 namespace raytracer {

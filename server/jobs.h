@@ -22,7 +22,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/render/render.h"
+#include "engine/engine.h"
 #include "server/admission.h"
 #include "server/image_answer.h"
 #include "server/scene_request.h"

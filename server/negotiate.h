@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "engine/image/encode.h"
+#include "engine/engine.h"
 
 namespace raytracer {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene/result.h"
+#include "engine/engine.h"
 
 namespace raytracer {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "engine/scene/nearest_key.h"
+#include "engine/engine.h"
 #include "server/problem.h"
 
 namespace raytracer {

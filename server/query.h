@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene/read_scene.h"
+#include "engine/engine.h"
 
 namespace raytracer {
 

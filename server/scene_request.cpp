@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "engine/scene/read_scene.h"
+#include "engine/engine.h"
 #include "server/body.h"
 #include "server/problem.h"
 #include "server/services.h"

@@ -1,7 +1,7 @@
 // From a request to the scene that it wants drawn.
 #pragma once
 
-#include "engine/scene/scene.h"
+#include "engine/engine.h"
 #include "server/body_memory.h"
 #include "server/call.h"
 #include "server/query.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "engine/parallel/worker_pool.h"
+#include "engine/engine.h"
 #include "server/admission.h"
 #include "server/body_memory.h"
 #include "server/catalog.h"
