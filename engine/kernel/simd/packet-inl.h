@@ -78,6 +78,14 @@ HWY_INLINE V3<V> unit(D d, const V3<V>& a) {
   return scale(a, inverse);
 }
 
+/// A zero slope made a tiny one of its sign: no product with its inverse is then other than a
+/// number.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V without_zero(D d, V slope) {
+  const V tiny = hn::Set(d, hn::TFromD<D>(1e-30));
+  return hn::IfThenElse(hn::Lt(hn::Abs(slope), tiny), hn::CopySign(tiny, slope), slope);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace raytracer
 HWY_AFTER_NAMESPACE();

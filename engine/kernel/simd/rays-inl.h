@@ -347,7 +347,8 @@ HWY_INLINE M occluded(D d, const SimdScene<T>& scene, const SimdLight<T>& light,
     const CellHit<V, M> found = walk_square(d, square, origin, along, hn::Mul(distance, to_cells),
                                             rest, hn::IfThenElse(leaves, from.first, nowhere),
                                             hn::IfThenElse(leaves, from.second, nowhere));
-    dark = hn::Or(dark, found.hit);
+    const M before = hn::Lt(found.t, hn::Mul(distance, to_cells));
+    dark = hn::Or(dark, hn::And(found.hit, before));
   }
   return dark;
 }

@@ -40,14 +40,7 @@ struct CellHit {
   V second;
 };
 
-/// A zero slope made a tiny one: no product with its inverse is then other than a number.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V without_zero(D d, V slope) {
-  const V tiny = hn::Set(d, hn::TFromD<D>(1e-30));
-  return hn::IfThenElse(hn::Lt(hn::Abs(slope), tiny), tiny, slope);
-}
-
-/// The nearest sphere met between 0 and t_max (in cells), for the lanes of `active`.
+/// The nearest sphere met at 0 < t <= t_max (in cells), for the lanes of `active`.
 /// `origin` and `direction` are in the square's axes and cells; the sphere in the cell
 /// (own_first, own_second) is the one that the ray leaves.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
@@ -99,7 +92,7 @@ HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<
     hit = hn::AndNot(is_own, hit);
     const V c = hn::Max(hn::Sub(dot(f, f), quarter), zero);
     const V t = hn::Div(c, hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
-    hit = hn::And(hit, hn::Lt(t, t_max));
+    hit = hn::And(hit, hn::Le(t, t_max));
     found.hit = hn::Or(found.hit, hit);
     found.t = hn::IfThenElse(hit, t, found.t);
     found.first = hn::IfThenElse(hit, first, found.first);

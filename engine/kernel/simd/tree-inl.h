@@ -29,13 +29,8 @@ struct BoxPacket {
 
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE BoxPacket<V> box_packet(D d, const V3<V>& origin, const V3<V>& direction) {
-  // A zero slope becomes a tiny one, so that no product below is other than a number.
   const V one = hn::Set(d, hn::TFromD<D>(1));
-  const V tiny = hn::Set(d, hn::TFromD<D>(1e-30));
-  const auto inverse = [&](V slope) HWY_ATTR {
-    const V safe = hn::IfThenElse(hn::Lt(hn::Abs(slope), tiny), hn::CopySign(tiny, slope), slope);
-    return hn::Div(one, safe);
-  };
+  const auto inverse = [&](V slope) HWY_ATTR { return hn::Div(one, without_zero(d, slope)); };
   return {origin, {inverse(direction.x), inverse(direction.y), inverse(direction.z)}};
 }
 
