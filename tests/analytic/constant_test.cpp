@@ -1,0 +1,96 @@
+// Images that have one value everywhere, known by hand.
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "engine/image/transfer.h"
+#include "tests/support/scenes.h"
+
+namespace raytracer::test {
+namespace {
+
+using std::numbers::pi;
+
+void expect_everywhere(const Image& image, const Vec3& expected, double tolerance = rounding) {
+  ASSERT_FALSE(image.values.empty());
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      ASSERT_LE(distance(color_at(image, x, y), expected), tolerance)
+          << x << ' ' << y << ": " << color_at(image, x, y).x << ", not " << expected.x;
+}
+
+TEST(Constant, InsideASphereWithALightAtItsCentreEveryPixelIsEqual) {
+  // N = L = V = H: kd + ks of what falls on the sphere, and the ambient part.
+  const double radius = 2.5;
+  const double intensity = 60;
+  const Vec3 color{0.9, 0.5, 0.25};
+  const Vec3 light_color{0.8, 1, 0.6};
+  const Vec3 expected =
+      color * (0.8 * 0.2) +
+      color * light_color * ((0.6 + 0.3) * intensity / (4 * pi * radius * radius));
+  for (const double fov : {0.1, 1.0, 3.1}) {
+    json text = document(
+        camera_json(70, 50, fov, {1, 2, 3}, {4, 4, 4}),
+        {sphere_json({1, 2, 3}, radius,
+                     {{"color", vector_json(color)}, {"ka", 0.8}, {"kd", 0.6}, {"ks", 0.3}})},
+        {point_json({1, 2, 3}, intensity, light_color)});
+    expect_everywhere(image_of(text), expected);
+    text["render"]["samples"] = 7;
+    expect_everywhere(image_of(text), expected);
+  }
+}
+
+TEST(Constant, APlaneUnderADistantLightIsLambertsCosine) {
+  // L = (0.6, 0, -0.8) against N = (0, 0, -1), whatever the pixel.
+  const json text = document(camera_json(40, 30, 1.5),
+                             {plane_json({0, 0, 5}, {0, 0, 2}, diffuse_material({0.5, 1, 0.25}))},
+                             {distant_json({-3, 0, 4}, 0.5)});
+  expect_everywhere(image_of(text), Vec3{0.5, 1, 0.25} * (0.8 * 0.5));
+}
+
+TEST(Constant, APlaneLitFromBehindIsBlack) {
+  const json text =
+      document(camera_json(8, 8), {plane_json({0, 0, 5}, {0, 0, 1})}, {distant_json({0, 0, -1})});
+  expect_everywhere(image_of(text), {0, 0, 0}, 0);
+}
+
+TEST(Constant, APlaneLitFromBehindShowsItsAmbientPartUnderTheOtherShadows) {
+  json text = document(camera_json(8, 8), {plane_json({0, 0, 5}, {0, 0, 1}, {{"ka", 0.5}})},
+                       {distant_json({0, 0, -1})});
+  text["ambient"] = 0.4;
+  for (const char* shadows : {"ambient", "off"}) {
+    text["shadows"] = shadows;
+    expect_everywhere(image_of(text), {0.2, 0.2, 0.2});
+  }
+}
+
+TEST(Constant, NothingIsTheBackground) {
+  json text = document(camera_json(33, 65));
+  text["background"] = {0.1, 0.55, 1};
+  expect_everywhere(image_of(text), {0.1, 0.55, 1});
+}
+
+TEST(Constant, TheBackgroundIsEncodedOnceUnderSrgb) {
+  json text = document(camera_json(3, 3));
+  text["background"] = {0.5, 0.18, 1};
+  text["render"]["transfer"] = "srgb";
+  expect_everywhere(image_of(text), {0.7353569830524495, 0.46135612950044164, 1});
+}
+
+TEST(Constant, NeitherLightsNorObjectsIsBlackUnderEveryShadow) {
+  json text = document(camera_json(8, 8), {plane_json({0, 0, 5}, {0, 0, 1})});
+  text["background"] = {1, 1, 1};
+  expect_everywhere(image_of(text), {0, 0, 0}, 0);
+  text["shadows"] = "ambient";
+  expect_everywhere(image_of(text), {0.2, 0.2, 0.2});
+}
+
+TEST(Constant, ValuesAboveOneAreClamped) {
+  const json text = document(camera_json(8, 8), {plane_json({0, 0, 5}, {0, 0, 1})},
+                             {distant_json({0, 0, 1}, 1e300)});
+  expect_everywhere(image_of(text), {1, 1, 1}, 0);
+}
+
+}  // namespace
+}  // namespace raytracer::test

@@ -1,0 +1,130 @@
+// A pixel is the mean of its samples, each clamped before, encoded after.
+//
+// The one pixel spans [-tw, tw] x [-tw, tw] at distance 1; a bright sheet at distance 1 covers a
+// known part of it.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "tests/support/scenes.h"
+
+namespace raytracer::test {
+namespace {
+
+const double tw = std::tan(0.5);  // the camera's fov is 1
+
+/// A sheet below the line from (0, left) to (1, right), in shares of the pixel, of brightness i.
+json half_covered(double left, double right, double intensity, int samples) {
+  const double at_left = (2 * (left + 9 * (left - right)) - 1) * tw;    // at x = -9 pixels
+  const double at_right = (2 * (right + 9 * (right - left)) - 1) * tw;  // at x = 10 pixels
+  const double x_left = -19 * tw;
+  const double x_right = 19 * tw;
+  json text = document(
+      camera_json(),
+      {mesh_json(
+          {{x_left, at_left, 1}, {x_right, at_right, 1}, {x_right, -99, 1}, {x_left, -99, 1}},
+          {{0, 1, 2}, {0, 2, 3}}, diffuse_material())},
+      {distant_json({0, 0, 1}, intensity)});
+  text["render"]["samples"] = samples;
+  return text;
+}
+
+TEST(Pixel, IsClampedBeforeItIsAveraged) {
+  EXPECT_NEAR(only_color(half_covered(0.5, 0.5, 10, 16)).x, 0.5, rounding);
+  EXPECT_NEAR(only_color(half_covered(0.25, 0.25, 1e300, 16)).x, 0.25, rounding);
+}
+
+TEST(Pixel, IsEncodedAfterItIsAveraged) {
+  json text = half_covered(0.5, 0.5, 1, 16);
+  text["render"]["transfer"] = "srgb";
+  EXPECT_NEAR(only_color(text).x, 0.7353569830524495, rounding);
+}
+
+TEST(Pixel, OfOneSampleIsItsCentre) {
+  EXPECT_EQ(only_color(half_covered(0.499, 0.499, 1, 1)).x, 0);
+  EXPECT_NEAR(only_color(half_covered(0.501, 0.501, 1, 1)).x, 1, rounding);
+  EXPECT_NEAR(only_color(half_covered(0, 1.01, 1, 1)).x, 1, rounding);
+  EXPECT_EQ(only_color(half_covered(0, 0.99, 1, 1)).x, 0);
+}
+
+TEST(Pixel, OnAnEdgeApproachesItsExactCoverage) {
+  for (const auto& [left, right] : {std::pair{0.3, 0.4}, {0.1, 0.9}, {0.73, 0.21}, {0.02, 0.07}}) {
+    const double coverage = (left + right) / 2;
+    EXPECT_NEAR(only_color(half_covered(left, right, 1, 64)).x, coverage, 0.02);
+    EXPECT_NEAR(only_color(half_covered(left, right, 1, 1024)).x, coverage, 0.003);
+    EXPECT_NEAR(only_color(half_covered(left, right, 1, 65536)).x, coverage, 2e-4);
+  }
+}
+
+TEST(Contract, OfAccuracyEndsAtItsTargetOrSaysThatItDidNot) {
+  json text = half_covered(0.3, 0.4, 1, 1);
+  text["render"] = {{"target_rmse", 0.01}};
+  const Scene scene = scene_of(text);
+  WorkerPool pool(2);
+  RenderProgress progress;
+  const Rendering rendering = render(scene, Limits{}, pool, progress);
+  EXPECT_EQ(rendering.stop, Stop::target);
+  ASSERT_TRUE(rendering.estimated_error);
+  EXPECT_LE(*rendering.estimated_error, 0.01);
+  EXPECT_NEAR(color_at(rendering.image, 0, 0).x, 0.35, 0.02);
+  RenderProgress again;
+  const Rendering limited = render(scene, Limits{.samples = 2}, pool, again);
+  EXPECT_EQ(limited.stop, Stop::samples);
+  EXPECT_LE(limited.samples_per_pixel, 2);
+}
+
+TEST(Contract, OfTimeEndsInTime) {
+  json text = half_covered(0.3, 0.4, 1, 1);
+  text["render"] = {{"budget_ms", 60}};
+  WorkerPool pool(2);
+  RenderProgress progress;
+  const Rendering rendering = render(scene_of(text), Limits{}, pool, progress);
+  EXPECT_EQ(rendering.stop, Stop::budget);
+  EXPECT_LE(rendering.trace_ms, 90);
+  EXPECT_GT(rendering.samples_per_pixel, 16);
+  EXPECT_NEAR(color_at(rendering.image, 0, 0).x, 0.35, 0.02);
+}
+
+TEST(Render, ThatIsStoppedSaysSo) {
+  WorkerPool pool(2);
+  RenderProgress progress;
+  progress.stop = true;
+  EXPECT_EQ(render(scene_of(half_covered(0.3, 0.4, 1, 16)), Limits{}, pool, progress).stop,
+            Stop::cancelled);
+}
+
+TEST(Render, ReportsItsProgressUpToOne) {
+  json text = half_covered(0.3, 0.4, 1, 4);
+  text["camera"]["width"] = 100;
+  WorkerPool pool(2);
+  RenderProgress progress;
+  EXPECT_EQ(progress.fraction, 0);
+  const Rendering rendering = render(scene_of(text), Limits{}, pool, progress);
+  EXPECT_EQ(progress.fraction, 1);
+  EXPECT_EQ(rendering.stop, Stop::samples);
+  EXPECT_EQ(rendering.samples_per_pixel, 4);
+}
+
+TEST(Render, ByAContractIsNotDoneBeforeItsProgressSaysSo) {
+  json text =
+      document(camera_json(100, 100), {sphere_json({0, 0, 5}, 1)}, {distant_json({0, 0, 1})});
+  text["render"] = {{"target_rmse", 1e-6}};
+  const Scene scene = scene_of(text);
+  WorkerPool pool(1);
+  RenderProgress progress;
+  std::atomic<bool> is_done{false};
+  std::thread renderer([&] {
+    static_cast<void>(render(scene, Limits{}, pool, progress));
+    is_done = true;
+  });
+  while (progress.fraction < 1 && !is_done) std::this_thread::yield();
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_TRUE(is_done) << "the progress is 1, and the passes go on";
+  progress.stop = true;
+  renderer.join();
+}
+
+}  // namespace
+}  // namespace raytracer::test

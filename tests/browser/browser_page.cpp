@@ -1,0 +1,77 @@
+#include "tests/browser/browser_page.h"
+
+#include <fstream>
+
+#include "tests/process/patience.h"
+
+namespace raytracer::test {
+
+using namespace std::chrono_literals;
+
+std::unique_ptr<ServerProcess> BrowserPage::server_;
+std::unique_ptr<TemporaryFolder> BrowserPage::downloads_;
+std::unique_ptr<WebDriver> BrowserPage::browser_;
+
+const std::string page_scene = R"({
+  "camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.9, "width": 60, "height": 40},
+  "background": [0, 0, 1],
+  "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1}]
+})";
+
+void BrowserPage::SetUpTestSuite() {
+  server_ = std::make_unique<ServerProcess>();
+  downloads_ = std::make_unique<TemporaryFolder>();
+  browser_ = std::make_unique<WebDriver>(downloads_->path());
+}
+
+void BrowserPage::TearDownTestSuite() {
+  browser_.reset();
+  downloads_.reset();
+  server_.reset();
+}
+
+void BrowserPage::open(const std::string& address) {
+  browser().open("about:blank");
+  browser().console();  // forgets what was before
+  browser().requested();
+  browser().open(server().url() + address);
+  await("done");
+}
+
+nlohmann::json BrowserPage::value(const std::string& expression) {
+  return browser().run("return " + expression + ";");
+}
+
+std::string BrowserPage::state() { return value("document.documentElement.dataset.state"); }
+
+std::string BrowserPage::picture() { return value("document.getElementById('picture').src"); }
+
+void BrowserPage::await(const std::string& state, const std::string& former) {
+  const bool arrived = eventually(
+      [&] { return BrowserPage::state() == state && (former.empty() || picture() != former); },
+      20s);
+  if (arrived) return;
+  keep_screenshot("stuck");
+  FAIL() << "the page is in state \"" << BrowserPage::state() << "\" (\""
+         << value("document.getElementById('status').textContent").get<std::string>()
+         << "\"), not \"" << state << "\"; see stuck.png";
+}
+
+void BrowserPage::edit(const std::string& text) {
+  browser().run(
+      "const editor = document.getElementById('editor'); editor.focus(); editor.value = " +
+      nlohmann::json(text).dump() +
+      "; editor.dispatchEvent(new Event('input', { bubbles: true }));");
+}
+
+void BrowserPage::press_ctrl_enter() {
+  browser().type("#editor", std::string(key_control) + key_enter + key_release);
+}
+
+void BrowserPage::keep_screenshot(const std::string& name) {
+  std::ofstream file(std::filesystem::path(RAYTRACER_SCREENSHOT_DIR) / (name + ".png"),
+                     std::ios::binary);
+  file << browser().screenshot();
+}
+
+}  // namespace raytracer::test

@@ -1,0 +1,79 @@
+// The page loads by itself, from its own server alone, and shows a picture without being asked.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/browser/browser_page.h"
+
+namespace raytracer::test {
+namespace {
+
+class Loading : public BrowserPage {};
+
+TEST_F(Loading, demo_is_rendered_without_being_asked) {
+  open();
+  EXPECT_EQ(value("document.getElementById('picture').naturalWidth"), 700);
+  EXPECT_EQ(value("document.getElementById('picture').naturalHeight"), 500);
+  EXPECT_EQ(value("document.getElementById('scene-select').value"), "demo");
+  const std::string text = value("document.getElementById('editor').value");
+  EXPECT_NE(text.find("\"Demo\""), std::string::npos);
+  keep_screenshot("page");
+}
+
+TEST_F(Loading, console_stays_empty) {
+  open();
+  for (const nlohmann::json& entry : browser().console()) ADD_FAILURE() << entry.dump(2);
+}
+
+TEST_F(Loading, nothing_is_asked_of_other_servers) {
+  open();
+  int own_count = 0;
+  for (const std::string& address : browser().requested()) {
+    const bool is_own = address.starts_with(server().url() + "/");
+    own_count += is_own;
+    EXPECT_TRUE(is_own || address.starts_with("blob:" + server().url()) ||
+                address.starts_with("data:") || address == "about:blank")
+        << address;
+  }
+  EXPECT_GE(own_count, 4) << "the log of requests is empty or short";
+}
+
+TEST_F(Loading, every_scene_can_be_chosen) {
+  open();
+  const std::vector<std::string> names =
+      value("[...document.getElementById('scene-select').options].map((option) => option.value)");
+  EXPECT_GE(names.size(), 6U);
+  const auto listed = nlohmann::json::parse(server().client().Get("/scenes")->body);
+  EXPECT_EQ(names.size(), listed.at("scenes").size());
+}
+
+TEST_F(Loading, chosen_scene_is_rendered) {
+  open();
+  const std::string former = picture();
+  browser().run(
+      "const select = document.getElementById('scene-select'); select.value = 'first-sphere';"
+      "select.dispatchEvent(new Event('change', { bubbles: true }));");
+  await("done", former);
+  const std::string text = value("document.getElementById('editor').value");
+  EXPECT_NE(text.find("\"First sphere\""), std::string::npos);
+}
+
+TEST_F(Loading, address_names_the_scene) {
+  open("/#scene=first-sphere");
+  EXPECT_EQ(value("document.getElementById('scene-select').value"), "first-sphere");
+  const std::string text = value("document.getElementById('editor').value");
+  EXPECT_NE(text.find("\"First sphere\""), std::string::npos);
+}
+
+TEST_F(Loading, times_of_the_stages_are_shown) {
+  open();
+  const std::string timings = value("document.getElementById('timings').innerText");
+  for (const char* const stage : {"queue", "parse", "plan", "build", "trace", "encode"})
+    EXPECT_NE(timings.find(stage), std::string::npos) << timings;
+  EXPECT_EQ(value("document.getElementById('timings').hidden"), false);
+  EXPECT_NE(value("document.getElementById('status').textContent"), "");
+}
+
+}  // namespace
+}  // namespace raytracer::test

@@ -1,0 +1,177 @@
+#include "tests/browser/web_driver.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <chrono>
+#include <csignal>
+#include <initializer_list>
+#include <regex>
+#include <stdexcept>
+#include <utility>
+
+#include "tests/process/patience.h"
+
+namespace raytracer::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using namespace std::chrono_literals;
+
+fs::path first_that_exists(const char* what, std::initializer_list<const char*> places) {
+  for (const char* const place : places)
+    if (fs::exists(place)) return place;
+  throw std::runtime_error(
+      fmt::format("there is no {} in {}. Debian: apt-get install chromium chromium-driver; macOS: "
+                  "brew install --cask google-chrome chromedriver",
+                  what, fmt::join(places, ", ")));
+}
+
+fs::path find_driver() {
+  return first_that_exists("chromedriver",
+                           {"/usr/bin/chromedriver", "/usr/lib/chromium-browser/chromedriver",
+                            "/opt/homebrew/bin/chromedriver", "/usr/local/bin/chromedriver"});
+}
+
+fs::path find_browser() {
+  return first_that_exists(
+      "Chromium", {"/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome",
+                   "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
+                   "/Applications/Chromium.app/Contents/MacOS/Chromium"});
+}
+
+std::string decode_base64(const std::string& text) {
+  std::string bytes(text.size() / 4 * 3, '\0');
+  const int length = EVP_DecodeBlock(reinterpret_cast<unsigned char*>(bytes.data()),
+                                     reinterpret_cast<const unsigned char*>(text.data()),
+                                     static_cast<int>(text.size()));
+  if (length < 0) throw std::runtime_error("the screenshot is not base64");
+  // EVP_DecodeBlock counts the padding's zeros in.
+  const std::size_t padding = text.ends_with("==") ? 2 : text.ends_with('=') ? 1 : 0;
+  bytes.resize(static_cast<std::size_t>(length) - padding);
+  return bytes;
+}
+
+json capabilities(const fs::path& profile, const fs::path& downloads) {
+  const json arguments{"--headless=new",
+                       "--no-sandbox",  // tests also run as root, in containers
+                       "--disable-gpu",
+                       "--disable-quic",
+                       "--no-first-run",
+                       "--disable-background-networking",
+                       "--disable-component-update",
+                       "--disable-sync",
+                       "--disable-dev-shm-usage",
+                       "--remote-debugging-pipe",  // the browser ends with its driver
+                       "--force-device-scale-factor=1",
+                       "--window-size=1280,900",
+                       "--user-data-dir=" + profile.string()};
+  const json preferences{{"download.default_directory", downloads.string()},
+                         {"download.prompt_for_download", false}};
+  return {{"browserName", "chrome"},
+          {"goog:chromeOptions",
+           {{"binary", find_browser().string()},
+            {"args", arguments},
+            {"prefs", preferences},
+            {"excludeSwitches", {"enable-automation"}}}},
+          {"goog:loggingPrefs", {{"browser", "ALL"}, {"performance", "ALL"}}}};
+}
+
+}  // namespace
+
+WebDriver::WebDriver(const fs::path& downloads)
+    : driver_({find_driver(), {"--port=0"}, "", {{"HOME", profile_.path()}}}) {
+  static const std::regex greeting(R"(started successfully on port (\d+))");
+  int port = 0;
+  eventually(
+      [&] {
+        std::smatch match;
+        const std::string said = driver_.out();
+        if (std::regex_search(said, match, greeting)) port = std::stoi(match[1]);
+        return port != 0 || driver_.wait(0ms).has_value();
+      },
+      20s);
+  if (port == 0)
+    throw std::runtime_error("chromedriver does not start: " + driver_.out() + driver_.err());
+  http_ = std::make_unique<httplib::Client>("127.0.0.1", port);
+  http_->set_read_timeout(60);
+  http_->set_keep_alive(true);
+  const json session =
+      command("POST", "/session",
+              {{"capabilities", {{"alwaysMatch", capabilities(profile_.path(), downloads)}}}});
+  session_ = "/session/" + session.at("sessionId").get<std::string>();
+}
+
+WebDriver::~WebDriver() {
+  if (http_ && !session_.empty()) http_->Delete(session_);  // ends the browser
+  driver_.signal(SIGTERM);
+  driver_.wait(5s);
+}
+
+json WebDriver::command(const std::string& method, const std::string& path, const json& body) {
+  httplib::Request request;
+  request.method = method;
+  request.path = path;
+  if (method == "POST") {
+    request.headers.emplace("Content-Type", "application/json");
+    request.body = body.dump();
+  }
+  const httplib::Result answer = http_->send(request);
+  if (!answer)
+    throw std::runtime_error(fmt::format("chromedriver does not answer {} ({}):\n{}", path,
+                                         httplib::to_string(answer.error()), driver_.out()));
+  const json value = json::parse(answer->body).at("value");
+  if (answer->status != 200)
+    throw std::runtime_error(fmt::format("{} {}: {}", method, path, value.value("message", "")));
+  return value;
+}
+
+void WebDriver::open(const std::string& url) { command("POST", session_ + "/url", {{"url", url}}); }
+
+json WebDriver::run(const std::string& script) {
+  return command("POST", session_ + "/execute/sync", {{"script", script}, {"args", json::array()}});
+}
+
+std::string WebDriver::element(const std::string& selector) {
+  const json found =
+      command("POST", session_ + "/element", {{"using", "css selector"}, {"value", selector}});
+  return session_ + "/element/" + found.begin().value().get<std::string>();
+}
+
+void WebDriver::click(const std::string& selector) {
+  command("POST", element(selector) + "/click");
+}
+
+void WebDriver::type(const std::string& selector, const std::string& keys) {
+  command("POST", element(selector) + "/value", {{"text", keys}});
+}
+
+std::string WebDriver::screenshot() {
+  return decode_base64(command("GET", session_ + "/screenshot").get<std::string>());
+}
+
+void WebDriver::resize(int width, int height) {
+  command("POST", session_ + "/goog/cdp/execute",
+          {{"cmd", "Emulation.setDeviceMetricsOverride"},
+           {"params",
+            {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}}}});
+}
+
+std::vector<json> WebDriver::log(const std::string& type) {
+  return command("POST", session_ + "/se/log", {{"type", type}}).get<std::vector<json>>();
+}
+
+std::vector<json> WebDriver::console() { return log("browser"); }
+
+std::vector<std::string> WebDriver::requested() {
+  std::vector<std::string> addresses;
+  for (const json& entry : log("performance")) {
+    const json event = json::parse(entry.at("message").get<std::string>()).at("message");
+    if (event.at("method") == "Network.requestWillBeSent")
+      addresses.push_back(event.at("params").at("request").at("url"));
+  }
+  return addresses;
+}
+
+}  // namespace raytracer::test

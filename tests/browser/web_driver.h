@@ -1,0 +1,63 @@
+// A browser under remote control: the part of the WebDriver protocol (W3C) that the tests use,
+// spoken with chromedriver.
+#pragma once
+
+#include <httplib.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/process/program.h"
+#include "tests/process/temporary_folder.h"
+
+namespace raytracer::test {
+
+/// Keys as WebDriver writes them.
+inline constexpr const char* key_control = "\xee\x80\x89";
+inline constexpr const char* key_enter = "\xee\x80\x87";
+inline constexpr const char* key_release = "\xee\x80\x80";  ///< of all modifiers
+
+/// One headless browser with one window, a new profile, and no network but what the page asks for.
+/// Every function throws std::runtime_error with the driver's own words if it fails.
+class WebDriver {
+ public:
+  /// Downloads go to `downloads` without a question. Throws std::runtime_error that names the
+  /// packages if there is no browser or no driver.
+  explicit WebDriver(const std::filesystem::path& downloads);
+  ~WebDriver();
+  WebDriver(const WebDriver&) = delete;
+  WebDriver& operator=(const WebDriver&) = delete;
+
+  void open(const std::string& url);
+  /// What `return ...;` in the function body `script` gives.
+  nlohmann::json run(const std::string& script);
+  void click(const std::string& selector);
+  /// Presses keys in the element.
+  void type(const std::string& selector, const std::string& keys);
+  /// A PNG of the window.
+  std::string screenshot();
+  /// Pretends to be a screen of this size, in CSS pixels.
+  void resize(int width, int height);
+
+  /// Entries of the console since the last call: {"level", "message", ...}.
+  std::vector<nlohmann::json> console();
+  /// The addresses of all requests since the last call.
+  std::vector<std::string> requested();
+
+ private:
+  nlohmann::json command(const std::string& method, const std::string& path,
+                         const nlohmann::json& body = nlohmann::json::object());
+  std::string element(const std::string& selector);
+  std::vector<nlohmann::json> log(const std::string& type);
+
+  TemporaryFolder profile_;
+  Process driver_;
+  std::unique_ptr<httplib::Client> http_;
+  std::string session_;  ///< "/session/ID"
+};
+
+}  // namespace raytracer::test

@@ -1,0 +1,75 @@
+// The command line: what is understood, and that everything else ends with status 1 and a reason.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/cli/client.h"
+
+namespace raytracer::test {
+namespace {
+
+TEST(Arguments, help_names_commands_and_exit_statuses) {
+  for (const char* const flag : {"--help", "-h"}) {
+    const Outcome help = run_client({flag});
+    EXPECT_EQ(help.status, 0);
+    for (const char* const word : {"render", "validate", "scenes", "--server", "RAYTRACER_SERVER"})
+      EXPECT_NE(help.out.find(word), std::string::npos) << word;
+    EXPECT_EQ(help.err, "");
+  }
+}
+
+TEST(Arguments, help_of_render_names_every_option) {
+  const Outcome help = run_client({"render", "--help"});
+  EXPECT_EQ(help.status, 0);
+  for (const char* const option : {"--output", "--samples", "--target-rmse", "--budget-ms",
+                                   "--width", "--height", "--precision"})
+    EXPECT_NE(help.out.find(option), std::string::npos) << option;
+}
+
+TEST(Arguments, wrong_ones_end_with_status_1_and_say_why) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> table{
+      {{}, "command"},
+      {{"draw", "demo"}, "draw"},
+      {{"render"}, "SCENE"},
+      {{"validate"}, "SCENE"},
+      {{"render", "demo", "other"}, "other"},
+      {{"scenes", "demo"}, "demo"},
+      {{"render", "demo", "--colour"}, "--colour"},
+      {{"render", "demo", "--samples"}, "--samples"},
+      {{"render", "demo", "--samples", "0"}, "--samples"},
+      {{"render", "demo", "--samples", "-3"}, "--samples"},
+      {{"render", "demo", "--samples", "1.5"}, "--samples"},
+      {{"render", "demo", "--samples", "many"}, "--samples"},
+      {{"render", "demo", "--target-rmse", "0"}, "--target-rmse"},
+      {{"render", "demo", "--target-rmse", "nan"}, "--target-rmse"},
+      {{"render", "demo", "--budget-ms", "-1"}, "--budget-ms"},
+      {{"render", "demo", "--budget-ms", "soon"}, "--budget-ms"},
+      {{"render", "demo", "--width", "0"}, "--width"},
+      {{"render", "demo", "--height", "1e3"}, "--height"},
+      {{"render", "demo", "--precision", "half"}, "--precision"},
+      {{"render", "demo", "--samples", "2", "--target-rmse", "0.1"}, "--target-rmse"},
+      {{"render", "demo", "--samples", "2", "--budget-ms", "10"}, "--budget-ms"},
+      {{"render", "demo", "-o", "image.jpg"}, ".png"},
+      {{"render", "demo", "-o", "image"}, ".png"},
+      {{"render", "demo", "-o"}, "-o"},
+      {{"scenes", "--server", "localhost:8080"}, "http://"},
+      {{"scenes", "--server", ""}, "--server"},
+      {{"scenes", "--server", "http://host:99999"}, "--server"},
+      {{"scenes", "--server", "http://host/path"}, "--server"},
+      {{"scenes", "--token", "two words"}, "--token"},
+  };
+  for (const auto& [arguments, says] : table) {
+    SCOPED_TRACE(testing::PrintToString(arguments));
+    expect_input_error(run_client(arguments), says);
+  }
+}
+
+TEST(Arguments, wrong_variable_is_named) {
+  expect_input_error(run_client({"scenes"}, "", {{"RAYTRACER_SERVER", "nonsense"}}),
+                     "RAYTRACER_SERVER");
+}
+
+}  // namespace
+}  // namespace raytracer::test

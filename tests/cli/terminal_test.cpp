@@ -1,0 +1,148 @@
+// In a terminal: the picture in 24-bit half blocks, no larger than the window, and a progress bar.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/cli/client.h"
+#include "tests/process/patience.h"
+#include "tests/process/pseudo_terminal.h"
+#include "tests/process/temporary_folder.h"
+
+namespace raytracer::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::string half_block = "▀";
+
+/// The lines that hold a part of the picture, each as its count of half blocks.
+std::vector<int> picture_rows(const std::string& screen) {
+  std::vector<int> rows;
+  std::istringstream lines(screen);
+  for (std::string line; std::getline(lines, line);) {
+    int count = 0;
+    for (std::size_t at = line.find(half_block); at != std::string::npos;
+         at = line.find(half_block, at + 1))
+      ++count;
+    if (count > 0) rows.push_back(count);
+  }
+  return rows;
+}
+
+class Terminal : public Client {
+ protected:
+  /// The screen after `raytracer ARGUMENTS`, which ends well.
+  std::string shown(std::vector<std::string> arguments, int columns, int rows) {
+    PseudoTerminal terminal(
+        client_command(std::move(arguments), "", {{"RAYTRACER_SERVER", server().url()}}), columns,
+        rows);
+    EXPECT_EQ(terminal.wait(20s), 0) << terminal.screen();
+    return terminal.screen();
+  }
+  const TemporaryFolder folder_;
+  const std::string scene_ = folder_.write("scene.json", small_scene);
+};
+
+TEST_F(Terminal, small_picture_is_shown_pixel_by_pixel) {
+  const std::string screen = shown({"render", scene_}, 80, 24);
+  EXPECT_EQ(picture_rows(screen), std::vector<int>(6, 16)) << "16 x 12 pixels are 6 lines of 16";
+  // The corner is the background, above and below.
+  EXPECT_NE(screen.find("\x1b[38;2;0;0;255m\x1b[48;2;0;0;255m" + half_block), std::string::npos);
+  EXPECT_NE(screen.find("\x1b[0m"), std::string::npos) << "the colours outlast the picture";
+}
+
+TEST_F(Terminal, large_picture_fits_the_window) {
+  for (const auto& [columns, rows] :
+       std::vector<std::pair<int, int>>{{80, 24}, {40, 50}, {200, 12}}) {
+    const std::vector<int> picture =
+        picture_rows(shown({"render", scene_, "--width", "700", "--height", "500"}, columns, rows));
+    ASSERT_FALSE(picture.empty());
+    EXPECT_LE(picture.size(), static_cast<std::size_t>(rows)) << columns << " x " << rows;
+    EXPECT_GE(picture.size(), 3U);
+    for (const int width : picture) EXPECT_LE(width, columns);
+    // A cell holds two pixels one above the other.
+    const double ratio = picture.front() / (2.0 * static_cast<double>(picture.size()));
+    EXPECT_NEAR(ratio, 700.0 / 500.0, 0.25);
+  }
+}
+
+TEST_F(Terminal, no_bytes_of_an_image_file_reach_it) {
+  const std::string screen = shown({"render", scene_}, 80, 24);
+  EXPECT_EQ(screen.find("PNG"), std::string::npos);
+  EXPECT_EQ(screen.find("P6"), std::string::npos);
+  EXPECT_EQ(screen.find('\0'), std::string::npos);
+}
+
+TEST_F(Terminal, what_came_of_it_is_said_below_the_picture) {
+  const std::string screen = shown({"render", scene_}, 80, 24);
+  EXPECT_GT(screen.find("16 x 12"), screen.rfind(half_block)) << screen;
+}
+
+TEST_F(Terminal, picture_in_a_file_is_not_shown_too) {
+  const std::string screen = shown({"render", scene_, "-o", folder_ / "image.png"}, 80, 24);
+  EXPECT_EQ(screen.find(half_block), std::string::npos);
+  EXPECT_FALSE(read_file(folder_ / "image.png").empty());
+}
+
+TEST_F(Terminal, long_render_shows_a_bar_that_grows_and_goes) {
+  const std::string image = folder_ / "image.png";
+  // By time, so that it is long enough however fast the engine is.
+  const std::string screen = shown(
+      {"render", scene_, "-o", image, "--width", "700", "--height", "500", "--budget-ms", "2000"},
+      80, 24);
+  static const std::regex bar(R"(rendering \[#*-*\]\s+(\d+) %)");
+  std::vector<int> percents;
+  for (std::sregex_iterator match(screen.begin(), screen.end(), bar), end; match != end; ++match)
+    percents.push_back(std::stoi(match->str(1)));
+  ASSERT_GE(percents.size(), 2U) << "no progress is seen; is the render shorter than 0.3 s?";
+  EXPECT_TRUE(std::is_sorted(percents.begin(), percents.end()));
+  EXPECT_GT(percents.back(), percents.front());
+  EXPECT_LE(percents.back(), 100);
+  // Every line of the bar is overwritten, the last one erased.
+  const std::size_t last = screen.rfind(" %");
+  EXPECT_NE(screen.find("\r\x1b[K", last), std::string::npos) << screen;
+}
+
+TEST_F(Terminal, bar_fits_a_narrow_window) {
+  PseudoTerminal terminal(client_command({"render", folder_.write("long.json", endless_scene()),
+                                          "-o", folder_ / "image.png"},
+                                         "", {{"RAYTRACER_SERVER", server().url()}}),
+                          20, 10);
+  EXPECT_TRUE(terminal.shows(" %", 10s));
+  terminal.type("\x03");
+  EXPECT_EQ(terminal.wait(10s), 128 + SIGINT);
+  std::string line;
+  for (const char c : terminal.screen()) {
+    if (c == '\r' || c == '\n') line.clear();
+    if (c != '\r' && c != '\n') line += c;
+    if (line.find("\x1b[K") != std::string::npos) line.erase(line.find("\x1b[K"));
+    EXPECT_LT(line.find('\x1b') == std::string::npos ? line.size() : 0, 20U) << line;
+  }
+}
+
+TEST_F(Terminal, without_one_there_is_no_bar) {
+  const Outcome outcome = run_with_server(
+      {"render", scene_, "--width", "700", "--height", "500", "--budget-ms", "900"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.err.find('\r'), std::string::npos);
+  EXPECT_EQ(outcome.err.find('['), std::string::npos) << outcome.err;
+}
+
+TEST_F(Terminal, dumb_one_gets_no_control_sequences) {
+  PseudoTerminal terminal(
+      client_command({"scenes"}, "", {{"RAYTRACER_SERVER", server().url()}, {"TERM", "dumb"}}), 80,
+      24);
+  EXPECT_EQ(terminal.wait(10s), 0);
+  EXPECT_EQ(terminal.screen().find('\x1b'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace raytracer::test

@@ -1,0 +1,88 @@
+// Light adds up, and doubles where it is doubled.
+
+#include <gtest/gtest.h>
+
+#include "tests/relations/varied_scene.h"
+
+namespace raytracer::test {
+namespace {
+
+/// The varied scene, so dim that nothing is clamped, on black.
+json dim_scene() {
+  json text = varied_scene();
+  text["background"] = {0, 0, 0};
+  text["ambient"] = 0.0625;
+  for (json& light : text["lights"]) light["intensity"] = light["intensity"].get<double>() / 8;
+  text["render"]["samples"] = 4;
+  return text;
+}
+
+json with_lights(json text, const json& lights) {
+  text["lights"] = lights;
+  return text;
+}
+
+TEST(Light, OfTwiceTheIntensityIsTwiceAsBright) {
+  for (const char* shadows : {"black", "ambient", "off"}) {
+    json text = dim_scene();
+    text["shadows"] = shadows;
+    text["ambient"] = 0;
+    const Image once = image_of(text);
+    for (json& light : text["lights"]) light["intensity"] = light["intensity"].get<double>() * 2;
+    const Image twice = image_of(text);
+    float brightest = 0;
+    for (std::size_t i = 0; i < once.values.size(); ++i) {
+      ASSERT_EQ(twice.values[i], 2 * once.values[i]) << i;
+      brightest = std::max(brightest, twice.values[i]);
+    }
+    EXPECT_GT(brightest, 0.1F);
+    EXPECT_LT(brightest, 1.0F);
+  }
+}
+
+TEST(Light, OfSeveralIsTheSumOfTheImagesUnderEach) {
+  const json text = dim_scene();
+  const Image together = image_of(text);
+  std::vector<double> sum(together.values.size());
+  for (const json& light : text["lights"]) {
+    const Image alone = image_of(with_lights(text, json::array({light})));
+    EXPECT_GT(count_lit(alone), 500);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<double>(alone.values[i]);
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    ASSERT_NEAR(static_cast<double>(together.values[i]), sum[i], 1e-6) << i;
+}
+
+TEST(Light, OfTwoHalvedIsTheMeanOfTheImagesUnderEach) {
+  json text = dim_scene();
+  text["lights"].erase(2);
+  const Image first = image_of(with_lights(text, json::array({text["lights"][0]})));
+  const Image second = image_of(with_lights(text, json::array({text["lights"][1]})));
+  json halved = text;
+  for (json& light : halved["lights"]) light["intensity"] = light["intensity"].get<double>() / 2;
+  halved["ambient"] = text["ambient"].get<double>() / 2;
+  const Image mean = image_of(halved);
+  for (std::size_t i = 0; i < mean.values.size(); ++i)
+    ASSERT_NEAR(static_cast<double>(mean.values[i]),
+                (static_cast<double>(first.values[i]) + static_cast<double>(second.values[i])) / 2,
+                1e-6);
+}
+
+TEST(Light, DoesNotDependOnTheOrderOfLights) {
+  json text = dim_scene();
+  const Image image = image_of(text);
+  std::reverse(text["lights"].begin(), text["lights"].end());
+  EXPECT_LE(distance(image, image_of(text)), 1e-7);
+}
+
+TEST(Light, OfIntensityZeroLeavesItsAmbientPart) {
+  json text = dim_scene();
+  for (json& light : text["lights"]) light["intensity"] = 0;
+  const Image image = image_of(text);
+  EXPECT_GT(count_lit(image), 1000);
+  for (json& light : text["lights"]) light["color"] = {0, 0, 0};
+  EXPECT_EQ(distance(image, image_of(text)), 0);
+}
+
+}  // namespace
+}  // namespace raytracer::test

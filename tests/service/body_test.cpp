@@ -1,0 +1,197 @@
+// Bodies that are refused before they are read, and what becomes of their connection.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+#include "tests/process/patience.h"
+#include "tests/service/documents.h"
+#include "tests/service/raw_connection.h"
+#include "tests/service/service.h"
+
+namespace raytracer::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Body : public Service {
+ protected:
+  /// Everything that the server answers to these bytes until it closes.
+  static std::string raw(const std::string& bytes) {
+    RawConnection connection(server().port());
+    connection.send(bytes);
+    EXPECT_TRUE(connection.ends(15s)) << "the connection stays open";
+    return connection.received();
+  }
+  static void expect_only(const std::string& answers, int status) {
+    EXPECT_EQ(answers.rfind(fmt::format("HTTP/1.1 {} ", status), 0), 0U) << answers;
+    EXPECT_EQ(count_answers(answers), 1) << "what follows was taken for a request:\n" << answers;
+    EXPECT_NE(answers.find("application/problem+json"), std::string::npos) << answers;
+  }
+};
+
+/// A request that must never be answered, because it stands inside another's body.
+const std::string smuggled = "GET /version HTTP/1.1\r\nHost: x\r\n\r\n";
+
+TEST_F(Body, chunked_body_is_411_and_not_parsed_as_a_request) {
+  expect_only(raw("POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+                  "Transfer-Encoding: chunked\r\n\r\n" +
+                  smuggled),
+              411);
+}
+
+TEST_F(Body, chunked_body_beside_a_length_is_refused) {
+  expect_only(raw("POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+                  "Content-Length: 4\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n" +
+                  smuggled),
+              411);
+}
+
+TEST_F(Body, compressed_body_is_415_and_not_parsed_as_a_request) {
+  for (const char* const coding : {"gzip", "br", "deflate", "identity, gzip"})
+    expect_only(raw(fmt::format("POST /render HTTP/1.1\r\nHost: x\r\nContent-Length: {}\r\n"
+                                "Content-Type: application/json\r\nContent-Encoding: {}\r\n\r\n{}",
+                                smuggled.size(), coding, smuggled)),
+                415);
+}
+
+TEST_F(Body, body_without_a_length_is_411) {
+  expect_only(raw("POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+                  "Connection: close\r\n\r\n"),
+              411);
+}
+
+TEST_F(Body, lengths_that_are_no_number_are_refused) {
+  for (const char* const length : {"-1", "1e3", "0x10", "4, 5", "+4"})
+    expect_only(raw(fmt::format("POST /render HTTP/1.1\r\nHost: x\r\n"
+                                "Content-Type: application/json\r\nContent-Length: {}\r\n\r\n{}",
+                                length, smuggled)),
+                400);
+}
+
+TEST_F(Body, two_lengths_are_refused) {
+  expect_only(raw("POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+                  "Content-Length: 0\r\nContent-Length: 36\r\n\r\n" +
+                  smuggled),
+              400);
+}
+
+TEST_F(Body, other_types_are_415_with_the_right_one) {
+  for (const char* const type :
+       {"text/plain", "application/x-www-form-urlencoded", "multipart/form-data; boundary=x"}) {
+    const Answer answer = post("/render", small_scene, {{"Content-Type", type}});
+    expect_problem(answer, 415, "application/json");
+  }
+  expect_only(raw("POST /render HTTP/1.1\r\nHost: x\r\nContent-Length: 2\r\n\r\n{}"), 415);
+}
+
+TEST_F(Body, json_with_parameters_is_json) {
+  const Answer answer =
+      post("/render", small_scene, {{"Content-Type", "Application/JSON; charset=utf-8"}});
+  EXPECT_EQ(answer.status, 200) << answer.body;
+}
+
+TEST_F(Body, get_with_a_body_is_refused) {
+  expect_only(raw(fmt::format("GET /healthz HTTP/1.1\r\nHost: x\r\nContent-Length: {}\r\n\r\n{}",
+                              smuggled.size(), smuggled)),
+              400);
+}
+
+TEST_F(Body, scene_named_and_posted_at_once_is_refused) {
+  expect_problem(post("/render?scene=demo", small_scene), 400, "one of them");
+}
+
+TEST_F(Body, oversize_is_413_before_it_is_sent) {
+  const ServerProcess small({"--max-body", "1000"});
+  RawConnection connection(small.port());
+  connection.send(
+      "POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+      "Content-Length: 1001\r\n\r\n");
+  ASSERT_TRUE(connection.ends(15s)) << "the server waits for a body that it will not take";
+  expect_only(connection.received(), 413);
+  EXPECT_NE(connection.received().find("--max-body"), std::string::npos);
+}
+
+TEST_F(Body, oversize_is_413_although_it_is_sent) {
+  const ServerProcess small({"--max-body", "1000"});
+  // More than the kernel's buffers hold, so that the server has to let it come in.
+  const Answer answer = test::post(small, "/render", std::string(8'000'000, ' '));
+  expect_problem(answer, 413, "--max-body");
+}
+
+TEST_F(Body, body_of_exactly_the_limit_is_taken) {
+  std::string padded = small_scene;
+  padded.resize(1000, ' ');
+  const ServerProcess small({"--max-body", "1000"});
+  EXPECT_EQ(test::post(small, "/render", padded).status, 200);
+  EXPECT_EQ(test::post(small, "/render", padded + " ").status, 413);
+}
+
+TEST_F(Body, expectation_is_met_before_the_body_is_sent) {
+  RawConnection connection(server().port());
+  connection.send(
+      fmt::format("POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+                  "Connection: close\r\nContent-Length: {}\r\nExpect: 100-continue\r\n\r\n",
+                  small_scene.size()));
+  ASSERT_TRUE(connection.receives("HTTP/1.1 100 Continue\r\n\r\n", 5s)) << connection.received();
+  connection.send(small_scene);
+  ASSERT_TRUE(connection.ends(15s));
+  EXPECT_NE(connection.received().find("HTTP/1.1 200 OK"), std::string::npos);
+}
+
+TEST_F(Body, expectation_of_what_will_be_refused_is_refused) {
+  const ServerProcess small({"--max-body", "1000"});
+  RawConnection connection(small.port());
+  connection.send(
+      "POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+      "Content-Length: 1001\r\nExpect: 100-continue\r\n\r\n");
+  ASSERT_TRUE(connection.ends(15s));
+  EXPECT_EQ(connection.received().find("100 Continue"), std::string::npos);
+  EXPECT_EQ(connection.received().rfind("HTTP/1.1 413 ", 0), 0U) << connection.received();
+}
+
+TEST_F(Body, connection_goes_on_after_an_error_in_a_body_that_was_read) {
+  httplib::Client client = server().client();
+  client.set_keep_alive(true);
+  for (int i = 0; i < 3; ++i) {
+    const auto wrong = client.Post("/render", "{\"camera\": 1}", "application/json");
+    ASSERT_TRUE(wrong);
+    EXPECT_EQ(wrong->status, 422);
+    EXPECT_NE(wrong->get_header_value("Connection"), "close");
+    const auto right = client.Post("/render", small_scene, "application/json");
+    ASSERT_TRUE(right);
+    EXPECT_EQ(right->status, 200);
+  }
+}
+
+TEST_F(Body, body_that_stops_half_way_is_given_up) {
+  RawConnection connection(server().port());
+  connection.send(
+      "POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+      "Content-Length: 500\r\n\r\n{\"camera\"");
+  EXPECT_TRUE(connection.ends(20s)) << "the server still waits";
+  EXPECT_EQ(get("/healthz").status, 200);
+}
+
+TEST_F(Body, bodies_together_are_bounded) {
+  // Two of the largest fit; a third has to wait until one of them is done with.
+  const ServerProcess small({"--max-body", "1000"});
+  const std::string header =
+      "POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+      "Content-Length: 1000\r\n\r\n";
+  RawConnection first(small.port());
+  RawConnection second(small.port());
+  RawConnection third(small.port());
+  for (RawConnection* const client : {&first, &second, &third}) client->send(header);
+  std::string refused;
+  EXPECT_TRUE(eventually([&] {
+    for (RawConnection* const client : {&first, &second, &third})
+      if (client->receives("HTTP/1.1 429 ", 0ms)) refused = client->received();
+    return !refused.empty();
+  }));
+  EXPECT_NE(refused.find("\r\nRetry-After: "), std::string::npos) << refused;
+}
+
+}  // namespace
+}  // namespace raytracer::test

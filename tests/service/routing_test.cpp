@@ -1,0 +1,120 @@
+// Paths and methods: what is nowhere, what is not allowed, and requests made to hurt.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/process/patience.h"
+#include "tests/service/raw_connection.h"
+#include "tests/service/service.h"
+
+namespace raytracer::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Routing : public Service {
+ protected:
+  /// What the server answers to these bytes, up to the connection's end.
+  static std::string raw(const std::string& bytes) {
+    RawConnection connection(server().port());
+    connection.send(bytes);
+    EXPECT_TRUE(connection.ends(15s)) << "the connection stays open: " << connection.received();
+    return connection.received();
+  }
+};
+
+TEST_F(Routing, unknown_paths_are_404) {
+  for (const char* const path :
+       {"/nothing", "/render/", "/scenes/", "/scenes/a/b", "/jobs/", "//", "/../server/main.cpp",
+        "/web/index.html", "/%2e%2e/CMakeLists.txt", "/schema"})
+    expect_problem(get(path), 404, "");
+  expect_problem(get("/scenes/dmo"), 404, "\"demo\"");
+}
+
+TEST_F(Routing, other_methods_are_405_with_those_that_are_allowed) {
+  const Answer deleted = request("DELETE", "/render");
+  expect_problem(deleted, 405, "/render");
+  EXPECT_EQ(deleted.get_header_value("Allow"), "POST, GET, HEAD");
+  const Answer put = request("PUT", "/healthz");
+  EXPECT_EQ(put.status, 405);
+  EXPECT_EQ(put.get_header_value("Allow"), "GET, HEAD");
+  const Answer posted = post("/version", "{}");
+  EXPECT_EQ(posted.status, 405);
+  EXPECT_EQ(posted.get_header_value("Allow"), "GET, HEAD");
+}
+
+TEST_F(Routing, unknown_method_is_an_error_not_a_crash) {
+  const std::string answer = raw("BREW /render HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n");
+  EXPECT_EQ(answer.rfind("HTTP/1.1 4", 0), 0U) << answer;
+  EXPECT_EQ(get("/healthz").status, 200);
+}
+
+TEST_F(Routing, endless_path_is_414) {
+  const std::string path = fmt::format("/{:a>{}}", "", 100'000);
+  const std::string answer = raw("GET " + path + " HTTP/1.1\r\nHost: x\r\n\r\n");
+  EXPECT_EQ(answer.rfind("HTTP/1.1 414 ", 0), 0U) << answer.substr(0, 300);
+  EXPECT_EQ(get("/healthz").status, 200);
+}
+
+TEST_F(Routing, long_paths_are_414_at_every_length) {
+  for (const std::size_t length : {3000U, 7000U, 8100U}) {
+    const Answer answer = get(fmt::format("/{:a>{}}", "", length));
+    expect_problem(answer, 414, "");
+  }
+  const Answer query = get("/render?scene=" + std::string(6000, 'a'));
+  EXPECT_EQ(query.status, 414);
+}
+
+TEST_F(Routing, header_without_end_is_refused) {
+  std::string request = "GET /healthz HTTP/1.1\r\nHost: x\r\n";
+  for (int i = 0; i < 20'000; ++i) request += "X-Filler-" + std::to_string(i) + ": x\r\n";
+  raw(request + "\r\n");
+  raw("GET /healthz HTTP/1.1\r\nHost: x\r\nX-Long: " + std::string(1'000'000, 'x') + "\r\n\r\n");
+  EXPECT_EQ(get("/healthz").status, 200);
+}
+
+TEST_F(Routing, nonsense_is_refused) {
+  for (const std::string& bytes :
+       {std::string("hello\r\n\r\n"), std::string("\x16\x03\x01\x02\x00\x01\x00\r\n\r\n", 11),
+        std::string("GET / HTTP/9.9\r\n\r\n"), std::string("GET\r\n\r\n"),
+        std::string("\r\n\r\n\r\n"), std::string(4096, '\0') + "\r\n\r\n"}) {
+    const std::string answer = raw(bytes);
+    EXPECT_TRUE(answer.empty() || answer.rfind("HTTP/1.1 4", 0) == 0) << answer;
+  }
+  EXPECT_EQ(get("/healthz").status, 200);
+}
+
+TEST_F(Routing, field_name_with_a_space_is_refused) {
+  // "Content-Length : 5" is a body to some and none to others.
+  const std::string answer = raw(
+      "POST /render HTTP/1.1\r\nHost: x\r\nContent-Length : 5\r\nConnection: close\r\n\r\n{}{}{");
+  EXPECT_EQ(answer.rfind("HTTP/1.1 4", 0), 0U) << answer;
+  EXPECT_EQ(count_answers(answer), 1);
+}
+
+TEST_F(Routing, silent_connections_do_not_keep_others_waiting) {
+  std::vector<std::unique_ptr<RawConnection>> silent;
+  for (int i = 0; i < 60; ++i) silent.push_back(std::make_unique<RawConnection>(server().port()));
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(get("/healthz").status, 200);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, patience(2s));
+}
+
+TEST_F(Routing, slow_header_does_not_hold_a_connection_for_ever) {
+  RawConnection connection(server().port());
+  connection.send("GET /healthz HTTP/1.1\r\nHo");
+  EXPECT_TRUE(connection.ends(15s)) << "the server still waits for the rest of a header";
+}
+
+TEST_F(Routing, range_requests_are_answered_whole) {
+  const Answer answer = get("/schema/scene.json", {{"Range", "bytes=0-9,0-9,5-20"}});
+  EXPECT_EQ(answer.status, 200);
+  EXPECT_EQ(answer.body, get("/schema/scene.json").body);
+}
+
+}  // namespace
+}  // namespace raytracer::test

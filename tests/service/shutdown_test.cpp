@@ -1,0 +1,107 @@
+// SIGTERM: no new work, what was accepted is answered, then the end with status 0.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/process/patience.h"
+#include "tests/service/documents.h"
+#include "tests/service/raw_connection.h"
+#include "tests/service/service.h"
+
+namespace raytracer::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// As many renders as run at once, begun; --max-queue 0 lets /readyz say that all of them are.
+class Busy {
+ public:
+  Busy(const ServerProcess& server, const std::string& document) {
+    for (int i = 0; i < 4; ++i) {
+      clients_.push_back(std::make_unique<RawConnection>(server.port()));
+      clients_.back()->send(
+          fmt::format("POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+                      "Connection: close\r\nContent-Length: {}\r\n\r\n{}",
+                      document.size(), document));
+    }
+    EXPECT_TRUE(eventually([&] { return get(server, "/readyz").status == 503; }));
+  }
+  void expect_answers(int status) {
+    for (const auto& client : clients_) {
+      EXPECT_TRUE(client->ends(20s));
+      EXPECT_EQ(client->received().rfind(fmt::format("HTTP/1.1 {} ", status), 0), 0U)
+          << client->received().substr(0, 300);
+    }
+  }
+
+ private:
+  std::vector<std::unique_ptr<RawConnection>> clients_;
+};
+
+/// 503, or nobody there any more.
+bool refuses_new_work(const ServerProcess& server) {
+  httplib::Client client = server.client();
+  const auto answer = client.Post("/render", small_scene, "application/json");
+  return !answer || answer->status == 503;
+}
+
+TEST(ShutdownSignal, idle_server_ends_at_once_with_status_0) {
+  for (const int signal : {SIGTERM, SIGINT}) {
+    ServerProcess server;
+    server.signal(signal);
+    EXPECT_EQ(server.wait(3s), 0) << server.log();
+  }
+}
+
+TEST(ShutdownSignal, accepted_renders_are_finished_and_new_ones_refused) {
+  ServerProcess server({"--max-queue", "0"});
+  Busy renders(server, square_scene(400, 10));
+  server.signal(SIGTERM);
+  EXPECT_TRUE(eventually([&] { return refuses_new_work(server); }, 3s));
+  renders.expect_answers(200);
+  EXPECT_EQ(server.wait(), 0) << server.log();
+}
+
+TEST(ShutdownSignal, draining_server_says_so) {
+  ServerProcess server({"--max-queue", "0"});
+  Busy renders(server, endless_scene());
+  server.signal(SIGTERM);
+  ASSERT_TRUE(eventually([&] {
+    const Answer answer = get(server, "/readyz");
+    return answer.status == 503 && answer.body.find("draining") != std::string::npos;
+  }));
+  expect_problem(post(server, "/render", small_scene), 503, "shutting down");
+  EXPECT_EQ(get(server, "/healthz").status, 200);
+  server.signal(SIGTERM);  // a second one: no more patience
+  renders.expect_answers(503);
+  EXPECT_EQ(server.wait(), 0) << server.log();
+}
+
+TEST(ShutdownSignal, open_connections_do_not_delay_the_end) {
+  ServerProcess server;
+  RawConnection silent(server.port());
+  RawConnection half(server.port());
+  half.send("POST /render HTTP/1.1\r\nHost: x\r\nContent-Le");
+  httplib::Client idle = server.client();
+  idle.set_keep_alive(true);
+  ASSERT_TRUE(idle.Get("/healthz"));
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.wait(5s), 0) << server.log();
+}
+
+TEST(ShutdownSignal, running_job_does_not_keep_the_server_for_ever) {
+  ServerProcess server;
+  ASSERT_EQ(post(server, "/jobs", endless_scene()).status, 202);
+  server.signal(SIGTERM);
+  ASSERT_TRUE(eventually([&] { return server.log().find("shutting down") != std::string::npos; }));
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.wait(5s), 0) << server.log();
+}
+
+}  // namespace
+}  // namespace raytracer::test

@@ -1,0 +1,70 @@
+// Where each library is used, so that it can be replaced there and is in nobody's way elsewhere.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "tests/structure/source_tree.h"
+
+namespace raytracer::test {
+namespace {
+
+/// Every user of `header` in the product satisfies `may`, and there is one.
+void expect_users(std::string_view header, const std::function<bool(const std::string&)>& may) {
+  int count = 0;
+  for (const SourceFile& file : source_files({"engine", "server", "client"})) {
+    if (!file.includes_library(header)) continue;
+    EXPECT_TRUE(may(file.path)) << file.path << " includes " << header;
+    ++count;
+  }
+  EXPECT_GT(count, 0) << "nobody includes " << header;
+}
+
+TEST(Libraries, json_is_where_json_is_read_or_written) {
+  expect_users("nlohmann/", [](const std::string& path) {
+    return path == "engine/scene/document.cpp" ||        // reads scenes
+           path == "server/answer.h" ||                  // writes answers (forward declarations)
+           path == "server/answer.cpp" ||                //
+           path == "server/problem.cpp" ||               // writes problems
+           path == "server/information_handlers.cpp" ||  // writes lists and limits
+           path == "server/job_handlers.cpp" ||          // writes jobs
+           path == "server/catalog.cpp" ||               // reads the shipped scenes' descriptions
+           path == "server/query.cpp" ||                 // reads numbers as JSON writes them
+           path == "client/api.cpp" ||                   // reads answers
+           path == "client/pointer_position.cpp";        // finds places in scenes
+  });
+}
+
+TEST(Libraries, http_is_in_the_server_and_the_clients_api) {
+  expect_users("httplib.h", [](const std::string& path) {
+    return path.starts_with("server/") || path == "client/api.cpp" || path == "client/api.h";
+  });
+}
+
+TEST(Libraries, png_encoder_is_in_one_file) {
+  expect_users("stb_image_write.h",
+               [](const std::string& path) { return path == "engine/image/png.cpp"; });
+}
+
+TEST(Libraries, digests_are_in_two_files) {
+  expect_users("openssl/", [](const std::string& path) {
+    return path == "server/etag.cpp" || path == "server/token.cpp";
+  });
+}
+
+TEST(Libraries, command_lines_are_read_in_one_place_of_each_program) {
+  expect_users("CLI/CLI.hpp", [](const std::string& path) {
+    return path == "server/config.cpp" || path == "client/arguments.cpp";
+  });
+}
+
+TEST(Libraries, page_uses_none) {
+  for (const SourceFile& file : source_files({"web"}))
+    for (const std::string_view elsewhere :
+         {"src=\"http", "href=\"http", "from \"http", "import(\"http", "url(http", "@import"})
+      EXPECT_EQ(file.text.find(elsewhere), std::string::npos) << file.path << ": " << elsewhere;
+}
+
+}  // namespace
+}  // namespace raytracer::test

@@ -1,0 +1,141 @@
+// Images as bytes: the transfer, the rounding, and each format's header and content.
+
+#include "engine/image/encode.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "engine/image/transfer.h"
+
+// The header is old C: its warnings are not this project's.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wpedantic"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#include <stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace raytracer::test {
+namespace {
+
+TEST(Transfer, LinearChangesNothing) {
+  for (const double value : {0.0, 1e-9, 0.18, 0.5, 1.0})
+    EXPECT_EQ(encode_channel(value, Transfer::linear), value);
+}
+
+TEST(Transfer, SrgbHasItsKnownValues) {
+  const auto srgb = [](double linear) { return encode_channel(linear, Transfer::srgb); };
+  EXPECT_EQ(srgb(0), 0);
+  EXPECT_NEAR(srgb(1), 1, 1e-15);
+  EXPECT_NEAR(srgb(0.001), 0.01292, 1e-15);
+  EXPECT_NEAR(srgb(0.0031308), 0.0404499, 1e-6);
+  EXPECT_NEAR(srgb(0.5), 0.7353569830524495, 1e-12);
+  EXPECT_NEAR(srgb(0.18), 0.46135612950044164, 1e-12);
+  EXPECT_NEAR(srgb(0.21404114048223255), 0.5, 1e-12);
+  EXPECT_NEAR(srgb(0.2158605), 128 / 255.0, 1e-6);
+}
+
+TEST(Transfer, SrgbRisesAndStaysInRange) {
+  double last = -1;
+  for (int i = 0; i <= 10'000; ++i) {
+    const double value = encode_channel(i / 10'000.0, Transfer::srgb);
+    EXPECT_GT(value, last);
+    EXPECT_LE(value, 1);
+    last = value;
+  }
+}
+
+TEST(ToByte, IsTheFloorOf255cPlusAHalf) {
+  EXPECT_EQ(to_byte(0), 0);
+  EXPECT_EQ(to_byte(1), 255);
+  EXPECT_EQ(to_byte(0.5F), 128);
+  EXPECT_EQ(to_byte(std::nextafter(0.5F, 0.0F)), 127);
+  EXPECT_EQ(to_byte(1e-30F), 0);
+  EXPECT_EQ(to_byte(std::nextafter(1.0F, 0.0F)), 255);
+  for (int value = 0; value <= 255; ++value) {
+    EXPECT_EQ(to_byte(static_cast<float>(value / 255.0)), value);
+    EXPECT_EQ(
+        to_byte(static_cast<float>((value + 0.499) / 255.0 > 1 ? 1 : (value + 0.499) / 255.0)),
+        value);
+    EXPECT_EQ(to_byte(static_cast<float>(std::max(0.0, (value - 0.499) / 255.0))), value);
+  }
+}
+
+/// 3 x 2 pixels of 18 different bytes: channel k is k / 255, in reading order from the top.
+Image sample() {
+  Image image(3, 2);
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = static_cast<float>(static_cast<double>(i * 14) / 255);
+  return image;
+}
+
+TEST(Image, HasItsFirstRowOnTop) {
+  Image image(3, 2);
+  image.pixel(2, 1)[0] = 1;
+  EXPECT_EQ(image.values[15], 1);
+}
+
+TEST(Ppm, HasItsHeaderAndTheRowsFromTheTop) {
+  const std::string file = encode(sample(), ImageFormat::ppm);
+  const std::string header = "P6\n3 2\n255\n";
+  ASSERT_EQ(file.size(), header.size() + 18);
+  EXPECT_EQ(file.substr(0, header.size()), header);
+  for (std::size_t i = 0; i < 18; ++i)
+    EXPECT_EQ(static_cast<unsigned char>(file[header.size() + i]), i * 14);
+}
+
+TEST(Pfm, HasItsHeaderAndLittleEndianRowsFromTheBottom) {
+  const Image image = sample();
+  const std::string file = encode(image, ImageFormat::pfm);
+  const std::string header = "PF\n3 2\n-1.0\n";
+  ASSERT_EQ(file.size(), header.size() + std::size_t{4} * 18);
+  EXPECT_EQ(file.substr(0, header.size()), header);
+  for (std::size_t i = 0; i < 18; ++i) {
+    std::uint32_t bits = 0;
+    for (std::size_t byte = 0; byte < 4; ++byte)
+      bits |= std::uint32_t{static_cast<unsigned char>(file[header.size() + 4 * i + byte])}
+              << (8 * byte);
+    float value = 0;
+    std::memcpy(&value, &bits, sizeof value);
+    const std::size_t row_from_top = 1 - i / 9;
+    EXPECT_EQ(value, image.values[row_from_top * 9 + i % 9]) << i;
+  }
+}
+
+TEST(Png, IsDecodedToTheBytesOfThePpm) {
+  for (const auto& [width, height] : {std::pair{3, 2}, {1, 1}, {257, 3}, {700, 500}}) {
+    Image image(width, height);
+    for (std::size_t i = 0; i < image.values.size(); ++i)
+      image.values[i] = static_cast<float>(static_cast<double>(i * i % 1009) / 1008);
+    const std::string file = encode(image, ImageFormat::png);
+    ASSERT_EQ(file.substr(0, 8), "\x89PNG\r\n\x1a\n");
+    int decoded_width = 0;
+    int decoded_height = 0;
+    int channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> bytes(
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(file.data()),
+                              static_cast<int>(file.size()), &decoded_width, &decoded_height,
+                              &channels, 0),
+        stbi_image_free);
+    ASSERT_TRUE(bytes);
+    EXPECT_EQ(decoded_width, width);
+    EXPECT_EQ(decoded_height, height);
+    ASSERT_EQ(channels, 3);
+    const std::string ppm = encode(image, ImageFormat::ppm);
+    EXPECT_EQ(std::memcmp(bytes.get(), ppm.data() + ppm.size() - image.values.size(),
+                          image.values.size()),
+              0);
+  }
+}
+
+}  // namespace
+}  // namespace raytracer::test
