@@ -13,16 +13,6 @@ namespace {
 /// Longer than any packet.
 constexpr std::size_t padding = 64;
 
-/// Two unit vectors that make a right-handed basis with the unit vector w (Duff et al.: "Building
-/// an Orthonormal Basis, Revisited", JCGT 2017).
-std::array<Vec3, 3> basis_around(const Vec3& w) {
-  const double sign = std::copysign(1.0, w.z);
-  const double a = -1 / (sign + w.z);
-  const double b = w.x * w.y * a;
-  return {Vec3{1 + sign * w.x * w.x * a, sign * b, -sign * w.x},
-          Vec3{b, sign + w.y * w.y * a, -w.y}, w};
-}
-
 /// A sphere in the light's coordinates.
 struct Disc {
   double u;
@@ -51,7 +41,8 @@ template <typename T>
 DistantGrid<T> build_distant_grid(const Vec3& towards, const std::vector<PackedSphere>& spheres,
                                   const std::vector<std::int32_t>& ids, WorkerPool& pool) {
   DistantGrid<T> grid{};
-  grid.axes = basis_around(towards);
+  const Across plane = across(towards);
+  grid.axes = {plane.u, plane.v, towards};
   const auto place = [&](const PackedSphere& s) {
     return Disc{dot(s.center, grid.axes[0]), dot(s.center, grid.axes[1]),
                 dot(s.center, grid.axes[2])};

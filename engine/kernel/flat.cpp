@@ -8,6 +8,16 @@ namespace {
 
 constexpr double rounding = 0x1p-53;
 
+/// A corner in the plane across the ray, which passes through its origin.
+struct Point {
+  double u;
+  double v;
+};
+
+/// On which side of the line from p to q the ray passes: the sign of a difference of two rounded
+/// products, which is right or 0 (rounding keeps their order), and opposite for q and p.
+double side(const Point& p, const Point& q) { return p.u * q.v - p.v * q.u; }
+
 /// How far `point` lies on the side of the departure's plane that the ray leaves to; 0 if that
 /// is less than the rounding of the coordinates.
 double height_over(const Departure& from, const Vec3& point) {
@@ -46,12 +56,17 @@ std::optional<FlatHit> intersect_plane(const Ray& ray, const PackedPlane& plane)
 std::optional<FlatHit> intersect_triangle(const Ray& ray, const PackedTriangle& triangle) {
   const Vec3 origin = ray.from.point();
   const auto& corners = triangle.vertices;
-  const Vec3 a = corners[0] - origin;
-  const Vec3 b = corners[1] - origin;
-  const Vec3 c = corners[2] - origin;
-  const double ab = dot(ray.direction, cross(a, b));
-  const double bc = dot(ray.direction, cross(b, c));
-  const double ca = dot(ray.direction, cross(c, a));
+  const Across plane = across(ray.direction);
+  const auto project = [&](const Vec3& corner) {
+    const Vec3 from_origin = corner - origin;
+    return Point{dot(plane.u, from_origin), dot(plane.v, from_origin)};
+  };
+  const Point a = project(corners[0]);
+  const Point b = project(corners[1]);
+  const Point c = project(corners[2]);
+  const double ab = side(a, b);
+  const double bc = side(b, c);
+  const double ca = side(c, a);
   const bool left = ab >= 0 && bc >= 0 && ca >= 0;
   const bool right = ab <= 0 && bc <= 0 && ca <= 0;
   if (!left && !right) return {};

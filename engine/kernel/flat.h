@@ -1,10 +1,11 @@
 // Ray and plane, ray and triangle.
 //
 // A triangle's distance is its plane's, computed as a plane's is: a mesh lying in a plane ties
-// with it exactly. Whether the ray passes inside is decided by the signs of the volumes of the
-// ray with each edge; two triangles that share an edge compute the same volume with opposite
-// sign, so no ray slips between them (Woop, Benthin, Wald: "Watertight Ray/Triangle
-// Intersection", JCGT 2013, for the idea; here without its change of coordinates).
+// with it exactly. Whether the ray passes inside is decided in the plane across it: a corner that
+// two triangles share is projected to the same point for both, and an edge that they share gives
+// opposite signs, which rounding can make 0 but never wrong, so no ray slips between them (Woop,
+// Benthin, Wald: "Watertight Ray/Triangle Intersection", JCGT 2013; here with an orthonormal
+// basis around the ray instead of a shear).
 //
 // Leaving a surface: a ray that leaves a plane to one side cannot meet what lies in the plane or
 // on its other side. That is asked of the triangle's corners, which are exact, not of the ray's

@@ -15,6 +15,7 @@ namespace raytracer {
 class NearestHit {
  public:
   explicit NearestHit(const Ray& ray) : ray_(ray) {}
+  explicit NearestHit(Ray&&) = delete;  // it is referred to
 
   void show(const PackedSphere& sphere);
   void show(const PackedSquare& square);
@@ -47,6 +48,7 @@ class NearestHit {
 class AnyHit {
  public:
   AnyHit(const Ray& ray, double t_max) : ray_(ray), t_max_(t_max) {}
+  AnyHit(Ray&&, double) = delete;  // it is referred to
 
   void show(const PackedSphere& sphere);
   void show(const PackedSquare& square);

@@ -19,7 +19,9 @@ bool is_visible(const Illumination& light, const Departure& point, const Structu
   if (!(dot(point.normal, light.towards) > 0)) return false;
   if (shadows == Shadows::off) return true;
   const Ray ray{point, light.towards};
-  AnyHit query(ray, light.distance);
+  // A light that lies in a surface is not hidden by it: there t is the distance but for rounding.
+  constexpr double nearer = 1 - 0x1p-40;
+  AnyHit query(ray, light.distance * nearer);
   structure.visit(query);
   return !query.found();
 }

@@ -44,7 +44,12 @@ class Walk {
     // A little more than the spheres' reach, against rounding: exactness is the spheres' affair.
     constexpr double slack = 1 + 0x1p-40;
     Interval t{0, std::numeric_limits<double>::infinity()};
-    t = clip(t, component(origin_, square_.across), slope(square_.across), square_.radius * slack);
+    // A ray within the spheres' tangent plane would cross every row and touch at most points.
+    constexpr double level = 0x1p-30;
+    constexpr double not_tangent = 1 - 0x1p-32;
+    const bool is_level = std::abs(slope(square_.across)) < level;
+    t = clip(t, component(origin_, square_.across), slope(square_.across),
+             square_.radius * (is_level ? not_tangent : slack));
     t = clip(t, component(origin_, along_), slope(along_), half * slack);
     t = clip(t, component(origin_, rows_), slope(rows_), half * slack);
     if (t.empty()) return {};

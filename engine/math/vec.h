@@ -66,4 +66,19 @@ constexpr Vec3 reflected(const Vec3& direction, const Vec3& normal) {
   return direction - 2 * dot(direction, normal) * normal;
 }
 
+/// Two directions across a third, all unit and at right angles.
+struct Across {
+  Vec3 u;
+  Vec3 v;
+};
+
+/// Directions across the unit vector w, with (u, v, w) right-handed (Duff et al.: "Building an
+/// Orthonormal Basis, Revisited", JCGT 2017).
+inline Across across(const Vec3& w) {
+  const double sign = std::copysign(1.0, w.z);
+  const double a = -1 / (sign + w.z);
+  const double b = w.x * w.y * a;
+  return {{1 + sign * w.x * w.x * a, sign * b, -sign * w.x}, {b, sign + w.y * w.y * a, -w.y}};
+}
+
 }  // namespace raytracer

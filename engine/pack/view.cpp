@@ -18,8 +18,10 @@ Vec3 least_aligned_axis(const Vec3& d) {
 
 View make_view(const Camera& camera) {
   constexpr double parallel = 1e-12;
-  // Halves, because the difference itself may overflow; d is the same.
-  const Vec3 d = unit(camera.look_at * 0.5 - camera.origin * 0.5);
+  Vec3 sight = camera.look_at - camera.origin;
+  // The difference of two doubles may overflow; that of their halves has the same direction.
+  if (!std::isfinite(max_abs(sight))) sight = camera.look_at * 0.5 - camera.origin * 0.5;
+  const Vec3 d = unit(sight);
   Vec3 across = cross(unit(camera.up), d);
   if (length(across) < parallel) across = cross(least_aligned_axis(d), d);
   const Vec3 u = unit(across);

@@ -188,6 +188,18 @@ Census take_census(const Scene& scene, const Frame& frame) {
     census.has_point_lights = true;
     census.farthest = std::max(census.farthest, length(frame.frame_from_scene(point->position)));
   }
+  // What the eye's distances are to the eye, a light's are to the light.
+  for (const Light& light : scene.lights) {
+    const auto* point = std::get_if<PointLight>(&light.source);
+    if (point == nullptr) continue;
+    Census around_light;
+    const Frame light_frame{point->position, frame.exponent};
+    Counter light_counter(light_frame, around_light);
+    for (const Object& object : scene.objects)
+      std::visit([&](const auto& shape) { light_counter(shape); }, object.shape);
+    census.light_clearance =
+        std::min(census.light_clearance, around_light.nearest / census.farthest);
+  }
   for (const Material& material : scene.materials) {
     census.shininess = std::max(census.shininess, material.shininess);
     census.reflects = census.reflects || material.reflectivity > 0;

@@ -20,6 +20,8 @@ struct Census {
   double distance_in_radii = 0;  ///< the largest of farthest distance / radius
   double shadow_path = 0;        ///< no occluder stands farther than this from what it shadows
   double shininess = 0;          ///< the largest in use
+  /// The least distance of a point light to a surface, as a share of the farthest extent.
+  double light_clearance = std::numeric_limits<double>::infinity();
   bool has_point_lights = false;
   bool reflects = false;
   /// By how much reflections can magnify an error of direction: a mirroring sphere of radius r

@@ -44,6 +44,12 @@ Choice<Precision> choose_precision(Precision wish, const Census& census) {
                         "to {:.3g} radii away",
                         surface_error, census.distance_in_radii)};
 
+  constexpr double least_clearance = 1.0 / 256;
+  if (census.light_clearance < least_clearance)
+    return {double_precision,
+            fmt::format("single could not tell a light from the surface {:.2g} of the extent away",
+                        census.light_clearance)};
+
   constexpr std::size_t most_numbered = std::size_t{1} << 24;  // integers that a single holds
   const std::size_t primitives = census.spheres + census.squares + census.planes + census.triangles;
   if (primitives > most_numbered)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 
 #include "engine/plan/plan.h"
@@ -35,6 +36,8 @@ struct Tracing {
   WorkerPool& pool;
   RenderProgress& progress;
   std::optional<double> budget_ms;
+  bool is_contract;
+  int passes_done = 0;
   Stopwatch watch{};
 
   bool is_over_time() const { return budget_ms && watch.elapsed_ms() > *budget_ms; }
@@ -55,19 +58,22 @@ struct Tracing {
             return;
           }
           render_tile(tracer, pattern, transfer, tiles[i], image);
-          report(static_cast<double>(++done) / static_cast<double>(tiles.size()), may_end_early);
+          report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
         },
         stop);
     if (stop) return {};
+    ++passes_done;
     return image;
   }
 
-  /// Under a budget progress is the time's; under a target alone it is each pass's own share of
-  /// what the passes before left, because nobody knows how many will follow.
-  void report(double pass_fraction, bool is_later_pass) {
-    const double fraction = budget_ms       ? std::min(1.0, watch.elapsed_ms() / *budget_ms)
-                            : is_later_pass ? 0.9 + 0.1 * pass_fraction
-                                            : pass_fraction;
+  /// Under a budget progress is the time's. Under a target alone nobody knows how many passes will
+  /// follow: each takes half of what those before have left.
+  void report(double pass_fraction) {
+    double fraction = pass_fraction;
+    if (budget_ms)
+      fraction = std::min(1.0, watch.elapsed_ms() / *budget_ms);
+    else if (is_contract)
+      fraction = 1 - std::ldexp(1 - pass_fraction / 2, -passes_done);
     double before = progress.fraction;
     while (before < fraction && !progress.fraction.compare_exchange_weak(before, fraction)) {
     }
@@ -125,9 +131,10 @@ Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
 
   // From here on the scene is not looked at: kernels see packed arrays only.
   const RenderSettings& settings = scene.render;
+  const bool is_contract = settings.target_rmse || settings.budget_ms;
   Tracing tracing{tracer, scene.camera.width, scene.camera.height, settings.transfer,
-                  pool,   progress,           settings.budget_ms};
-  if (settings.target_rmse || settings.budget_ms) {
+                  pool,   progress,           settings.budget_ms,  is_contract};
+  if (is_contract) {
     render_by_contract(settings, most_samples(scene, limits), tracing, rendering);
   } else {
     const int samples = settings.samples.value_or(1);
@@ -137,6 +144,7 @@ Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
     if (image) rendering.image = std::move(*image);
   }
   rendering.trace_ms = tracing.watch.elapsed_ms();
+  if (rendering.stop != Stop::cancelled) progress.fraction = 1;
   return rendering;
 }
 

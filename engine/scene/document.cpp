@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <unordered_set>
 
 #include "engine/scene/limits.h"
@@ -18,10 +19,31 @@ using nlohmann::json;
 
 /// A number that no double holds: where it stands in the text, and the how manieth number it is.
 struct HugeNumber {
+  std::size_t ordinal;
   std::size_t begin;
   std::size_t size;
-  std::size_t ordinal;
 };
+
+/// Every number of the text that no double holds, in order. Expects JSON; finds something
+/// harmless in other text.
+std::vector<HugeNumber> find_huge_numbers(std::string_view text) {
+  constexpr std::string_view number_characters = "+-.0123456789eE";
+  std::vector<HugeNumber> found;
+  std::size_t ordinal = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') {
+      for (++i; i < text.size() && text[i] != '"'; ++i)
+        if (text[i] == '\\') ++i;
+    } else if (text[i] == '-' || (text[i] >= '0' && text[i] <= '9')) {
+      const std::size_t end = std::min(text.find_first_not_of(number_characters, i), text.size());
+      const std::string token(text.substr(i, end - i));
+      if (std::isinf(std::strtod(token.c_str(), nullptr))) found.push_back({ordinal, i, end - i});
+      ++ordinal;
+      i = end - 1;
+    }
+  }
+  return found;
+}
 
 /// Line and column, both from 1 and in characters, of a byte in a text.
 std::string describe_position(std::string_view text, std::size_t byte) {
@@ -45,10 +67,10 @@ std::string describe_syntax_error(const json::exception& exception) {
 /// Receives the parser's events and lays the nodes down in their order.
 class DocumentBuilder : public nlohmann::json_sax<json> {
  public:
-  /// `huge_ordinals`: the numbers that were replaced in `text`, in increasing order.
-  DocumentBuilder(std::string_view text, const std::vector<std::size_t>& huge_ordinals,
+  /// `huge_numbers`: those that a 0 stands for in the text that is parsed.
+  DocumentBuilder(std::string_view text, const std::vector<HugeNumber>& huge_numbers,
                   Document& document)
-      : text_(text), huge_ordinals_(huge_ordinals), document_(document) {}
+      : text_(text), huge_numbers_(huge_numbers), document_(document) {}
 
   bool null() override { return leaf(JsonKind::null); }
   bool boolean(bool) override { return leaf(JsonKind::boolean); }
@@ -76,24 +98,18 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string& last_token,
+  bool parse_error(std::size_t position, const std::string&,
                    const json::exception& exception) override {
-    if (exception.id == number_out_of_range && position >= last_token.size() &&
-        text_.substr(position - last_token.size(), last_token.size()) == last_token) {
-      huge_number_ = HugeNumber{position - last_token.size(), last_token.size(), number_count_};
-      before_value();
-      failure_ = {ErrorKind::invalid, pointer(),
-                  fmt::format("{} is beyond the largest double (about 1.8e308)", last_token)};
-    } else {
-      failure_ = {ErrorKind::syntax, "",
-                  fmt::format("not JSON: {}: {}", describe_position(text_, position - 1),
-                              describe_syntax_error(exception))};
-    }
+    has_huge_number_ = exception.id == number_out_of_range;
+    failure_ = {ErrorKind::syntax, "",
+                fmt::format("not JSON: {}: {}", describe_position(text_, position - 1),
+                            describe_syntax_error(exception))};
     return false;
   }
 
   const Error& failure() const { return failure_; }
-  std::optional<HugeNumber> huge_number() const { return huge_number_; }
+  /// Whether the parser gave up at a number that no double holds.
+  bool has_huge_number() const { return has_huge_number_; }
 
  private:
   static constexpr int number_out_of_range = 406;  // nlohmann's number for it
@@ -131,18 +147,27 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 
   bool number(double value) {
     leaf(JsonKind::number);
-    const bool is_huge =
-        std::binary_search(huge_ordinals_.begin(), huge_ordinals_.end(), number_count_++);
-    document_.nodes.back().number = is_huge ? std::numeric_limits<double>::quiet_NaN() : value;
+    if (next_huge_ < huge_numbers_.size() && huge_numbers_[next_huge_].ordinal == number_count_) {
+      const HugeNumber& huge = huge_numbers_[next_huge_++];
+      constexpr std::size_t shown = 40;
+      complain(fmt::format("{}{} is beyond the largest double (about 1.8e308)",
+                           text_.substr(huge.begin, std::min(huge.size, shown)),
+                           huge.size > shown ? "..." : ""));
+      value = std::numeric_limits<double>::quiet_NaN();
+    }
+    ++number_count_;
+    document_.nodes.back().number = value;
     return true;
   }
 
   bool open(JsonKind kind) {
     before_value();
     if (static_cast<std::int64_t>(open_.size()) == deepest_nesting) {
-      failure_ = {ErrorKind::invalid, pointer(),
-                  fmt::format("nested deeper than {} levels; a scene needs no more than 6",
-                              deepest_nesting)};
+      with_path([&](const Path& path) {
+        failure_ = {ErrorKind::invalid, path.pointer(),
+                    fmt::format("nested deeper than {} levels; a scene needs no more than 6",
+                                deepest_nesting)};
+      });
       return false;
     }
     append_node(kind);
@@ -160,8 +185,9 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
     return JsonValue(document_, node).string();
   }
 
-  /// The pointer of the value that has just begun.
-  std::string pointer() const {
+  /// Calls use(path) with the place of the value that has just begun.
+  template <typename Use>
+  void with_path(Use use) const {
     std::vector<Path> steps(1);
     steps.reserve(open_.size() + 1);  // parents are pointed to
     for (const Open& container : open_) {
@@ -169,7 +195,13 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
       steps.push_back(is_array ? steps.back().child(container.element - 1)
                                : steps.back().child(string_of(container.key)));
     }
-    return steps.back().pointer();
+    use(steps.back());
+  }
+
+  void complain(std::string detail) {
+    with_path([&](const Path& path) {
+      document_.errors.add(ErrorKind::invalid, path, std::move(detail));
+    });
   }
 
   void report_duplicates() {
@@ -192,47 +224,37 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
       }
       if (!repeated) continue;
       open_.back().key = i;
-      document_.errors.push_back(
-          {ErrorKind::invalid, pointer(),
-           fmt::format("\"{}\" stands twice in the same object; keep one", string_of(i))});
+      complain(fmt::format("\"{}\" stands twice in the same object; keep one", string_of(i)));
     }
   }
 
   std::string_view text_;
-  const std::vector<std::size_t>& huge_ordinals_;
+  const std::vector<HugeNumber>& huge_numbers_;
+  std::size_t next_huge_ = 0;
   Document& document_;
   std::size_t number_count_ = 0;
   std::vector<Open> open_;
   Error failure_;
-  std::optional<HugeNumber> huge_number_;
+  bool has_huge_number_ = false;
 };
 
 }  // namespace
 
 Result<Document> parse_document(std::string_view text) {
   // The parser gives up at a number that no double holds. To find the document's other errors all
-  // the same, such a number is noted, replaced by a 0 and the text read again, a few times.
-  constexpr int most_huge_numbers = 16;
-  std::vector<Error> huge_number_errors;
-  std::vector<std::size_t> huge_ordinals;
+  // the same, all such numbers are then replaced by zeros, and noted as the zeros are read.
+  std::vector<HugeNumber> huge_numbers;
   std::string patched;
   for (;;) {
     Document document;
     document.nodes.reserve(text.size() / 8);
-    DocumentBuilder builder(text, huge_ordinals, document);
-    if (json::sax_parse(text, &builder)) {
-      document.errors.insert(document.errors.end(), huge_number_errors.begin(),
-                             huge_number_errors.end());
-      return document;
-    }
-    if (!builder.huge_number()) return std::vector{builder.failure()};
-    huge_number_errors.push_back(builder.failure());
-    if (huge_number_errors.size() == most_huge_numbers) return huge_number_errors;
-    huge_ordinals.push_back(builder.huge_number()->ordinal);
-    if (patched.empty()) patched = text;
-    patched.replace(builder.huge_number()->begin, builder.huge_number()->size,
-                    std::string(builder.huge_number()->size - 1, ' ') + '0');
-    text = patched;
+    DocumentBuilder builder(text, huge_numbers, document);
+    if (json::sax_parse(huge_numbers.empty() ? text : patched, &builder)) return document;
+    if (!builder.has_huge_number() || !huge_numbers.empty()) return std::vector{builder.failure()};
+    huge_numbers = find_huge_numbers(text);
+    patched = text;
+    for (const HugeNumber& huge : huge_numbers)
+      patched.replace(huge.begin, huge.size, std::string(huge.size - 1, ' ') + '0');
   }
 }
 

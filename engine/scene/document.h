@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/scene/error_list.h"
 #include "engine/scene/result.h"
 
 namespace raytracer {
@@ -32,9 +33,9 @@ struct Document {
     };
   };
 
-  std::vector<Node> nodes;    ///< nodes[0] is the whole document
-  std::string text;           ///< all strings and keys, one behind the other
-  std::vector<Error> errors;  ///< duplicate keys, and numbers too large for a double
+  std::vector<Node> nodes;  ///< nodes[0] is the whole document
+  std::string text;         ///< all strings and keys, one behind the other
+  ErrorList errors;         ///< duplicate keys, and numbers too large for a double
 };
 
 /// Parses `text` (UTF-8).

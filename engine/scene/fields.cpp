@@ -59,22 +59,6 @@ int hex_digit(char c) {
 
 }  // namespace
 
-void ErrorList::add(ErrorKind kind, const Path& path, std::string detail) {
-  if (count_++ < most_errors) errors_.push_back({kind, path.pointer(), std::move(detail)});
-}
-
-void ErrorList::add(std::vector<Error> errors) {
-  for (Error& error : errors)
-    if (count_++ < most_errors) errors_.push_back(std::move(error));
-}
-
-std::vector<Error> ErrorList::take() && {
-  if (count_ > most_errors)
-    errors_.push_back({ErrorKind::invalid, "",
-                       fmt::format("and {} more errors, not listed", count_ - most_errors)});
-  return std::move(errors_);
-}
-
 std::string Range::describe() const {
   if (std::isinf(least)) return fmt::format("at most {}", most);
   if (std::isinf(most)) return fmt::format("{} {}", least_excluded ? "above" : "at least", least);

@@ -16,29 +16,11 @@
 
 #include "engine/math/vec.h"
 #include "engine/scene/document.h"
+#include "engine/scene/error_list.h"
 #include "engine/scene/path.h"
 #include "engine/scene/result.h"
 
 namespace raytracer {
-
-/// The errors found so far; after `most_errors` it only counts.
-class ErrorList {
- public:
-  static constexpr std::size_t most_errors = 1000;
-
-  void add(ErrorKind kind, const Path& path, std::string detail);
-  /// Takes errors over that were found before.
-  void add(std::vector<Error> errors);
-
-  bool empty() const { return errors_.empty(); }
-
-  /// The errors in the order found; a last one says how many more there were.
-  std::vector<Error> take() &&;
-
- private:
-  std::vector<Error> errors_;
-  std::size_t count_ = 0;
-};
 
 /// A value, its place, and where to complain about it.
 struct Field {
@@ -119,14 +101,22 @@ class ObjectReader {
   }
 
  private:
+  template <typename T, typename Value>
+  static void assign(T& out, Value value) {
+    out = static_cast<T>(std::move(value));
+  }
+  template <typename T, typename Value>
+  static void assign(std::optional<T>& out, Value value) {
+    out = static_cast<T>(std::move(value));
+  }
+
   /// False if there is no member `key`.
   template <typename T, typename Read>
   bool set(std::string_view key, T& out, Read read) const {
     const auto value = is_object_ ? field_.value.member(key) : std::nullopt;
     if (!value) return false;
     const Path path = field_.path.child(key);
-    if (auto content = read(Field{*value, path, field_.errors}))
-      out = static_cast<T>(*std::move(content));
+    if (auto content = read(Field{*value, path, field_.errors})) assign(out, *std::move(content));
     return true;
   }
 

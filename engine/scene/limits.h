@@ -30,7 +30,7 @@ struct LimitRow {
 inline constexpr std::int64_t deepest_nesting = 64;  ///< of JSON values; a scene needs 6
 
 inline constexpr std::array<LimitRow, 5> limit_table{{
-    {&Limits::body, "--max-body", "RAYTRACER_MAX_BODY", "bytes in a request's body", 1LL << 40},
+    {&Limits::body, "--max-body", "RAYTRACER_MAX_BODY", "bytes in a request's body", 1LL << 31},
     // A float image of 2^29 pixels is 6 GiB; stb_image_write counts bytes in an int.
     {&Limits::pixels, "--max-pixels", "RAYTRACER_MAX_PIXELS", "pixels in an image", 1LL << 29},
     {&Limits::objects, "--max-objects", "RAYTRACER_MAX_OBJECTS",

@@ -20,6 +20,11 @@ struct Path {
 
   /// The JSON Pointer (RFC 6901): "" for the root.
   std::string pointer() const;
+
+  /// About how long the pointer is in bytes, without making it.
+  std::size_t pointer_size() const {
+    return parent == nullptr ? 0 : parent->pointer_size() + 1 + key.size();
+  }
 };
 
 }  // namespace raytracer

@@ -1,6 +1,8 @@
 #include "engine/scene/read_objects.h"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <string_view>
 
 #include "engine/scene/read_typed.h"
@@ -29,8 +31,9 @@ Sphere read_sphere(const Field& field) {
   return sphere;
 }
 
-/// One radius for all, or as many as there are centres.
-std::optional<std::vector<double>> read_radii(const Field& field, std::size_t center_count) {
+/// One radius for all, or as many as there are centres, where these are known.
+std::optional<std::vector<double>> read_radii(const Field& field,
+                                              std::optional<std::size_t> center_count) {
   if (field.value.kind() != JsonKind::array) {
     const std::optional<double> radius = read_radius(field);
     if (!radius) return {};
@@ -40,18 +43,26 @@ std::optional<std::vector<double>> read_radii(const Field& field, std::size_t ce
   radii.reserve(field.value.node_count());
   read_elements(field,
                 [&](const Field& element) { radii.push_back(read_radius(element).value_or(1)); });
-  if (radii.size() == center_count) return radii;
-  field.refuse(fmt::format("{} radii for {} centers: give one number, or one for each center",
-                           radii.size(), center_count));
-  return {};
+  if (center_count && radii.size() != *center_count) {
+    field.refuse(fmt::format("{} radii for {} centers: give one number, or one for each center",
+                             radii.size(), *center_count));
+    return {};
+  }
+  const bool all_equal = std::all_of(radii.begin(), radii.end(),
+                                     [&](double radius) { return radius == radii.front(); });
+  if (all_equal && !radii.empty()) radii.resize(1);
+  return radii;
 }
 
 Spheres read_spheres(const Field& field) {
   const ObjectReader object(field, {"type", "material", "centers", "radius"});
   Spheres spheres;
-  object.required("centers", spheres.centers, read_points);
-  object.required("radius", spheres.radii,
-                  [&](const Field& f) { return read_radii(f, spheres.centers.size()); });
+  std::optional<std::vector<Vec3>> centers;
+  object.required("centers", centers, read_points);
+  object.required("radius", spheres.radii, [&](const Field& f) {
+    return read_radii(f, centers ? std::optional(centers->size()) : std::nullopt);
+  });
+  if (centers) spheres.centers = *std::move(centers);
   return spheres;
 }
 
@@ -75,8 +86,12 @@ Plane read_plane(const Field& field) {
   return plane;
 }
 
-std::optional<std::vector<std::array<std::uint32_t, 3>>> read_triangles(const Field& field,
-                                                                        std::size_t vertex_count) {
+/// Triples of indices into the vertices, where their number is known.
+std::optional<std::vector<std::array<std::uint32_t, 3>>> read_triangles(
+    const Field& field, std::optional<std::size_t> vertex_count) {
+  constexpr std::int64_t largest_index = std::numeric_limits<std::uint32_t>::max();
+  const std::int64_t last_vertex =
+      vertex_count ? static_cast<std::int64_t>(*vertex_count) - 1 : largest_index;
   if (!expect_array(field)) return {};
   std::vector<std::array<std::uint32_t, 3>> triangles;
   triangles.reserve(field.value.node_count() / 4);
@@ -85,7 +100,7 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> read_triangles(const Fi
     std::size_t count = 0;
     if (!expect_array(element)) return;
     read_elements(element, [&](const Field& corner) {
-      const auto index = read_integer(corner, 0, static_cast<std::int64_t>(vertex_count) - 1);
+      const auto index = read_integer(corner, 0, last_vertex);
       if (index && count < 3) triangle[count] = static_cast<std::uint32_t>(*index);
       ++count;
     });
@@ -98,9 +113,12 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> read_triangles(const Fi
 Mesh read_mesh(const Field& field) {
   const ObjectReader object(field, {"type", "material", "vertices", "triangles"});
   Mesh mesh;
-  object.required("vertices", mesh.vertices, read_points);
-  object.required("triangles", mesh.triangles,
-                  [&](const Field& f) { return read_triangles(f, mesh.vertices.size()); });
+  std::optional<std::vector<Vec3>> vertices;
+  object.required("vertices", vertices, read_points);
+  object.required("triangles", mesh.triangles, [&](const Field& f) {
+    return read_triangles(f, vertices ? std::optional(vertices->size()) : std::nullopt);
+  });
+  if (vertices) mesh.vertices = *std::move(vertices);
   return mesh;
 }
 

@@ -19,6 +19,7 @@ namespace {
 /// Whether the angle modulo 2 pi is strictly between 0 and pi. The double nearest to pi (or to a
 /// multiple of it) stands for that multiple, although it is a hair off.
 bool is_field_of_view(double angle) {
+  if (angle > 0 && angle < 1) return true;  // however small
   const double sine = std::sin(angle / 2);
   const double cosine = std::cos(angle / 2);
   const double spacing =
@@ -179,6 +180,11 @@ void override_with(T& value, const std::optional<T>& over) {
   if (over) value = *over;
 }
 
+template <typename T>
+void override_with(std::optional<T>& value, const std::optional<T>& over) {
+  if (over) value = over;
+}
+
 Scene with_overrides(Scene scene, const Overrides& over) {
   override_with(scene.camera.width, over.width);
   override_with(scene.camera.height, over.height);
@@ -197,8 +203,8 @@ Scene with_overrides(Scene scene, const Overrides& over) {
     render.budget_ms.reset();
   } else if (over.target_rmse || over.budget_ms) {
     render.samples.reset();
-    render.target_rmse = over.target_rmse;
-    render.budget_ms = over.budget_ms;
+    override_with(render.target_rmse, over.target_rmse);
+    override_with(render.budget_ms, over.budget_ms);
   }
   return scene;
 }
@@ -215,6 +221,13 @@ void check_overridden(const Scene& scene, ErrorList& errors) {
   const Camera& camera = scene.camera;
   demand(camera.width >= 1, camera_path, "width", "must be at least 1");
   demand(camera.height >= 1, camera_path, "height", "must be at least 1");
+  const auto is_finite = [](const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  };
+  constexpr std::string_view finite_rule = "must be three finite numbers";
+  demand(is_finite(camera.origin), camera_path, "origin", finite_rule);
+  demand(is_finite(camera.look_at), camera_path, "look_at", finite_rule);
+  demand(is_finite(camera.up), camera_path, "up", finite_rule);
   demand(camera.origin != camera.look_at, camera_path, "look_at", look_at_rule);
   demand(camera.up != Vec3{}, camera_path, "up", "the zero vector has no direction");
   demand(is_field_of_view(camera.fov), camera_path, "fov", fov_rule);
@@ -264,10 +277,9 @@ SphereSquare make_sphere_square(const Vec3& center, double radius, std::int64_t 
 Result<Scene> read_scene(std::string_view text, const Limits& limits, const Overrides& overrides) {
   Result<Document> parsed = parse_document(text);
   if (!parsed.ok()) return parsed.errors();
-  const Document document = std::move(parsed).value();
+  Document document = std::move(parsed).value();
 
-  ErrorList errors;
-  errors.add(document.errors);
+  ErrorList errors = std::move(document.errors);
   const Path root;
   Scene scene = read_document({JsonValue(document), root, errors});
   const bool document_is_valid = errors.empty();

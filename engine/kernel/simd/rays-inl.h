@@ -194,8 +194,8 @@ HWY_INLINE M meets_plane(D d, const SimdPlane<T>& plane, const Start<V>& from,
 /// exact corners, not by the rounded point.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M meets_triangle(D d, const SimdTriangle<T>& triangle, const Start<V>& from,
-                            const V3<V>& direction, M active, V& t) {
-  M hit = hn::And(active, passes_through(d, triangle, from.point, direction));
+                            const V3<V>& direction, const AcrossPacket<V>& plane, M active, V& t) {
+  M hit = hn::And(active, passes_through(d, triangle, from.point, plane));
   t = hn::Zero(d);
   if (hn::AllFalse(d, hit)) return hit;
   hit = hn::And(hit, meets_plane(d, triangle.plane, from, direction, t));
@@ -219,6 +219,7 @@ HWY_INLINE void show_tree(D d, const SimdScene<T>& scene, const Start<V>& from,
                           const V3<V>& direction, M active, bool with_spheres,
                           Nearest<V>& nearest) {
   const auto sphere_count = static_cast<std::uint32_t>(scene.spheres.size());
+  const AcrossPacket<V> plane = across_packet(d, direction);
   walk_tree(
       d, scene.tree, from.point, direction, active, nearest.t,
       [&](std::uint32_t begin, std::uint32_t end) HWY_ATTR {
@@ -227,7 +228,7 @@ HWY_INLINE void show_tree(D d, const SimdScene<T>& scene, const Start<V>& from,
           if (primitive >= sphere_count) {
             const SimdTriangle<T>& triangle = scene.triangles[primitive - sphere_count];
             V t;
-            const M hit = meets_triangle(d, triangle, from, direction, active, t);
+            const M hit = meets_triangle(d, triangle, from, direction, plane, active, t);
             const V id = hn::Set(d, static_cast<T>(triangle.plane.id));
             take(nearest, is_nearer(nearest, t, id, hit), t, id);
           } else if (with_spheres) {
@@ -286,6 +287,7 @@ HWY_INLINE M occluded_in_tree(D d, const SimdScene<T>& scene, const SimdLight<T>
   const auto sphere_count = static_cast<std::uint32_t>(scene.spheres.size());
   const bool with_spheres = !scene.has_light_grids;
   M dark = hn::Lt(distance, hn::Zero(d));
+  const AcrossPacket<V> plane = across_packet(d, towards);
   walk_tree(
       d, scene.tree, from.point, towards, lit, distance,
       [&](std::uint32_t begin, std::uint32_t end) HWY_ATTR {
@@ -293,8 +295,8 @@ HWY_INLINE M occluded_in_tree(D d, const SimdScene<T>& scene, const SimdLight<T>
           const std::uint32_t primitive = scene.tree.order[i];
           if (primitive >= sphere_count) {
             V t;
-            const M hit =
-                meets_triangle(d, scene.triangles[primitive - sphere_count], from, towards, lit, t);
+            const M hit = meets_triangle(d, scene.triangles[primitive - sphere_count], from,
+                                         towards, plane, lit, t);
             dark = hn::Or(dark, hn::And(hit, hn::Lt(t, distance)));
           } else if (with_spheres) {
             dark = hn::Or(dark, occluded_by(d, scene.spheres[primitive], light, from, towards,

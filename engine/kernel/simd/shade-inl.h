@@ -18,6 +18,10 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
+/// What stands nearer than this share of a point light's distance hides the light.
+template <typename T>
+inline constexpr T nearer_than_light = 1 - 4096 * std::numeric_limits<T>::epsilon();
+
 /// Each lane's row of a column of the surface table.
 template <class D, class VI, typename T = hn::TFromD<D>>
 HWY_INLINE hn::Vec<D> column(D d, const std::vector<T>& values, VI rows) {
@@ -77,7 +81,8 @@ HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Start<V>& point, co
       const V3<V> path = sub(towards, point.point);
       const V square = dot(path, path);
       const V inverse = hn::Div(one, hn::Max(square, hn::Set(d, std::numeric_limits<T>::min())));
-      distance = hn::Sqrt(square);
+      // A little less: a light that lies in a surface is not hidden by it.
+      distance = hn::Mul(hn::Sqrt(square), hn::Set(d, nearer_than_light<T>));
       towards = scale(path, hn::Sqrt(inverse));
       emission = {hn::Min(hn::Mul(emission.x, inverse), most),
                   hn::Min(hn::Mul(emission.y, inverse), most),

@@ -11,6 +11,9 @@
 #define RAYTRACER_KERNEL_SIMD_SQUARE_INL_H_
 #endif
 
+#include <limits>
+
+#include "engine/kernel/simd/long_walk.h"
 #include "engine/kernel/simd/packet-inl.h"
 #include "engine/kernel/simd/simd_scene.h"
 
@@ -39,6 +42,52 @@ struct CellHit {
   V first;
   V second;
 };
+
+/// Steps before a walk is finished by the reference, far more than a ray takes that comes from
+/// above and is not level.
+inline constexpr int most_steps = 512;
+
+/// Finishes the walks of the lanes still active, one by one.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_NOINLINE void finish_long_walks(D d, const SimdSquare<T>& square, const V3<V>& origin,
+                                    const V3<V>& direction, V t_max, M active, V own_first,
+                                    V own_second, CellHit<V, M>& found) {
+  constexpr std::size_t most_lanes = hn::MaxLanes(D());
+  // The lanes' values: origin, direction, limit, own cell, whether to finish, then the results.
+  alignas(64) T values[13][most_lanes];
+  const V one = hn::Set(d, T(1));
+  const V inputs[10] = {
+      origin.x,    origin.y, origin.z,  direction.x, direction.y,
+      direction.z, t_max,    own_first, own_second,  hn::IfThenElseZero(active, one)};
+  for (std::size_t i = 0; i < 10; ++i) hn::Store(inputs[i], d, values[i]);
+  hn::Store(found.t, d, values[10]);
+  hn::Store(found.first, d, values[11]);
+  hn::Store(found.second, d, values[12]);
+  alignas(64) T is_hit[most_lanes] = {};
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    if (values[9][lane] == T(0)) continue;
+    const auto at = [&](int row) { return static_cast<double>(values[row][lane]); };
+    const bool leaves = values[7][lane] < std::numeric_limits<T>::max();
+    const auto hit = finish_walk(
+        {.origin = {at(0), at(1), at(2)},
+         .direction = {at(3), at(4), at(5)},
+         .low_first = static_cast<double>(square.low_first),
+         .low_second = static_cast<double>(square.low_second),
+         .side = static_cast<double>(square.high_first) - static_cast<double>(square.low_first) + 1,
+         .own_first = at(7),
+         .own_second = at(8),
+         .leaves_own = leaves});
+    if (!hit || hit->t > at(6)) continue;
+    is_hit[lane] = T(1);
+    values[10][lane] = static_cast<T>(hit->t);
+    values[11][lane] = static_cast<T>(hit->first);
+    values[12][lane] = static_cast<T>(hit->second);
+  }
+  found.hit = hn::Or(found.hit, hn::Gt(hn::Load(d, is_hit), hn::Zero(d)));
+  found.t = hn::Load(d, values[10]);
+  found.first = hn::Load(d, values[11]);
+  found.second = hn::Load(d, values[12]);
+}
 
 /// The nearest sphere met at 0 < t <= t_max (in cells), for the lanes of `active`.
 /// `origin` and `direction` are in the square's axes and cells; the sphere in the cell
@@ -82,7 +131,11 @@ HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<
   V second = start(origin.z, direction.z, low_second, high_second);
 
   CellHit<V, M> found{hn::Lt(zero, zero), t_max, zero, zero};
-  while (!hn::AllFalse(d, active)) {
+  for (int step = 0; !hn::AllFalse(d, active); ++step) {
+    if (step == most_steps) {
+      finish_long_walks(d, square, origin, direction, t_max, active, own_first, own_second, found);
+      break;
+    }
     const V3<V> f{hn::Sub(origin.x, first), origin.y, hn::Sub(origin.z, second)};
     const V b = hn::Neg(dot(f, direction));
     const V3<V> l = mul_add(direction, b, f);

@@ -84,25 +84,41 @@ HWY_INLINE void walk_tree(D d, const SimdTree<T>& tree, const V3<V>& origin, con
   }
 }
 
-/// Lanes whose rays pass through the triangle, by the signs of their volumes with its edges; each
-/// edge gives two neighbours opposite signs, so nothing slips between them. The products are not
-/// fused: that would round the two differently.
+/// The lanes' planes across their rays (see across() in engine/math/vec.h).
+template <class V>
+struct AcrossPacket {
+  V3<V> u;
+  V3<V> v;
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE AcrossPacket<V> across_packet(D d, const V3<V>& w) {
+  const V one = hn::Set(d, hn::TFromD<D>(1));
+  const V sign = hn::CopySign(one, w.z);
+  const V a = hn::Neg(hn::Div(one, hn::Add(sign, w.z)));
+  const V b = hn::Mul(hn::Mul(w.x, w.y), a);
+  return {{hn::MulAdd(hn::Mul(sign, w.x), hn::Mul(w.x, a), one), hn::Mul(sign, b),
+           hn::Neg(hn::Mul(sign, w.x))},
+          {b, hn::MulAdd(hn::Mul(w.y, w.y), a, sign), hn::Neg(w.y)}};
+}
+
+/// Lanes whose rays pass through the triangle, as intersect_triangle() in engine/kernel/flat.h
+/// decides it. The products are not fused: that could make their difference's sign wrong.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M passes_through(D d, const SimdTriangle<T>& triangle, const V3<V>& origin,
-                            const V3<V>& direction) {
+                            const AcrossPacket<V>& plane) {
   const V3<V> a = sub(broadcast(d, triangle.a), origin);
   const V3<V> b = sub(broadcast(d, triangle.b), origin);
   const V3<V> c = sub(broadcast(d, triangle.c), origin);
-  const auto volume = [&](const V3<V>& p, const V3<V>& q) HWY_ATTR {
-    const V x = hn::Sub(hn::Mul(p.y, q.z), hn::Mul(p.z, q.y));
-    const V y = hn::Sub(hn::Mul(p.z, q.x), hn::Mul(p.x, q.z));
-    const V z = hn::Sub(hn::Mul(p.x, q.y), hn::Mul(p.y, q.x));
-    return hn::Add(hn::Add(hn::Mul(direction.x, x), hn::Mul(direction.y, y)),
-                   hn::Mul(direction.z, z));
-  };
-  const V ab = volume(a, b);
-  const V bc = volume(b, c);
-  const V ca = volume(c, a);
+  const V a_u = dot(plane.u, a);
+  const V a_v = dot(plane.v, a);
+  const V b_u = dot(plane.u, b);
+  const V b_v = dot(plane.v, b);
+  const V c_u = dot(plane.u, c);
+  const V c_v = dot(plane.v, c);
+  const V ab = hn::Sub(hn::Mul(a_u, b_v), hn::Mul(a_v, b_u));
+  const V bc = hn::Sub(hn::Mul(b_u, c_v), hn::Mul(b_v, c_u));
+  const V ca = hn::Sub(hn::Mul(c_u, a_v), hn::Mul(c_v, a_u));
   const V least = hn::Min(hn::Min(ab, bc), ca);
   const V most = hn::Max(hn::Max(ab, bc), ca);
   const V zero = hn::Zero(d);
