@@ -20,12 +20,12 @@ endef
 # --parallel with a number: without one, make would start every compiler at once.
 define test_in
 	.ci/install build test
-	$(call configure,$(1),$(2))
+	$(call configure,$(1),-DRAYTRACER_TESTS=ON $(2))
 	cmake --build $(1) --parallel $(JOBS) --target all raytracer_tests_all
-	ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
+	$(3) ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
 endef
 
-.PHONY: all test check sanitize tsan install clean help
+.PHONY: all test check sanitize tsan tradeoff bench install clean help
 
 all:
 	$(call configure,build)
@@ -39,7 +39,7 @@ check:
 	.ci/install build test check
 	clang-format --dry-run -Werror $(sources)
 	shellcheck $(scripts)
-	$(call configure,build)
+	$(call configure,build,-DRAYTRACER_TESTS=ON)
 	@cmake --build build --parallel $(JOBS)  # some headers are generated
 	run-clang-tidy -quiet -j $(JOBS) -p build '^$(CURDIR)/(engine|server|client|tests)/'
 
@@ -47,15 +47,32 @@ check:
 sanitize:
 	$(call test_in,build-sanitize,-DRAYTRACER_SANITIZE=address$(comma)undefined)
 
+# Debian's cpp-httplib is not instrumented: what it synchronizes looks unsynchronized.
+tsan_options = suppressions=$(CURDIR)/tests/tsan.supp halt_on_error=1
 tsan:
-	$(call test_in,build-tsan,-DRAYTRACER_SANITIZE=thread)
+	$(call test_in,build-tsan,-DRAYTRACER_SANITIZE=thread,TSAN_OPTIONS="$(tsan_options)")
+
+tradeoff:
+	.ci/install build test
+	$(call configure,build,-DRAYTRACER_TESTS=ON)
+	@cmake --build build --parallel $(JOBS) --target error_against_samples
+	@build/error_against_samples server/scenes/demo.json 175 125
+
+# The peers are only for this, so it has a directory of its own.
+bench:
+	.ci/install build test bench
+	$(call configure,build-bench,-DRAYTRACER_TESTS=ON -DRAYTRACER_BENCH=ON)
+	@cmake --build build-bench --parallel $(JOBS) --target raytracer_bench
+	@mkdir -p tests/bench/runs
+	build-bench/raytracer_bench --runs tests/bench/runs \
+	  --commit "$$(git describe --always --dirty --exclude='*')"
 
 # DESTDIR, as packagers use it, is read by cmake itself.
 install: all
 	cmake --install build --prefix $(PREFIX)
 
 clean:
-	rm -rf build build-sanitize build-tsan
+	rm -rf build build-sanitize build-tsan build-bench
 
 help:
 	@echo "make           build/raytracer-server and build/raytracer"
@@ -63,6 +80,8 @@ help:
 	@echo "make check     clang-format, clang-tidy, shellcheck; installs what is missing"
 	@echo "make sanitize  all tests with AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make tsan      all tests with ThreadSanitizer"
+	@echo "make tradeoff  the demo's error and time for growing numbers of samples"
+	@echo "make bench     times against Embree and POV-Ray, written to tests/bench/runs"
 	@echo "make install   both programs to PREFIX ($(PREFIX)), below DESTDIR if that is set"
 	@echo "make clean     remove what was built"
 

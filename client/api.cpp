@@ -198,7 +198,7 @@ void Api::validate(const std::string& scene_text) {
     return !valid;
   };
   try {
-    connection_->send(request, {200});
+    connection_->send(request, {304});
   } catch (const ServerError&) {
     if (!valid) throw;
   }

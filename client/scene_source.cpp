@@ -17,8 +17,9 @@ namespace {
 std::string read_to_end(std::FILE* file, const std::string& label) {
   std::string text;
   std::vector<char> buffer(1 << 16);
-  for (std::size_t count = 0; (count = std::fread(buffer.data(), 1, buffer.size(), file)) > 0;)
-    text.append(buffer.data(), count);
+  // Asked only until the end was seen: a terminal would have to be told twice.
+  while (std::feof(file) == 0 && std::ferror(file) == 0)
+    text.append(buffer.data(), std::fread(buffer.data(), 1, buffer.size(), file));
   if (std::ferror(file) != 0)
     throw InputError(fmt::format("{}: cannot be read: {}", label, std::strerror(errno)));
   return text;

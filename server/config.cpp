@@ -13,7 +13,7 @@
 #include <sstream>
 #include <thread>
 
-#include "engine/build_id.h"
+#include "engine/engine.h"
 #include "server/token.h"
 
 namespace raytracer {

@@ -6,7 +6,6 @@
 #include <array>
 #include <stdexcept>
 
-#include "engine/build_id.h"
 #include "engine/engine.h"
 #include "server/header_text.h"
 

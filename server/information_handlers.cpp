@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine/build_id.h"
+#include "engine/engine.h"
 #include "server/answer.h"
 #include "server/handlers.h"
 #include "server/problem.h"

@@ -1,3 +1,4 @@
+// The one table from a file name to its media type.
 #include <array>
 #include <utility>
 

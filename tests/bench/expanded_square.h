@@ -1,0 +1,11 @@
+// The spheres that a square stands for, for peers that have no such primitive.
+#pragma once
+
+#include "engine/engine.h"
+
+namespace raytracer::bench {
+
+/// 2n x 2n spheres, as scene.md places them.
+Spheres expanded(const SphereSquare& square);
+
+}  // namespace raytracer::bench

@@ -1,0 +1,54 @@
+// One case: every peer in turn, round after round, and the pictures compared.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tests/bench/cases.h"
+#include "tests/bench/embree_peer.h"
+#include "tests/bench/image_difference.h"
+#include "tests/bench/povray_peer.h"
+#include "tests/bench/project_peer.h"
+
+namespace raytracer::bench {
+
+struct Effort {
+  int rounds = 11;
+  double seconds_per_case = 30;  ///< no new round after that, if there are three
+};
+
+/// A null peer takes no part.
+struct Peers {
+  WorkerPool& pool;
+  EmbreePeer* embree;
+  PovrayPeer* povray;
+};
+
+struct Round {
+  ProjectTimes project;
+  std::optional<EmbreeTimes> embree;
+  std::optional<PovrayTimes> povray;  ///< absent once a slow POV-Ray has had its share of time
+};
+
+/// Empty where a peer took no part.
+struct Pictures {
+  Image project;
+  Image project_without_ambient;  ///< what POV-Ray's picture is compared with
+  Image embree;
+  Image povray;
+};
+
+struct CaseFigures {
+  Case measured;
+  std::vector<Round> rounds{};
+  Pictures pictures{};
+  std::size_t document_bytes = 0;
+  double covered = 0;  ///< share of the project's pixels that are not background
+  std::optional<ImageDifference> embree_off{};
+  std::optional<ImageDifference> povray_off{};
+};
+
+/// A first round warms up and does not count.
+CaseFigures measure(const Case& measured, const Effort& effort, const Peers& peers);
+
+}  // namespace raytracer::bench

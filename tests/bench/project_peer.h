@@ -1,0 +1,30 @@
+// The project as a peer: text to PNG through the engine's public header, each stage timed.
+#pragma once
+
+#include <string_view>
+
+#include "engine/engine.h"
+
+namespace raytracer::bench {
+
+struct ProjectTimes {
+  double read_ms = 0;
+  double plan_ms = 0;
+  double build_ms = 0;
+  double trace_ms = 0;
+  double encode_ms = 0;
+};
+
+struct ProjectRun {
+  ProjectTimes times;
+  Scene scene;
+  Image image;
+};
+
+/// Throws std::runtime_error with the first error if the document is refused.
+ProjectRun run_project(std::string_view document, const Overrides& overrides, WorkerPool& pool);
+
+/// The same picture without ambient light; not timed.
+Image render_without_ambient(Scene scene, WorkerPool& pool);
+
+}  // namespace raytracer::bench

@@ -1,0 +1,69 @@
+// A document's errors come together, and their list is bounded.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/scene/full_document.h"
+
+namespace raytracer::test {
+namespace {
+
+TEST(Validation, ReportsAllErrorsOfADocumentTogether) {
+  json wrong = full_document();
+  wrong["camera"]["fvo"] = 1;
+  wrong["objects"][0]["radius"] = -2;
+  wrong["objects"][1]["material"] = "rde";
+  wrong["lights"][1].erase("position");
+  wrong["render"]["samples"] = 0;
+  const std::vector<Error> errors = errors_of(wrong);
+  std::vector<std::string> pointers;
+  pointers.reserve(errors.size());
+  for (const Error& error : errors) pointers.push_back(error.pointer);
+  std::sort(pointers.begin(), pointers.end());
+  EXPECT_EQ(pointers,
+            (std::vector<std::string>{"/camera/fvo", "/lights/1/position", "/objects/0/radius",
+                                      "/objects/1/material", "/render/samples"}))
+      << describe(errors);
+}
+
+TEST(Validation, RefusesADocumentThatIsNoObject) {
+  for (const char* text : {"5", "null", "[]", "\"scene\"", "true"}) {
+    const std::vector<Error> errors = errors_of_text(text);
+    ASSERT_EQ(errors.size(), 1U) << text << '\n' << describe(errors);
+    EXPECT_EQ(errors[0].pointer, "") << text;
+    EXPECT_EQ(errors[0].kind, ErrorKind::invalid) << text;
+    EXPECT_NE(errors[0].detail.find("must be an object"), std::string::npos) << text;
+  }
+}
+
+TEST(Validation, ListsAThousandErrorsAndCountsTheRest) {
+  json wrong = full_document();
+  wrong["objects"] = json::array();
+  for (int i = 0; i < 1500; ++i) wrong["objects"].push_back(sphere_json({}, -1));
+  const std::vector<Error> errors = errors_of(wrong);
+  ASSERT_EQ(errors.size(), 1001U);
+  EXPECT_EQ(errors[999].pointer, "/objects/999/radius");
+  EXPECT_NE(errors[1000].detail.find("500 more"), std::string::npos) << errors[1000].detail;
+}
+
+TEST(Validation, ListsExactlyAThousandErrorsWithoutARemark) {
+  json wrong = full_document();
+  wrong["objects"] = json::array();
+  for (int i = 0; i < 1000; ++i) wrong["objects"].push_back(sphere_json({}, -1));
+  EXPECT_EQ(errors_of(wrong).size(), 1000U);
+}
+
+TEST(Validation, BoundsTheAnswerToALongKeyWithManyErrorsUnderIt) {
+  json wrong = full_document();
+  const std::string long_key(100'000, 'k');
+  for (int i = 0; i < 1000; ++i) wrong["materials"][long_key]["x" + std::to_string(i)] = 1;
+  std::size_t size = 0;
+  for (const Error& error : errors_of(wrong)) size += error.pointer.size() + error.detail.size();
+  EXPECT_LT(size, 20U * wrong.dump().size());
+}
+
+}  // namespace
+}  // namespace raytracer::test
