@@ -161,18 +161,13 @@ double smallest_mirror(const Scene& scene, const Frame& frame) {
   return frame.frame_from_scene(smallest);
 }
 
-/// How many reflections can change a pixel by a level.
-double visible_bounces(const Scene& scene) {
+/// Each reflection spreads an error and fades what it displaces.
+double magnification(const Scene& scene, const Frame& frame, const Census& census) {
   double reflectivity = 0;
   for (const Material& material : scene.materials)
     reflectivity = std::max(reflectivity, material.reflectivity);
-  const double fading = std::log(1.0 / 255) / std::log(reflectivity);  // infinite for 1
-  return std::min<double>(scene.render.max_depth, reflectivity < 1 ? std::ceil(fading) : 1e9);
-}
-
-double magnification(const Scene& scene, const Frame& frame, const Census& census) {
-  const double growth = 2 * census.farthest / smallest_mirror(scene, frame);
-  return growth > 1 ? std::pow(growth, visible_bounces(scene)) : 1;
+  const double growth = reflectivity * 2 * census.farthest / smallest_mirror(scene, frame);
+  return growth > 1 ? std::pow(growth, scene.render.max_depth) : 1;
 }
 
 }  // namespace

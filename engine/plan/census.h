@@ -24,8 +24,9 @@ struct Census {
   double light_clearance = std::numeric_limits<double>::infinity();
   bool has_point_lights = false;
   bool reflects = false;
-  /// By how much reflections can magnify an error of direction: a mirroring sphere of radius r
-  /// spreads neighbouring rays 2 d / r times as far at a distance d.
+  /// By how much reflections can magnify an error of direction, in what it changes of a pixel: a
+  /// mirroring sphere of radius r spreads neighbouring rays 2 d / r times as far at a distance d,
+  /// and shows what it mirrors only as bright as its reflectivity.
   double magnification = 1;
   double pixel_angle = 0;  ///< radians, at the image's centre
 };
