@@ -17,7 +17,9 @@
 
 #include "tests/process/patience.h"
 
+#ifdef __APPLE__
 extern char** environ;
+#endif
 
 namespace raytracer::test {
 namespace {
@@ -30,13 +32,14 @@ std::vector<std::string> environment_for(const std::map<std::string, std::string
     const std::string name(text.substr(0, text.find('=')));
     if (!name.starts_with("RAYTRACER_") && !over.contains(name)) entries.emplace_back(text);
   }
-  for (const auto& [name, value] : over) entries.push_back(name + "=" + value);
+  for (const auto& [name, value] : over) entries.push_back(fmt::format("{}={}", name, value));
   return entries;
 }
 
 /// Pointers as exec wants them; `texts` must outlive them.
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
   for (std::string& text : texts) pointers.push_back(text.data());
   pointers.push_back(nullptr);
   return pointers;
@@ -51,6 +54,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  ::signal(SIGPIPE, SIG_DFL);
   if (streams.leads) {
     ::setsid();
     ::ioctl(streams.in, TIOCSCTTY, 0);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <regex>
 #include <stdexcept>
 
@@ -38,6 +39,8 @@ ServerProcess::ServerProcess(std::vector<std::string> flags,
 httplib::Client ServerProcess::client() const {
   const auto limit =
       std::chrono::duration_cast<std::chrono::seconds>(patience(std::chrono::milliseconds(30'000)));
+  // httplib may write to a connection that the server has closed, which is to be an error code.
+  std::signal(SIGPIPE, SIG_IGN);
   httplib::Client client("127.0.0.1", port_);
   client.set_connection_timeout(limit.count());
   client.set_read_timeout(limit.count());

@@ -17,10 +17,14 @@ using namespace std::chrono_literals;
 
 class Body : public Service {
  protected:
-  /// Everything that the server answers to these bytes until it closes.
-  static std::string raw(const std::string& bytes) {
+  /// Everything that the server answers until it closes. The body follows when the header was
+  /// answered: httplib forgets what it read together with a header, so only bytes that come later
+  /// can be taken for another request.
+  static std::string raw(const std::string& header, const std::string& body) {
     RawConnection connection(server().port());
-    connection.send(bytes);
+    connection.send(header);
+    connection.receives("\n}\n", 5s);
+    connection.send(body);
     EXPECT_TRUE(connection.ends(15s)) << "the connection stays open";
     return connection.received();
   }
@@ -36,45 +40,59 @@ const std::string smuggled = "GET /version HTTP/1.1\r\nHost: x\r\n\r\n";
 
 TEST_F(Body, chunked_body_is_411_and_not_parsed_as_a_request) {
   expect_only(raw("POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
-                  "Transfer-Encoding: chunked\r\n\r\n" +
+                  "Transfer-Encoding: chunked\r\n\r\n",
                   smuggled),
               411);
 }
 
 TEST_F(Body, chunked_body_beside_a_length_is_refused) {
   expect_only(raw("POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
-                  "Content-Length: 4\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n" +
-                  smuggled),
+                  "Content-Length: 4\r\nTransfer-Encoding: chunked\r\n\r\n",
+                  "0\r\n\r\n" + smuggled),
               411);
 }
 
 TEST_F(Body, compressed_body_is_415_and_not_parsed_as_a_request) {
   for (const char* const coding : {"gzip", "br", "deflate", "identity, gzip"})
     expect_only(raw(fmt::format("POST /render HTTP/1.1\r\nHost: x\r\nContent-Length: {}\r\n"
-                                "Content-Type: application/json\r\nContent-Encoding: {}\r\n\r\n{}",
-                                smuggled.size(), coding, smuggled)),
+                                "Content-Type: application/json\r\nContent-Encoding: {}\r\n\r\n",
+                                smuggled.size(), coding),
+                    smuggled),
                 415);
 }
 
-TEST_F(Body, body_without_a_length_is_411) {
-  expect_only(raw("POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
-                  "Connection: close\r\n\r\n"),
-              411);
+TEST_F(Body, body_without_a_length_is_411_and_not_parsed_as_a_request) {
+  for (const char* const length : {"", "Content-Length: \r\n"})
+    expect_only(raw(fmt::format("POST /render HTTP/1.1\r\nHost: x\r\n"
+                                "Content-Type: application/json\r\n{}\r\n",
+                                length),
+                    smuggled),
+                411);
 }
 
 TEST_F(Body, lengths_that_are_no_number_are_refused) {
   for (const char* const length : {"-1", "1e3", "0x10", "4, 5", "+4"})
     expect_only(raw(fmt::format("POST /render HTTP/1.1\r\nHost: x\r\n"
-                                "Content-Type: application/json\r\nContent-Length: {}\r\n\r\n{}",
-                                length, smuggled)),
+                                "Content-Type: application/json\r\nContent-Length: {}\r\n\r\n",
+                                length),
+                    smuggled),
                 400);
 }
 
 TEST_F(Body, two_lengths_are_refused) {
   expect_only(raw("POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
-                  "Content-Length: 0\r\nContent-Length: 36\r\n\r\n" +
+                  "Content-Length: 0\r\nContent-Length: 36\r\n\r\n",
                   smuggled),
               400);
+}
+
+TEST_F(Body, length_that_only_some_would_see_is_400_and_not_parsed_as_a_request) {
+  for (const char* const name : {"Content-Length ", "Content-Length\t", "Transfer-Encoding "})
+    expect_only(raw(fmt::format("POST /render HTTP/1.1\r\nHost: x\r\n"
+                                "Content-Type: application/json\r\n{}: 36\r\n\r\n",
+                                name),
+                    smuggled),
+                400);
 }
 
 TEST_F(Body, other_types_are_415_with_the_right_one) {
@@ -83,7 +101,7 @@ TEST_F(Body, other_types_are_415_with_the_right_one) {
     const Answer answer = post("/render", small_scene, {{"Content-Type", type}});
     expect_problem(answer, 415, "application/json");
   }
-  expect_only(raw("POST /render HTTP/1.1\r\nHost: x\r\nContent-Length: 2\r\n\r\n{}"), 415);
+  expect_only(raw("POST /render HTTP/1.1\r\nHost: x\r\nContent-Length: 2\r\n\r\n", "{}"), 415);
 }
 
 TEST_F(Body, json_with_parameters_is_json) {
@@ -93,8 +111,9 @@ TEST_F(Body, json_with_parameters_is_json) {
 }
 
 TEST_F(Body, get_with_a_body_is_refused) {
-  expect_only(raw(fmt::format("GET /healthz HTTP/1.1\r\nHost: x\r\nContent-Length: {}\r\n\r\n{}",
-                              smuggled.size(), smuggled)),
+  expect_only(raw(fmt::format("GET /healthz HTTP/1.1\r\nHost: x\r\nContent-Length: {}\r\n\r\n",
+                              smuggled.size()),
+                  smuggled),
               400);
 }
 
