@@ -8,9 +8,9 @@ namespace raytracer::test {
 
 using namespace std::chrono_literals;
 
-std::unique_ptr<ServerProcess> BrowserPage::server_;
-std::unique_ptr<TemporaryFolder> BrowserPage::downloads_;
-std::unique_ptr<WebDriver> BrowserPage::browser_;
+std::unique_ptr<ServerProcess> BrowserPage::shared_server;
+std::unique_ptr<TemporaryFolder> BrowserPage::shared_downloads;
+std::unique_ptr<WebDriver> BrowserPage::shared_browser;
 
 const std::string page_scene = R"({
   "camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.9, "width": 60, "height": 40},
@@ -19,15 +19,15 @@ const std::string page_scene = R"({
 })";
 
 void BrowserPage::SetUpTestSuite() {
-  server_ = std::make_unique<ServerProcess>();
-  downloads_ = std::make_unique<TemporaryFolder>();
-  browser_ = std::make_unique<WebDriver>(downloads_->path());
+  shared_server = std::make_unique<ServerProcess>();
+  shared_downloads = std::make_unique<TemporaryFolder>();
+  shared_browser = std::make_unique<WebDriver>(shared_downloads->path());
 }
 
 void BrowserPage::TearDownTestSuite() {
-  browser_.reset();
-  downloads_.reset();
-  server_.reset();
+  shared_browser.reset();
+  shared_downloads.reset();
+  shared_server.reset();
 }
 
 void BrowserPage::open(const std::string& address) {

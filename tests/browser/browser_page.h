@@ -19,9 +19,9 @@ class BrowserPage : public testing::Test {
   static void SetUpTestSuite();
   static void TearDownTestSuite();
 
-  static const ServerProcess& server() { return *server_; }
-  static WebDriver& browser() { return *browser_; }
-  static const std::filesystem::path& downloads() { return downloads_->path(); }
+  static const ServerProcess& server() { return *shared_server; }
+  static WebDriver& browser() { return *shared_browser; }
+  static const std::filesystem::path& downloads() { return shared_downloads->path(); }
 
   /// Opens the page, `address` behind the server's, and waits for its first picture.
   static void open(const std::string& address = "/");
@@ -44,9 +44,9 @@ class BrowserPage : public testing::Test {
   static void keep_screenshot(const std::string& name);
 
  private:
-  static std::unique_ptr<ServerProcess> server_;
-  static std::unique_ptr<TemporaryFolder> downloads_;
-  static std::unique_ptr<WebDriver> browser_;
+  static std::unique_ptr<ServerProcess> shared_server;
+  static std::unique_ptr<TemporaryFolder> shared_downloads;
+  static std::unique_ptr<WebDriver> shared_browser;
 };
 
 /// A small valid scene of 60 x 40 pixels.

@@ -121,7 +121,7 @@ json WebDriver::command(const std::string& method, const std::string& path, cons
   if (!answer)
     throw std::runtime_error(fmt::format("chromedriver does not answer {} ({}):\n{}", path,
                                          httplib::to_string(answer.error()), driver_.out()));
-  const json value = json::parse(answer->body).at("value");
+  json value = json::parse(answer->body).at("value");
   if (answer->status != 200)
     throw std::runtime_error(fmt::format("{} {}: {}", method, path, value.value("message", "")));
   return value;

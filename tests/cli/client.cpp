@@ -4,7 +4,7 @@
 
 namespace raytracer::test {
 
-std::unique_ptr<ServerProcess> Client::server_;
+std::unique_ptr<ServerProcess> Client::shared_server;
 
 const std::string small_scene = R"({
   "camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.9, "width": 16, "height": 12},

@@ -37,18 +37,18 @@ int count_lines(const std::string& text);
 /// Tests that share one daemon, so that none has to start its own.
 class Client : public testing::Test {
  protected:
-  static void SetUpTestSuite() { server_ = std::make_unique<ServerProcess>(); }
-  static void TearDownTestSuite() { server_.reset(); }
+  static void SetUpTestSuite() { shared_server = std::make_unique<ServerProcess>(); }
+  static void TearDownTestSuite() { shared_server.reset(); }
 
-  static const ServerProcess& server() { return *server_; }
+  static const ServerProcess& server() { return *shared_server; }
   /// `raytracer ARGUMENTS` with RAYTRACER_SERVER naming the shared daemon.
   static Outcome run_with_server(std::vector<std::string> arguments, std::string input = {}) {
     return run_client(std::move(arguments), std::move(input),
-                      {{"RAYTRACER_SERVER", server_->url()}});
+                      {{"RAYTRACER_SERVER", shared_server->url()}});
   }
 
  private:
-  static std::unique_ptr<ServerProcess> server_;
+  static std::unique_ptr<ServerProcess> shared_server;
 };
 
 }  // namespace raytracer::test

@@ -52,6 +52,7 @@ TEST_F(Interruption, takes_the_render_back) {
 }
 
 TEST_F(Interruption, works_from_the_keyboard) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << "there is no terminal: mount /dev/pts";
   PseudoTerminal terminal(client_command({"render", "-", "--server", server().url()}, ""), 80, 24);
   // The scene is typed, so this also says that a terminal's input is read to its end (Ctrl-D).
   terminal.type(R"({"camera": {"origin": [0,0,-5], "look_at": [0,0,0], "fov": 1, "width": 1500,)");

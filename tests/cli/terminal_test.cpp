@@ -22,6 +22,7 @@ namespace {
 using namespace std::chrono_literals;
 
 const std::string half_block = "▀";
+const char* const no_terminal = "there is no terminal: mount /dev/pts";
 
 /// The lines that hold a part of the picture, each as its count of half blocks.
 std::vector<int> picture_rows(const std::string& screen) {
@@ -52,6 +53,7 @@ class Terminal : public Client {
 };
 
 TEST_F(Terminal, small_picture_is_shown_pixel_by_pixel) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string screen = shown({"render", scene_}, 80, 24);
   EXPECT_EQ(picture_rows(screen), std::vector<int>(6, 16)) << "16 x 12 pixels are 6 lines of 16";
   // The corner is the background, above and below.
@@ -60,6 +62,7 @@ TEST_F(Terminal, small_picture_is_shown_pixel_by_pixel) {
 }
 
 TEST_F(Terminal, large_picture_fits_the_window) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   for (const auto& [columns, rows] :
        std::vector<std::pair<int, int>>{{80, 24}, {40, 50}, {200, 12}}) {
     const std::vector<int> picture =
@@ -75,6 +78,7 @@ TEST_F(Terminal, large_picture_fits_the_window) {
 }
 
 TEST_F(Terminal, no_bytes_of_an_image_file_reach_it) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string screen = shown({"render", scene_}, 80, 24);
   EXPECT_EQ(screen.find("PNG"), std::string::npos);
   EXPECT_EQ(screen.find("P6"), std::string::npos);
@@ -82,17 +86,20 @@ TEST_F(Terminal, no_bytes_of_an_image_file_reach_it) {
 }
 
 TEST_F(Terminal, what_came_of_it_is_said_below_the_picture) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string screen = shown({"render", scene_}, 80, 24);
   EXPECT_GT(screen.find("16 x 12"), screen.rfind(half_block)) << screen;
 }
 
 TEST_F(Terminal, picture_in_a_file_is_not_shown_too) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string screen = shown({"render", scene_, "-o", folder_ / "image.png"}, 80, 24);
   EXPECT_EQ(screen.find(half_block), std::string::npos);
   EXPECT_FALSE(read_file(folder_ / "image.png").empty());
 }
 
 TEST_F(Terminal, long_render_shows_a_bar_that_grows_and_goes) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string image = folder_ / "image.png";
   // By time, so that it is long enough however fast the engine is.
   const std::string screen = shown(
@@ -112,6 +119,7 @@ TEST_F(Terminal, long_render_shows_a_bar_that_grows_and_goes) {
 }
 
 TEST_F(Terminal, bar_fits_a_narrow_window) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   PseudoTerminal terminal(client_command({"render", folder_.write("long.json", endless_scene()),
                                           "-o", folder_ / "image.png"},
                                          "", {{"RAYTRACER_SERVER", server().url()}}),
@@ -137,6 +145,7 @@ TEST_F(Terminal, without_one_there_is_no_bar) {
 }
 
 TEST_F(Terminal, dumb_one_gets_no_control_sequences) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   PseudoTerminal terminal(
       client_command({"scenes"}, "", {{"RAYTRACER_SERVER", server().url()}, {"TERM", "dumb"}}), 80,
       24);

@@ -14,6 +14,13 @@
 
 namespace raytracer::test {
 
+bool PseudoTerminal::is_available() {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+  const bool available = terminal >= 0 && ::grantpt(terminal) == 0 && ::unlockpt(terminal) == 0;
+  if (terminal >= 0) ::close(terminal);
+  return available;
+}
+
 PseudoTerminal::PseudoTerminal(const Command& command, int columns, int rows)
     : master_(::posix_openpt(O_RDWR | O_NOCTTY)) {
   if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0)

@@ -15,6 +15,8 @@ class PseudoTerminal {
   /// Starts the program with the terminal as standard input, output, error and controlling
   /// terminal. Throws std::runtime_error if the system has no terminal left.
   PseudoTerminal(const Command& command, int columns, int rows);
+  /// Whether this system has pseudo-terminals: a chroot without /dev/pts has none.
+  static bool is_available();
   /// Kills the program if it still runs.
   ~PseudoTerminal();
   PseudoTerminal(const PseudoTerminal&) = delete;

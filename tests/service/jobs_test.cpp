@@ -97,6 +97,7 @@ TEST_F(Jobs, progress_grows) {
 TEST_F(Jobs, deleted_job_stops_and_makes_room) {
   const ServerProcess full({"--threads", "1", "--max-queue", "0"});
   std::vector<std::string> paths;
+  paths.reserve(4);
   for (int i = 0; i < 4; ++i)
     paths.push_back(test::post(full, "/jobs", endless_scene()).get_header_value("Location"));
   EXPECT_EQ(test::get(full, "/readyz").status, 503);

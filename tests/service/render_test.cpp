@@ -40,7 +40,7 @@ TEST_F(Render, posted_scene_becomes_its_picture) {
   EXPECT_EQ(picture.rgb[0], 26);   // floor(255 * 0.1 + 1/2)
   EXPECT_EQ(picture.rgb[1], 51);   // floor(255 * 0.2 + 1/2)
   EXPECT_EQ(picture.rgb[2], 204);  // floor(255 * 0.8 + 1/2)
-  const std::size_t middle = 3 * (4 * 12 + 6);
+  constexpr std::size_t middle = 3UL * (4 * 12 + 6);
   EXPECT_GT(picture.rgb[middle], 2 * picture.rgb[middle + 2]);
 }
 

@@ -95,8 +95,8 @@ TEST_F(Routing, field_name_with_a_space_is_refused) {
 }
 
 TEST_F(Routing, silent_connections_do_not_keep_others_waiting) {
-  std::vector<std::unique_ptr<RawConnection>> silent;
-  for (int i = 0; i < 60; ++i) silent.push_back(std::make_unique<RawConnection>(server().port()));
+  std::vector<std::unique_ptr<RawConnection>> silent(60);
+  for (auto& connection : silent) connection = std::make_unique<RawConnection>(server().port());
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ(get("/healthz").status, 200);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, patience(2s));

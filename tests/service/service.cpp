@@ -6,7 +6,7 @@
 
 namespace raytracer::test {
 
-std::unique_ptr<ServerProcess> Service::server_;
+std::unique_ptr<ServerProcess> Service::shared_server;
 
 Answer request(const ServerProcess& server, const std::string& method, const std::string& target,
                const Headers& headers, const std::string& body) {
@@ -36,7 +36,7 @@ Answer post(const ServerProcess& server, const std::string& target, const std::s
 }
 
 nlohmann::json json_of(const Answer& answer) {
-  const auto json = nlohmann::json::parse(answer.body, nullptr, false);
+  auto json = nlohmann::json::parse(answer.body, nullptr, false);
   if (!json.is_discarded()) return json;
   ADD_FAILURE() << "not JSON: " << answer.body.substr(0, 500);
   return nullptr;

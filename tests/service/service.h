@@ -39,23 +39,23 @@ std::string errors_of(const Answer& answer);
 /// One server for all tests of a suite.
 class Service : public testing::Test {
  protected:
-  static void SetUpTestSuite() { server_ = std::make_unique<ServerProcess>(); }
-  static void TearDownTestSuite() { server_.reset(); }
+  static void SetUpTestSuite() { shared_server = std::make_unique<ServerProcess>(); }
+  static void TearDownTestSuite() { shared_server.reset(); }
 
   static Answer get(const std::string& target, const Headers& headers = {}) {
-    return test::get(*server_, target, headers);
+    return test::get(*shared_server, target, headers);
   }
   static Answer post(const std::string& target, const std::string& body, Headers headers = {}) {
-    return test::post(*server_, target, body, std::move(headers));
+    return test::post(*shared_server, target, body, std::move(headers));
   }
   static Answer request(const std::string& method, const std::string& target,
                         const Headers& headers = {}, const std::string& body = {}) {
-    return test::request(*server_, method, target, headers, body);
+    return test::request(*shared_server, method, target, headers, body);
   }
-  static const ServerProcess& server() { return *server_; }
+  static const ServerProcess& server() { return *shared_server; }
 
  private:
-  static std::unique_ptr<ServerProcess> server_;
+  static std::unique_ptr<ServerProcess> shared_server;
 };
 
 }  // namespace raytracer::test

@@ -68,7 +68,7 @@ TEST(Start, wrong_flags_are_refused_with_their_name_and_range) {
       {"--max-queue", "-1"},   {"--token", ""},       {"--token", "two words"},
       {"--host", ""}};
   for (const auto& [flag, value] : table) {
-    SCOPED_TRACE(flag + " " + value);
+    SCOPED_TRACE(testing::PrintToString(std::pair(flag, value)));
     expect_refusal(run_server({flag, value}), flag);
   }
   expect_refusal(run_server({"--prot", "0"}), "--prot");

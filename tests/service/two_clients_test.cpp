@@ -20,9 +20,11 @@ class TwoClients : public Service {};
 
 TEST_F(TwoClients, each_gets_its_own_picture) {
   std::vector<std::string> expected;
+  expected.reserve(8);
   for (int i = 0; i < 8; ++i) expected.push_back(post("/render", square_scene(60 + i, 2)).body);
   std::atomic<int> right{0};
   std::vector<std::thread> clients;
+  clients.reserve(8);
   for (int i = 0; i < 8; ++i)
     clients.emplace_back([&, i] {
       for (int round = 0; round < 3; ++round) {
@@ -62,6 +64,7 @@ TEST_F(TwoClients, wrong_request_changes_no_other_answer) {
 TEST_F(TwoClients, burst_of_clients_is_answered) {
   std::atomic<int> answered{0};
   std::vector<std::thread> clients;
+  clients.reserve(60);
   for (int i = 0; i < 60; ++i)
     clients.emplace_back([&] { answered += get("/healthz").status == 200; });
   for (std::thread& client : clients) client.join();

@@ -104,11 +104,10 @@ TEST(Layers, client_links_neither_engine_nor_server) {
 }
 
 TEST(Layers, includes_name_files_from_the_root) {
-  const std::string root = RAYTRACER_SOURCE_DIR;
+  const std::filesystem::path root = RAYTRACER_SOURCE_DIR;
   for (const SourceFile& file : source_files({"engine", "server", "client", "tests"}))
     for (const std::string& include : file.own_includes())
-      EXPECT_TRUE(std::filesystem::exists(root + "/" + include))
-          << file.path << " includes " << include;
+      EXPECT_TRUE(std::filesystem::exists(root / include)) << file.path << " includes " << include;
 }
 
 }  // namespace
