@@ -101,9 +101,8 @@ ScreenBins build_screen_bins(const View& view, const std::vector<PackedSphere>& 
             static_cast<float>((length(sphere.center) - sphere.radius) * (1 - 1e-6));
         for (int row = parts.y_begin / 4; row <= (parts.y_end - 1) / 4; ++row)
           for (int column = parts.x_begin / 4; column <= (parts.x_end - 1) / 4; ++column)
-            emit(
-                static_cast<std::size_t>(row * bins.block_columns + column),
-                ScreenEntry{nearest, static_cast<std::uint32_t>(i), part_mask(parts, column, row)});
+            emit(bins.index(column, row), ScreenEntry{nearest, static_cast<std::uint32_t>(i),
+                                                      part_mask(parts, column, row)});
       });
   sort_bins(
       bins.spheres, pool,

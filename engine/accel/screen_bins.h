@@ -28,11 +28,17 @@ struct ScreenBins {
   int block_columns = 0;
   Binned<ScreenEntry> spheres;
 
+  /// The bin of the block at (column, row).
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(block_columns) +
+           static_cast<std::size_t>(column);
+  }
+
   /// The spheres of the block at (column, row), nearest first.
   std::span<const ScreenEntry> block(int column, int row) const {
-    const auto index = static_cast<std::size_t>(row * block_columns + column);
-    const std::uint32_t begin = spheres.begins[index];
-    return std::span(spheres.entries).subspan(begin, spheres.begins[index + 1] - begin);
+    const std::uint32_t begin = spheres.begins[index(column, row)];
+    const std::uint32_t end = spheres.begins[index(column, row) + 1];
+    return std::span(spheres.entries).subspan(begin, end - begin);
   }
 };
 

@@ -27,8 +27,10 @@ std::optional<LongWalkHit> finish_walk(const LongWalk& walk) {
   const auto hit = intersect_square(ray, square);
   if (!hit) return {};
   const auto part = static_cast<std::int64_t>(hit->part);
-  return LongWalkHit{hit->sphere.t, walk.low_first + static_cast<double>(part / side),
-                     walk.low_second + static_cast<double>(part % side)};
+  const std::int64_t first = part / side;
+  const std::int64_t second = part % side;
+  return LongWalkHit{hit->sphere.t, walk.low_first + static_cast<double>(first),
+                     walk.low_second + static_cast<double>(second)};
 }
 
 }  // namespace raytracer
