@@ -223,6 +223,10 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
         repeated = !seen.insert(string_of(i)).second;
       }
       if (!repeated) continue;
+      if (document_.errors.is_full()) {
+        document_.errors.add_unlisted();
+        continue;
+      }
       open_.back().key = i;
       complain(fmt::format("\"{}\" stands twice in the same object; keep one", string_of(i)));
     }

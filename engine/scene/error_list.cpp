@@ -8,7 +8,7 @@ namespace raytracer {
 
 void ErrorList::add(ErrorKind kind, const Path& path, std::string detail) {
   ++count_;
-  if (errors_.size() == most_errors) return;
+  if (is_full()) return;
   const std::size_t bytes = path.pointer_size() + detail.size();
   if (bytes > most_bytes - bytes_) return;
   bytes_ += bytes;

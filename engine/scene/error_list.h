@@ -20,6 +20,10 @@ class ErrorList {
 
   bool empty() const { return count_ == 0; }
 
+  /// Whether the list is closed: what is added only counts, and may as well be added in short.
+  bool is_full() const { return errors_.size() == most_errors; }
+  void add_unlisted() { ++count_; }
+
   /// The errors in the order found; a last one says how many more there were.
   std::vector<Error> take() &&;
 
