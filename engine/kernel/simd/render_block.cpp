@@ -206,7 +206,8 @@ LaneOffsets<T> lane_offsets(D) {
   LaneOffsets<T> offsets{};
   for (int lane = 0; lane < Shape::lanes; ++lane) {
     offsets.x[lane] = static_cast<T>(lane % Shape::width);
-    offsets.y[lane] = static_cast<T>(lane / Shape::width);
+    const int row = lane / Shape::width;
+    offsets.y[lane] = static_cast<T>(row);
   }
   return offsets;
 }
