@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -85,7 +86,7 @@ void print_table(const Scene& scene) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   if (argc != 2 && argc != 4) {
     std::cerr << "usage: error_against_samples SCENE.json [WIDTH HEIGHT]\n";
     return 1;
@@ -105,4 +106,7 @@ int main(int argc, char** argv) {
   }
   print_table(scene.value());
   return 0;
+} catch (const std::exception& error) {
+  std::cerr << "error_against_samples: " << error.what() << '\n';
+  return 1;
 }
