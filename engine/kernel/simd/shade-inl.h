@@ -13,6 +13,7 @@
 
 #include "engine/kernel/simd/packet-inl.h"
 #include "engine/kernel/simd/rays-inl.h"
+#include "engine/kernel/simd/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -21,12 +22,6 @@ namespace HWY_NAMESPACE {
 /// What stands nearer than this share of a point light's distance hides the light.
 template <typename T>
 inline constexpr T nearer_than_light = 1 - 4096 * std::numeric_limits<T>::epsilon();
-
-/// Each lane's row of a column of the surface table.
-template <class D, class VI, typename T = hn::TFromD<D>>
-HWY_INLINE hn::Vec<D> column(D d, const std::vector<T>& values, VI rows) {
-  return hn::GatherIndex(d, values.data(), rows);
-}
 
 /// x^exponent for x in [0, 1], by squaring; 0^0 = 1.
 template <class D, class V = hn::Vec<D>>

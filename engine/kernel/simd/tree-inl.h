@@ -13,8 +13,8 @@
 
 #include <limits>
 
-#include "engine/kernel/simd/packet-inl.h"
-#include "engine/kernel/simd/simd_scene.h"
+#include "engine/kernel/simd/flat-inl.h"
+#include "engine/kernel/simd/sphere-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -84,45 +84,58 @@ HWY_INLINE void walk_tree(D d, const SimdTree<T>& tree, const V3<V>& origin, con
   }
 }
 
-/// The lanes' planes across their rays (see across() in engine/math/vec.h).
-template <class V>
-struct AcrossPacket {
-  V3<V> u;
-  V3<V> v;
-};
-
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE AcrossPacket<V> across_packet(D d, const V3<V>& w) {
-  const V one = hn::Set(d, hn::TFromD<D>(1));
-  const V sign = hn::CopySign(one, w.z);
-  const V a = hn::Neg(hn::Div(one, hn::Add(sign, w.z)));
-  const V b = hn::Mul(hn::Mul(w.x, w.y), a);
-  return {{hn::MulAdd(hn::Mul(sign, w.x), hn::Mul(w.x, a), one), hn::Mul(sign, b),
-           hn::Neg(hn::Mul(sign, w.x))},
-          {b, hn::MulAdd(hn::Mul(w.y, w.y), a, sign), hn::Neg(w.y)}};
+/// The packet against the tree's triangles, and its spheres too unless those are found otherwise.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void show_tree(D d, const SimdScene<T>& scene, const Start<V>& from,
+                          const V3<V>& direction, M active, bool with_spheres,
+                          Nearest<V>& nearest) {
+  const auto sphere_count = static_cast<std::uint32_t>(scene.spheres.size());
+  const AcrossPacket<V> plane = across_packet(d, direction);
+  walk_tree(
+      d, scene.tree, from.point, direction, active, nearest.t,
+      [&](std::uint32_t begin, std::uint32_t end) HWY_ATTR {
+        for (std::uint32_t i = begin; i < end; ++i) {
+          const std::uint32_t primitive = scene.tree.order[i];
+          if (primitive >= sphere_count) {
+            const SimdTriangle<T>& triangle = scene.triangles[primitive - sphere_count];
+            V t;
+            const M hit = meets_triangle(d, triangle, from, direction, plane, active, t);
+            const V id = hn::Set(d, static_cast<T>(triangle.plane.id));
+            take(nearest, is_nearer(nearest, t, id, hit), t, id);
+          } else if (with_spheres) {
+            show_sphere(d, scene.spheres[primitive], from, direction, active, nearest);
+          }
+        }
+      },
+      []() HWY_ATTR { return false; });
 }
 
-/// Lanes whose rays pass through the triangle, as intersect_triangle() in engine/kernel/flat.h
-/// decides it. The products are not fused: that could make their difference's sign wrong.
+/// Lanes of `lit` from which something in the tree stands before the light.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M passes_through(D d, const SimdTriangle<T>& triangle, const V3<V>& origin,
-                            const AcrossPacket<V>& plane) {
-  const V3<V> a = sub(broadcast(d, triangle.a), origin);
-  const V3<V> b = sub(broadcast(d, triangle.b), origin);
-  const V3<V> c = sub(broadcast(d, triangle.c), origin);
-  const V a_u = dot(plane.u, a);
-  const V a_v = dot(plane.v, a);
-  const V b_u = dot(plane.u, b);
-  const V b_v = dot(plane.v, b);
-  const V c_u = dot(plane.u, c);
-  const V c_v = dot(plane.v, c);
-  const V ab = hn::Sub(hn::Mul(a_u, b_v), hn::Mul(a_v, b_u));
-  const V bc = hn::Sub(hn::Mul(b_u, c_v), hn::Mul(b_v, c_u));
-  const V ca = hn::Sub(hn::Mul(c_u, a_v), hn::Mul(c_v, a_u));
-  const V least = hn::Min(hn::Min(ab, bc), ca);
-  const V most = hn::Max(hn::Max(ab, bc), ca);
-  const V zero = hn::Zero(d);
-  return hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
+HWY_INLINE M occluded_in_tree(D d, const SimdScene<T>& scene, const SimdLight<T>& light,
+                              const Start<V>& from, const V3<V>& towards, V distance, M lit) {
+  const auto sphere_count = static_cast<std::uint32_t>(scene.spheres.size());
+  const bool with_spheres = !scene.has_light_grids;
+  M dark = hn::Lt(distance, hn::Zero(d));
+  const AcrossPacket<V> plane = across_packet(d, towards);
+  walk_tree(
+      d, scene.tree, from.point, towards, lit, distance,
+      [&](std::uint32_t begin, std::uint32_t end) HWY_ATTR {
+        for (std::uint32_t i = begin; i < end; ++i) {
+          const std::uint32_t primitive = scene.tree.order[i];
+          if (primitive >= sphere_count) {
+            V t;
+            const M hit = meets_triangle(d, scene.triangles[primitive - sphere_count], from,
+                                         towards, plane, lit, t);
+            dark = hn::Or(dark, hn::And(hit, hn::Lt(t, distance)));
+          } else if (with_spheres) {
+            dark = hn::Or(dark, occluded_by(d, scene.spheres[primitive], light, from, towards,
+                                            distance, lit));
+          }
+        }
+      },
+      [&]() HWY_ATTR { return hn::AllTrue(d, hn::Or(dark, hn::Not(lit))); });
+  return dark;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,0 +1,107 @@
+// A packet against a plane or a triangle.
+
+#if defined(RAYTRACER_KERNEL_SIMD_FLAT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_KERNEL_SIMD_FLAT_INL_H_
+#undef RAYTRACER_KERNEL_SIMD_FLAT_INL_H_
+#else
+#define RAYTRACER_KERNEL_SIMD_FLAT_INL_H_
+#endif
+
+#include <limits>
+
+#include "engine/kernel/simd/hit-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// How far from a plane a point may be for its distance to be rounding alone.
+template <typename T>
+inline constexpr T plane_noise = 16 * std::numeric_limits<T>::epsilon();
+
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M meets_plane(D d, const SimdPlane<T>& plane, const Start<V>& from,
+                         const V3<V>& direction, V& t) {
+  const V3<V> normal = broadcast(d, plane.normal);
+  const V height = hn::Set(d, plane.height);
+  const V rest = hn::Sub(height, dot(normal, from.point));
+  const V noise =
+      hn::Mul(hn::Set(d, plane_noise<T>), hn::Add(hn::Abs(height), hn::Abs(hn::Sub(height, rest))));
+  t = hn::Div(rest, dot(normal, direction));
+  const M other = hn::Ne(from.id, hn::Set(d, static_cast<T>(plane.id)));
+  const M apart = hn::Gt(hn::Abs(rest), noise);
+  const M ahead =
+      hn::And(hn::Gt(t, hn::Zero(d)), hn::Lt(t, hn::Set(d, std::numeric_limits<T>::max())));
+  return hn::And(hn::And(other, apart), ahead);
+}
+
+/// The lanes' planes across their rays (see across() in engine/math/vec.h).
+template <class V>
+struct AcrossPacket {
+  V3<V> u;
+  V3<V> v;
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE AcrossPacket<V> across_packet(D d, const V3<V>& w) {
+  const V one = hn::Set(d, hn::TFromD<D>(1));
+  const V sign = hn::CopySign(one, w.z);
+  const V a = hn::Neg(hn::Div(one, hn::Add(sign, w.z)));
+  const V b = hn::Mul(hn::Mul(w.x, w.y), a);
+  return {{hn::MulAdd(hn::Mul(sign, w.x), hn::Mul(w.x, a), one), hn::Mul(sign, b),
+           hn::Neg(hn::Mul(sign, w.x))},
+          {b, hn::MulAdd(hn::Mul(w.y, w.y), a, sign), hn::Neg(w.y)}};
+}
+
+/// Lanes whose rays pass through the triangle, as intersect_triangle() in engine/kernel/flat.h
+/// decides it. The products are not fused: that could make their difference's sign wrong.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M passes_through(D d, const SimdTriangle<T>& triangle, const V3<V>& origin,
+                            const AcrossPacket<V>& plane) {
+  const V3<V> a = sub(broadcast(d, triangle.a), origin);
+  const V3<V> b = sub(broadcast(d, triangle.b), origin);
+  const V3<V> c = sub(broadcast(d, triangle.c), origin);
+  const V a_u = dot(plane.u, a);
+  const V a_v = dot(plane.v, a);
+  const V b_u = dot(plane.u, b);
+  const V b_v = dot(plane.v, b);
+  const V c_u = dot(plane.u, c);
+  const V c_v = dot(plane.v, c);
+  const V ab = hn::Sub(hn::Mul(a_u, b_v), hn::Mul(a_v, b_u));
+  const V bc = hn::Sub(hn::Mul(b_u, c_v), hn::Mul(b_v, c_u));
+  const V ca = hn::Sub(hn::Mul(c_u, a_v), hn::Mul(c_v, a_u));
+  const V least = hn::Min(hn::Min(ab, bc), ca);
+  const V most = hn::Max(hn::Max(ab, bc), ca);
+  const V zero = hn::Zero(d);
+  return hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
+}
+
+/// Distances to a triangle. What lies wholly on or under the tangent plane that a ray leaves
+/// cannot be met by it: that settles the triangle itself and its coplanar neighbours by their
+/// exact corners, not by the rounded point.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M meets_triangle(D d, const SimdTriangle<T>& triangle, const Start<V>& from,
+                            const V3<V>& direction, const AcrossPacket<V>& plane, M active, V& t) {
+  M hit = hn::And(active, passes_through(d, triangle, from.point, plane));
+  t = hn::Zero(d);
+  if (hn::AllFalse(d, hit)) return hit;
+  hit = hn::And(hit, meets_plane(d, triangle.plane, from, direction, t));
+  const V reach =
+      hn::Add(hn::Max(hn::Abs(from.point.x), hn::Abs(from.point.y)), hn::Abs(from.point.z));
+  M above = hn::Lt(from.id, hn::Zero(d));  // nothing is under the eye
+  for (const Triple<T>* corner : {&triangle.a, &triangle.b, &triangle.c}) {
+    const V3<V> to_corner = sub(broadcast(d, *corner), from.point);
+    const V size = hn::Set(d, (corner->x < 0 ? -corner->x : corner->x) +
+                                  (corner->y < 0 ? -corner->y : corner->y) +
+                                  (corner->z < 0 ? -corner->z : corner->z));
+    const V noise = hn::Mul(hn::Set(d, plane_noise<T>), hn::Add(size, reach));
+    above = hn::Or(above, hn::Gt(dot(from.normal, to_corner), noise));
+  }
+  return hn::And(hit, above);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

@@ -1,0 +1,91 @@
+// A packet against one sphere after another.
+
+#if defined(RAYTRACER_KERNEL_SIMD_SPHERE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_KERNEL_SIMD_SPHERE_INL_H_
+#undef RAYTRACER_KERNEL_SIMD_SPHERE_INL_H_
+#else
+#define RAYTRACER_KERNEL_SIMD_SPHERE_INL_H_
+#endif
+
+#include <span>
+
+#include "engine/kernel/simd/hit-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// Rays from the eye, in one of the 4 x 4 parts of a block, against the block's spheres: near to
+/// far, until the next one is farther than all that is seen already.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void show_spheres_to_eye(D d, const SimdScene<T>& scene,
+                                    std::span<const ScreenEntry> entries, int part,
+                                    const V3<V>& direction, M active, Nearest<V>& nearest) {
+  const V zero = hn::Zero(d);
+  float t_max = farthest(d, nearest, active);
+  for (const ScreenEntry& entry : entries) {
+    if (entry.nearest > t_max) return;
+    if ((entry.parts >> part & 1) == 0) continue;
+    const SimdSphere<T>& sphere = scene.spheres[entry.sphere];
+    const V3<V> center = broadcast(d, sphere.center);
+    const V b = dot(center, direction);
+    const V3<V> l{hn::MulSub(direction.x, b, center.x), hn::MulSub(direction.y, b, center.y),
+                  hn::MulSub(direction.z, b, center.z)};
+    const V discriminant = hn::Sub(hn::Set(d, sphere.radius2), dot(l, l));
+    const M hit = hn::And(hn::Ge(discriminant, zero), hn::Gt(b, zero));
+    if (hn::AllFalse(d, hit)) continue;
+    const V t =
+        hn::Div(hn::Set(d, sphere.eye_c), hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
+    const V id = hn::Set(d, static_cast<T>(sphere.id));
+    take(nearest, is_nearer(nearest, t, id, hit), t, id);
+    t_max = farthest(d, nearest, active);
+  }
+}
+
+/// Distances to a sphere from anywhere outside of it; lanes that leave it do not meet it.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M meets_sphere(D d, const SimdSphere<T>& sphere, const Start<V>& from,
+                          const V3<V>& direction, V& b, V& discriminant, V& c) {
+  const V zero = hn::Zero(d);
+  const V3<V> f = sub(from.point, broadcast(d, sphere.center));
+  b = hn::Neg(dot(f, direction));
+  const V3<V> l = mul_add(direction, b, f);
+  const V radius2 = hn::Set(d, sphere.radius2);
+  discriminant = hn::Sub(radius2, dot(l, l));
+  c = hn::Max(hn::Sub(dot(f, f), radius2), zero);
+  const M other = hn::Ne(from.id, hn::Set(d, static_cast<T>(sphere.id)));
+  return hn::And(other, hn::And(hn::Ge(discriminant, zero), hn::Gt(b, zero)));
+}
+
+/// The packet against one sphere.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void show_sphere(D d, const SimdSphere<T>& sphere, const Start<V>& from,
+                            const V3<V>& direction, M active, Nearest<V>& nearest) {
+  V b;
+  V discriminant;
+  V c;
+  const M hit = hn::And(active, meets_sphere(d, sphere, from, direction, b, discriminant, c));
+  if (hn::AllFalse(d, hit)) return;
+  const V t = hn::Div(c, hn::Add(b, hn::Sqrt(hn::Max(discriminant, hn::Zero(d)))));
+  const V id = hn::Set(d, static_cast<T>(sphere.id));
+  take(nearest, is_nearer(nearest, t, id, hit), t, id);
+}
+
+/// Lanes of `lit` from which the sphere stands before the light.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by(D d, const SimdSphere<T>& sphere, const SimdLight<T>& light,
+                         const Start<V>& from, const V3<V>& towards, V distance, M lit) {
+  V b;
+  V discriminant;
+  V c;
+  const M hit = hn::And(lit, meets_sphere(d, sphere, from, towards, b, discriminant, c));
+  if (light.is_distant || hn::AllFalse(d, hit)) return hit;
+  const V t = hn::Div(c, hn::Add(b, hn::Sqrt(hn::Max(discriminant, hn::Zero(d)))));
+  return hn::And(hit, hn::Lt(t, distance));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target
