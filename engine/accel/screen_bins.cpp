@@ -2,25 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "engine/accel/box.h"
+#include "engine/accel/projection.h"
 
 namespace raytracer {
 namespace {
-
-struct Slopes {
-  double low;
-  double high;
-};
-
-/// The range of x / z over a circle around (x, z) in the plane, seen from the origin; all slopes
-/// where the circle is not wholly in front of it.
-Slopes slopes_of_circle(double x, double z, double r) {
-  constexpr double all = std::numeric_limits<double>::infinity();
-  if (z <= r) return {-all, all};
-  const double root = r * std::sqrt(std::max(x * x + z * z - r * r, 0.0));
-  const double denominator = (z - r) * (z + r);
-  return {(x * z - root) / denominator, (x * z + root) / denominator};
-}
 
 /// Whole blocks or parts of blocks: begin <= index < end.
 struct IndexRectangle {
@@ -56,45 +43,34 @@ std::uint16_t part_mask(const IndexRectangle& parts, int column, int row) {
   return static_cast<std::uint16_t>(mask);
 }
 
-}  // namespace
-
-PixelRectangle project_sphere(const View& view, const Vec3& center, double radius) {
-  // The view's vectors carry the field of view: a point's slopes in units of half the image.
-  const double forward_scale = length(view.forward);
-  const double right_scale = length(view.right);
-  const double up_scale = length(view.up);
-  const double z = dot(center, view.forward) / forward_scale;
-  const double x = dot(center, view.right) / right_scale;
-  const double y = dot(center, view.up) / up_scale;
-  if (z < -radius) return {0, 0, 0, 0};
-  const Slopes horizontal = slopes_of_circle(x, z, radius);
-  const Slopes vertical = slopes_of_circle(y, z, radius);
-  constexpr double generosity_px = 0.01;
-  const auto column = [&](double slope) {
-    return (slope * forward_scale / right_scale + 1) * 0.5 * view.width;
-  };
-  const auto row = [&](double slope) {
-    return (1 - slope * forward_scale / up_scale) * 0.5 * view.height;
-  };
-  return {column(horizontal.low) - generosity_px, row(vertical.high) - generosity_px,
-          column(horizontal.high) + generosity_px, row(vertical.low) + generosity_px};
+/// The space that holds a square's spheres.
+Box bound(const PackedSquare& square) {
+  const double half = square.radius * static_cast<double>(square.side);
+  const auto reach = [&](int axis) { return axis == square.across ? square.radius : half; };
+  const Vec3 extent{reach(0), reach(1), reach(2)};
+  return Box{square.center - extent, square.center + extent}.padded(0);
 }
 
+}  // namespace
+
 ScreenBins build_screen_bins(const View& view, const std::vector<PackedSphere>& spheres,
-                             int block_side, WorkerPool& pool) {
+                             const std::vector<PackedSquare>& squares, int block_side,
+                             WorkerPool& pool) {
   ScreenBins bins;
   bins.block_columns = (view.width + block_side - 1) / block_side;
   const int block_rows = (view.height + block_side - 1) / block_side;
   const auto block_count =
       static_cast<std::size_t>(bins.block_columns) * static_cast<std::size_t>(block_rows);
-  const int part_side = block_side / 4;
+  const auto parts_touched = [&](const PixelRectangle& pixels) {
+    return squares_touched(pixels, block_side / 4, 4 * bins.block_columns, 4 * block_rows);
+  };
+  const Projection projection(view);
 
   bins.spheres =
       sort_into_bins<ScreenEntry>(spheres.size(), block_count, pool, [&](std::size_t i, auto emit) {
         const PackedSphere& sphere = spheres[i];
         const IndexRectangle parts =
-            squares_touched(project_sphere(view, sphere.center, sphere.radius), part_side,
-                            4 * bins.block_columns, 4 * block_rows);
+            parts_touched(projection.of_sphere(sphere.center, sphere.radius));
         if (parts.empty()) return;
         // Rounded down: by more than the rounding of the distance and of the cast.
         const auto nearest =
@@ -108,6 +84,15 @@ ScreenBins build_screen_bins(const View& view, const std::vector<PackedSphere>& 
       bins.spheres, pool,
       [](const ScreenEntry& a, const ScreenEntry& b) { return a.nearest < b.nearest; },
       [](std::size_t, std::size_t) {});
+
+  if (!squares.empty()) bins.squares.assign(block_count, 0);
+  for (const PackedSquare& square : squares) {
+    const IndexRectangle parts = parts_touched(projection.of_box(bound(square)));
+    if (parts.empty()) continue;
+    for (int row = parts.y_begin / 4; row <= (parts.y_end - 1) / 4; ++row)
+      for (int column = parts.x_begin / 4; column <= (parts.x_end - 1) / 4; ++column)
+        bins.squares[bins.index(column, row)] |= part_mask(parts, column, row);
+  }
   return bins;
 }
 

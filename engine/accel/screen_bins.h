@@ -27,11 +27,17 @@ struct ScreenEntry {
 struct ScreenBins {
   int block_columns = 0;
   Binned<ScreenEntry> spheres;
+  std::vector<std::uint16_t> squares;  ///< the parts of each block that may show a square
 
   /// The bin of the block at (column, row).
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(block_columns) +
            static_cast<std::size_t>(column);
+  }
+
+  /// The parts of the block at (column, row) that may show a square, as ScreenEntry::parts.
+  std::uint16_t square_parts(int column, int row) const {
+    return squares.empty() ? 0 : squares[index(column, row)];
   }
 
   /// The spheres of the block at (column, row), nearest first.
@@ -42,19 +48,9 @@ struct ScreenBins {
   }
 };
 
-/// A rectangle of the image in pixels, y from the top down; empty if begin >= end.
-struct PixelRectangle {
-  double x_begin;
-  double y_begin;
-  double x_end;
-  double y_end;
-};
-
-/// Where a sphere's silhouette may lie, a little generously. For an eye outside of the sphere.
-PixelRectangle project_sphere(const View& view, const Vec3& center, double radius);
-
 /// Uses the pool's threads. `block_side` is in pixels, a multiple of 4.
 ScreenBins build_screen_bins(const View& view, const std::vector<PackedSphere>& spheres,
-                             int block_side, WorkerPool& pool);
+                             const std::vector<PackedSquare>& squares, int block_side,
+                             WorkerPool& pool);
 
 }  // namespace raytracer

@@ -4,15 +4,18 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/image/pixel_allocator.h"
+
 namespace raytracer {
 
 /// width x height pixels of three floats in [0, 1], row 0 on top.
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<float> values;  ///< 3 * width * height: red, green, blue
+  std::vector<float, PixelAllocator<float>> values;  ///< 3 * width * height: red, green, blue
 
   Image() = default;
+  /// The values are not set.
   Image(int width_px, int height_px)
       : width(width_px),
         height(height_px),

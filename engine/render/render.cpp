@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/image/tile.h"
 #include "engine/plan/plan.h"
-#include "engine/render/tile.h"
 #include "engine/render/tracer.h"
 #include "engine/sample/contract.h"
 #include "engine/sample/pattern.h"
@@ -14,7 +14,18 @@
 namespace raytracer {
 namespace {
 
-constexpr int tile_side_px = 32;
+/// As large as leaves each thread enough tiles to share the work evenly: a tile costs a lock.
+int tile_side_px(int width, int height, std::size_t thread_count) {
+  constexpr double tiles_per_thread = 16;
+  constexpr int largest = 64;
+  constexpr int smallest = 16;
+  const double pixels = static_cast<double>(width) * height;
+  int side = largest;
+  while (side > smallest &&
+         pixels / (side * side) < tiles_per_thread * static_cast<double>(thread_count))
+    side /= 2;
+  return side;
+}
 
 class Stopwatch {
  public:
@@ -47,7 +58,8 @@ struct Tracing {
   std::optional<Image> pass(int samples, bool may_end_early) {
     Image image(width, height);
     const std::vector<SamplePoint> pattern = sample_pattern(samples);
-    const std::vector<Tile> tiles = split_into_tiles(image.width, image.height, tile_side_px);
+    const std::vector<Tile> tiles = split_into_tiles(
+        image.width, image.height, tile_side_px(image.width, image.height, pool.thread_count()));
     std::atomic<bool> stop{progress.stop.load()};
     std::atomic<std::size_t> done{0};
     pool.run(

@@ -43,32 +43,9 @@ void trace(const ReferenceTracer& tracer, const std::vector<SamplePoint>& patter
 }
 
 template <typename T>
-void trace_block(const SimdTracer<T>& tracer, const std::vector<SamplePoint>& pattern,
-                 Transfer transfer, const PixelBlock& block, Image& image) {
-  BlockSums<T> sums{};
-  for (const SamplePoint& sample : pattern)
-    render_block(tracer.scene, block, sample.x, sample.y, tracer.target, sums);
-  const double share = 1 / static_cast<double>(pattern.size());
-  for (int y = 0; y < block.height; ++y) {
-    for (int x = 0; x < block.width; ++x) {
-      const int i = y * block_side + x;
-      const Rgb sum{static_cast<double>(sums.red[i]), static_cast<double>(sums.green[i]),
-                    static_cast<double>(sums.blue[i])};
-      // A mean of singles may exceed 1 by a rounding.
-      store(clamped(sum * share), transfer, image.pixel(block.x_begin + x, block.y_begin + y));
-    }
-  }
-}
-
-template <typename T>
 void trace(const SimdTracer<T>& tracer, const std::vector<SamplePoint>& pattern, Transfer transfer,
            const Tile& tile, Image& image) {
-  for (int y = tile.y_begin; y < tile.y_end; y += block_side)
-    for (int x = tile.x_begin; x < tile.x_end; x += block_side)
-      trace_block(
-          tracer, pattern, transfer,
-          {x, y, std::min(block_side, tile.x_end - x), std::min(block_side, tile.y_end - y)},
-          image);
+  render_tile(tracer.scene, pattern, transfer, tile, tracer.target, image);
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 #include "engine/accel/brute_force.h"
 #include "engine/accel/bvh.h"
 #include "engine/image/image.h"
-#include "engine/kernel/simd/render_block.h"
+#include "engine/image/tile.h"
+#include "engine/kernel/simd/render_tile.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/plan/plan.h"
-#include "engine/render/tile.h"
 #include "engine/sample/pattern.h"
 
 namespace raytracer {

@@ -3,13 +3,9 @@
 
 #include <vector>
 
-namespace raytracer {
+#include "engine/kernel/sample_point.h"
 
-/// A place in a pixel: 0 to 1 to the right and upwards.
-struct SamplePoint {
-  double x;
-  double y;
-};
+namespace raytracer {
 
 /// `count` places, spread evenly: every one of `count` columns and of `count` rows of the pixel
 /// has one. A single sample is at the centre. The same for every pixel.

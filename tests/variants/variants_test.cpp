@@ -169,11 +169,12 @@ TEST(Variants, runsOnTheInstructionSetThatIsAskedFor) {
   const auto sets = supported_instruction_sets();
   ASSERT_FALSE(sets.empty());
   for (const InstructionSet& set : sets) {
-    BlockSums<float> single_sums{};
-    BlockSums<double> double_sums{};
-    EXPECT_EQ(render_block(single, {0, 0, 16, 16}, 0.5, 0.5, set.target, single_sums), set.target)
+    Image image(16, 16);
+    const std::vector<SamplePoint> pattern = sample_pattern(1);
+    const Tile tile{0, 0, image.width, image.height};
+    EXPECT_EQ(render_tile(single, pattern, Transfer::linear, tile, set.target, image), set.target)
         << set.name;
-    EXPECT_EQ(render_block(twice, {0, 0, 16, 16}, 0.5, 0.5, set.target, double_sums), set.target)
+    EXPECT_EQ(render_tile(twice, pattern, Transfer::linear, tile, set.target, image), set.target)
         << set.name;
   }
 }

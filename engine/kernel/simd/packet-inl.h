@@ -71,11 +71,25 @@ HWY_INLINE V3<V> select(M mask, const V3<V>& yes, const V3<V>& no) {
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
+/// 1 / sqrt(a). In single precision on x86 by the processor's estimate of 12 bits or more and one
+/// step of Newton's method: within an ulp or two, in a fraction of the time.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V inverse_root(D d, V a) {
+  using T = hn::TFromD<D>;
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+  if constexpr (sizeof(T) == sizeof(float)) {
+    const V estimate = hn::ApproximateReciprocalSqrt(a);
+    const V error = hn::NegMulAdd(hn::Mul(a, estimate), estimate, hn::Set(d, T(1)));
+    return hn::MulAdd(hn::Mul(hn::Set(d, T(0.5)), estimate), error, estimate);
+  }
+#endif
+  return hn::Div(hn::Set(d, T(1)), hn::Sqrt(a));
+}
+
 /// The lanes' directions; the zero vector gives no number.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V3<V> unit(D d, const V3<V>& a) {
-  const V inverse = hn::Div(hn::Set(d, hn::TFromD<D>(1)), hn::Sqrt(dot(a, a)));
-  return scale(a, inverse);
+  return scale(a, inverse_root(d, dot(a, a)));
 }
 
 /// A zero slope made a tiny one of its sign: no product with its inverse is then other than a

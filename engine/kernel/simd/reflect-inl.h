@@ -8,9 +8,10 @@
 #endif
 
 #include <limits>
+#include <utility>
 
+#include "engine/kernel/simd/block-inl.h"
 #include "engine/kernel/simd/rays-inl.h"
-#include "engine/kernel/simd/render_block.h"
 #include "engine/kernel/simd/shade-inl.h"
 #include "engine/kernel/simd/surface-inl.h"
 
@@ -50,33 +51,31 @@ HWY_INLINE void shade_packet(D d, const SimdScene<T>& scene, const Packet<V>& pa
   const M hit = hn::And(active, hn::Ge(nearest.id, zero));
   colour = broadcast(d, scene.background);
   if (hn::AllFalse(d, hit)) return;
-  const Start<V> surface = surface_at(d, scene, packet.from, packet.direction, nearest);
+  const Surface<D> surface = surface_at(d, scene, packet.from, packet.direction, nearest, hit);
   colour = select(hit, shade(d, scene, surface, negate(packet.direction), hit), colour);
   if (!reflects) return;
 
-  const hn::RebindToSigned<D> di;
-  const auto rows = hn::ConvertTo(di, hn::IfThenElseZero(hit, nearest.id));
-  const auto material = hn::ConvertTo(di, column(d, scene.surfaces.material, rows));
-  const V weight = hn::Mul(packet.weight, column(d, scene.materials.reflectivity, material));
+  const V weight = hn::Mul(packet.weight, surface.material(d, scene.materials.reflectivity));
   const M mirrors = hn::And(hit, hn::Gt(weight, zero));
   if (hn::AllFalse(d, mirrors)) return;
-  const V twice = hn::Mul(hn::Set(d, T(-2)), dot(packet.direction, surface.normal));
-  const V3<V> direction = unit(d, mul_add(surface.normal, twice, packet.direction));
+  const V twice = hn::Mul(hn::Set(d, T(-2)), dot(packet.direction, surface.at.normal));
+  const V3<V> direction = unit(d, mul_add(surface.at.normal, twice, packet.direction));
   const auto keep = [&](V values, T* column_of_block) HWY_ATTR {
-    hn::CompressStore(values, mirrors, d, column_of_block + reflected.count);
+    // Not CompressStore: some processors take a hundred cycles for it.
+    hn::StoreU(hn::Compress(values, mirrors), d, column_of_block + reflected.count);
   };
   keep(direction.x, reflected.direction_x);
   keep(direction.y, reflected.direction_y);
   keep(direction.z, reflected.direction_z);
-  keep(surface.point.x, reflected.point_x);
-  keep(surface.point.y, reflected.point_y);
-  keep(surface.point.z, reflected.point_z);
-  keep(surface.normal.x, reflected.normal_x);
-  keep(surface.normal.y, reflected.normal_y);
-  keep(surface.normal.z, reflected.normal_z);
-  keep(surface.id, reflected.id);
-  keep(surface.first, reflected.first);
-  keep(surface.second, reflected.second);
+  keep(surface.at.point.x, reflected.point_x);
+  keep(surface.at.point.y, reflected.point_y);
+  keep(surface.at.point.z, reflected.point_z);
+  keep(surface.at.normal.x, reflected.normal_x);
+  keep(surface.at.normal.y, reflected.normal_y);
+  keep(surface.at.normal.z, reflected.normal_z);
+  keep(surface.at.id, reflected.id);
+  keep(surface.at.first, reflected.first);
+  keep(surface.at.second, reflected.second);
   keep(weight, reflected.weight);
   keep(packet.pixel, reflected.pixel);
   reflected.count += static_cast<int>(hn::CountTrue(d, mirrors));
@@ -85,7 +84,7 @@ HWY_INLINE void shade_packet(D d, const SimdScene<T>& scene, const Packet<V>& pa
 /// One bounce of a block of reflected rays: adds what they see, returns what they mirror.
 template <typename T>
 void trace_reflected(const SimdScene<T>& scene, const RayBlock<T>& rays, bool reflects,
-                     RayBlock<T>& reflected, BlockSums<T>& sample) {
+                     RayBlock<T>& reflected, BlockColours<T>& colours) {
   const hn::ScalableTag<T> d;
   using V = hn::Vec<decltype(d)>;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -111,7 +110,8 @@ void trace_reflected(const SimdScene<T>& scene, const RayBlock<T>& rays, bool re
     } else {
       show_tree(d, scene, packet.from, packet.direction, active, true, nearest);
     }
-    show_squares_and_planes(d, scene, packet.from, packet.direction, active, nearest);
+    show_planes(d, scene, packet.from, packet.direction, active, nearest);
+    show_squares<true>(d, scene, packet.from, packet.direction, active, nearest);
 
     V3<V> colour;
     shade_packet(d, scene, packet, nearest, active, reflects, reflected, colour);
@@ -121,10 +121,20 @@ void trace_reflected(const SimdScene<T>& scene, const RayBlock<T>& rays, bool re
     hn::Store(hn::Mul(colour.z, packet.weight), d, weighted[2]);
     for (int lane = 0; lane < lanes && i + lane < rays.count; ++lane) {
       const auto pixel = static_cast<std::size_t>(rays.pixel[i + lane]);
-      sample.red[pixel] += weighted[0][lane];
-      sample.green[pixel] += weighted[1][lane];
-      sample.blue[pixel] += weighted[2][lane];
+      colours.red[pixel] += weighted[0][lane];
+      colours.green[pixel] += weighted[1][lane];
+      colours.blue[pixel] += weighted[2][lane];
     }
+  }
+}
+
+/// Follows reflected rays to the scene's depth and adds what they see.
+template <typename T>
+void trace_reflections(const SimdScene<T>& scene, RayBlock<T>& rays, BlockColours<T>& colours) {
+  RayBlock<T> reflected;
+  for (int depth = 1; rays.count > 0; ++depth) {
+    trace_reflected(scene, rays, depth < scene.max_depth, reflected, colours);
+    std::swap(rays, reflected);
   }
 }
 

@@ -52,17 +52,15 @@ HWY_INLINE V power(D d, V versine, V shininess) {
 
 /// The colour of the packet's points, without what they mirror; rubbish in lanes not `active`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Start<V>& point, const V3<V>& view,
+HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Surface<D>& surface, const V3<V>& view,
                        M active) {
-  const hn::RebindToSigned<D> di;
   const MaterialTable<T>& table = scene.materials;
+  const Start<V>& point = surface.at;
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, T(1));
-  const auto surface = hn::ConvertTo(di, hn::IfThenElseZero(active, point.id));
-  const auto rows = hn::ConvertTo(di, column(d, scene.surfaces.material, surface));
-  const V ambient = column(d, table.ambient, rows);
-  const V kd = column(d, table.kd, rows);
-  const V ks = column(d, table.ks, rows);
+  const V ambient = surface.material(d, table.ambient);
+  const V kd = surface.material(d, table.kd);
+  const V ks = surface.material(d, table.ks);
   const V most = hn::Set(d, std::numeric_limits<T>::max() / T(1e6));
   const bool ambient_needs_light = scene.shadows == Shadows::black;
 
@@ -87,7 +85,7 @@ HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Start<V>& point, co
     M lit = hn::And(active, hn::Gt(incidence, zero));
     if (hn::AllFalse(d, lit)) continue;
     if (scene.shadows != Shadows::off) {
-      lit = hn::AndNot(occluded(d, scene, light, point, towards, distance, lit), lit);
+      lit = hn::AndNot(occluded(d, scene, light, point, towards, distance, incidence, lit), lit);
       if (hn::AllFalse(d, lit)) continue;
     }
 
@@ -99,7 +97,7 @@ HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Start<V>& point, co
     } else {
       const V3<V> chord = sub(half, point.normal);
       const V versine = hn::Mul(hn::Set(d, T(0.5)), dot(chord, chord));
-      highlight = power(d, versine, column(d, table.shininess, rows));
+      highlight = power(d, versine, surface.material(d, table.shininess));
     }
     const V share = hn::MulAdd(kd, incidence, hn::Mul(ks, highlight));
     const V base = ambient_needs_light ? ambient : zero;
@@ -107,8 +105,9 @@ HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Start<V>& point, co
     sum.y = hn::Add(sum.y, hn::IfThenElseZero(lit, hn::MulAdd(share, emission.y, base)));
     sum.z = hn::Add(sum.z, hn::IfThenElseZero(lit, hn::MulAdd(share, emission.z, base)));
   }
-  return {hn::Mul(sum.x, column(d, table.red, rows)), hn::Mul(sum.y, column(d, table.green, rows)),
-          hn::Mul(sum.z, column(d, table.blue, rows))};
+  return {hn::Mul(sum.x, surface.material(d, table.red)),
+          hn::Mul(sum.y, surface.material(d, table.green)),
+          hn::Mul(sum.z, surface.material(d, table.blue))};
 }
 
 }  // namespace HWY_NAMESPACE

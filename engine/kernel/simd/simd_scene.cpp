@@ -93,20 +93,19 @@ Stencil<T> make_stencil(const Vec3& towards, const PackedSquare& square) {
   const double first = component(towards, square.first_axis);
   const double second = component(towards, square.second_axis);
   const double across = std::abs(component(towards, square.across));
-  if (across < lowest_slope) return {{}, false};
-  std::vector<std::pair<double, std::array<T, 2>>> by_distance;
+  if (across < lowest_slope) return {{}, 0, false};
+  Stencil<T> stencil{{}, 0, true};
   for (int i = -most_cells; i <= most_cells; ++i) {
     for (int k = -most_cells; k <= most_cells; ++k) {
       if (i == 0 && k == 0) continue;
       const double forward = i * first + k * second;
       const double distance2 = i * i + k * k - forward * forward;
-      if (forward > 0 && distance2 < 1)
-        by_distance.push_back({forward, {static_cast<T>(i), static_cast<T>(k)}});
+      if (!(forward > 0 && distance2 < 1)) continue;
+      stencil.cells.push_back({static_cast<T>(i), static_cast<T>(k), static_cast<T>(i * i + k * k),
+                               static_cast<T>(forward)});
+      stencil.reach = std::max(stencil.reach, static_cast<T>(std::max(std::abs(i), std::abs(k))));
     }
   }
-  std::sort(by_distance.begin(), by_distance.end());
-  Stencil<T> stencil{{}, true};
-  for (const auto& [distance, offset] : by_distance) stencil.offsets.push_back(offset);
   return stencil;
 }
 
@@ -215,7 +214,7 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Structures& structu
   packed.right = narrowed<T>(scene.view.right);
   packed.up = narrowed<T>(scene.view.up);
   pack_primitives(scene, packed);
-  packed.bins = build_screen_bins(scene.view, scene.spheres, block_side, pool);
+  packed.bins = build_screen_bins(scene.view, scene.spheres, scene.squares, block_side, pool);
   packed.has_light_grids = structures.light_grids;
   if (structures.tree) packed.tree = pack_tree<T>(Bvh::build(scene));
   for (const PackedLight& light : scene.lights) {
@@ -225,15 +224,16 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Structures& structu
       simd.grid = build_distant_grid<T>(light.place, scene.spheres, ids(packed), pool);
     for (const PackedSquare& square : scene.squares)
       simd.stencils.push_back(light.is_distant ? make_stencil<T>(light.place, square)
-                                               : Stencil<T>{{}, false});
+                                               : Stencil<T>{{}, 0, false});
     packed.lights.push_back(std::move(simd));
   }
   packed.background = narrowed<T>(scene.background);
   packed.shadows = scene.shadows;
   packed.max_depth = scene.max_depth;
   packed.materials = pack_materials<T>(scene);
-  packed.reflects = std::any_of(scene.materials.begin(), scene.materials.end(),
-                                [](const Material& m) { return m.reflectivity > 0; });
+  packed.reflects =
+      scene.max_depth > 0 && std::any_of(scene.materials.begin(), scene.materials.end(),
+                                         [](const Material& m) { return m.reflectivity > 0; });
   packed.uniform_shininess = uniform_shininess(scene.materials);
   return packed;
 }

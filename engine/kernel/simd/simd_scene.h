@@ -91,10 +91,20 @@ struct SimdSquare {
   std::int32_t id;
 };
 
-/// For one light and one square: the neighbours that can shadow a sphere, as cell offsets.
+/// A neighbour, by its offset in cells.
+template <typename T>
+struct StencilCell {
+  T first;
+  T second;
+  T distance2;  ///< of the offset
+  T forward;    ///< its part along the light's direction
+};
+
+/// For one light and one square: the neighbours that can shadow a sphere.
 template <typename T>
 struct Stencil {
-  std::vector<std::array<T, 2>> offsets;
+  std::vector<StencilCell<T>> cells;
+  T reach;        ///< the largest coordinate of an offset
   bool suffices;  ///< false where the light is so low that only a walk will do
 };
 
@@ -148,7 +158,7 @@ struct SimdScene {
   Triple<T> background;
   Shadows shadows;
   int max_depth;
-  bool reflects;
+  bool reflects;                   ///< whether any ray follows another
   std::int32_t uniform_shininess;  ///< the one integer exponent of all materials, or -1
 };
 

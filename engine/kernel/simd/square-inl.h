@@ -13,8 +13,8 @@
 
 #include <limits>
 
+#include "engine/kernel/simd/hit-inl.h"
 #include "engine/kernel/simd/long_walk.h"
-#include "engine/kernel/simd/packet-inl.h"
 #include "engine/kernel/simd/simd_scene.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -90,9 +90,10 @@ HWY_NOINLINE void finish_long_walks(D d, const SimdSquare<T>& square, const V3<V
 }
 
 /// The nearest sphere met at 0 < t <= t_max (in cells), for the lanes of `active`.
-/// `origin` and `direction` are in the square's axes and cells; the sphere in the cell
-/// (own_first, own_second) is the one that the ray leaves.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+/// `origin` and `direction` are in the square's axes and cells. With `leaves_cell` the sphere in
+/// the cell (own_first, own_second) is one that the ray leaves, and not met.
+template <bool leaves_cell, class D, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
 HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<V>& origin,
                                      const V3<V>& direction, V t_max, M active, V own_first,
                                      V own_second) {
@@ -121,82 +122,157 @@ HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<
   clip(hn::Sub(low_first, half), hn::Add(high_first, half), origin.x, inverse_first);
   clip(hn::Sub(low_second, half), hn::Add(high_second, half), origin.z, inverse_second);
   active = hn::And(active, hn::Le(t_begin, t_end));
+  CellHit<V, M> found{hn::Lt(zero, zero), t_max, zero, zero};
+  if (hn::AllFalse(d, active)) return found;
 
   const V step_first = hn::CopySign(one, direction.x);
   const V step_second = hn::CopySign(one, direction.z);
   const auto start = [&](V from, V slope, V low, V high) HWY_ATTR {
     return hn::Min(hn::Max(hn::Round(hn::MulAdd(t_begin, slope, from)), low), high);
   };
-  V first = start(origin.x, direction.x, low_first, high_first);
-  V second = start(origin.z, direction.z, low_second, high_second);
+  found.first = start(origin.x, direction.x, low_first, high_first);
+  found.second = start(origin.z, direction.z, low_second, high_second);
+  // The ray leaves cell i at i * inverse + leave.
+  const auto leave_time = [&](V step, V from, V inverse) HWY_ATTR {
+    return hn::Mul(hn::Sub(hn::Mul(half, step), from), inverse);
+  };
+  const V leave_first = leave_time(step_first, origin.x, inverse_first);
+  const V leave_second = leave_time(step_second, origin.z, inverse_second);
 
-  CellHit<V, M> found{hn::Lt(zero, zero), t_max, zero, zero};
-  for (int step = 0; !hn::AllFalse(d, active); ++step) {
-    if (step == most_steps) {
-      finish_long_walks(d, square, origin, direction, t_max, active, own_first, own_second, found);
-      break;
-    }
-    const V3<V> f{hn::Sub(origin.x, first), origin.y, hn::Sub(origin.z, second)};
-    const V b = hn::Neg(dot(f, direction));
+  // Relative to the sphere in the lane's cell: -f.d, and the squared distance of the line.
+  const V across = hn::Mul(origin.y, direction.y);
+  const auto approach = [&](const V3<V>& f) HWY_ATTR {
+    return hn::Neg(hn::MulAdd(f.x, direction.x, hn::MulAdd(f.z, direction.z, across)));
+  };
+  const auto from_cell = [&]() HWY_ATTR {
+    return V3<V>{hn::Sub(origin.x, found.first), origin.y, hn::Sub(origin.z, found.second)};
+  };
+  // Only what the step needs; a lane that meets a sphere stays in its cell.
+  for (int step = 0; !hn::AllFalse(d, active) && step < most_steps; ++step) {
+    const V3<V> f = from_cell();
+    const V b = approach(f);
     const V3<V> l = mul_add(direction, b, f);
-    const V discriminant = hn::Sub(quarter, dot(l, l));
-    const M is_own = hn::And(hn::Eq(first, own_first), hn::Eq(second, own_second));
-    M hit = hn::And(hn::And(active, hn::Ge(discriminant, zero)), hn::Gt(b, zero));
-    hit = hn::AndNot(is_own, hit);
-    const V c = hn::Max(hn::Sub(dot(f, f), quarter), zero);
-    const V t = hn::Div(c, hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
-    hit = hn::And(hit, hn::Le(t, t_max));
-    found.hit = hn::Or(found.hit, hit);
-    found.t = hn::IfThenElse(hit, t, found.t);
-    found.first = hn::IfThenElse(hit, first, found.first);
-    found.second = hn::IfThenElse(hit, second, found.second);
-    active = hn::AndNot(hit, active);
+    M meets = hn::And(hn::Le(dot(l, l), quarter), hn::Gt(b, zero));
+    if constexpr (leaves_cell)
+      meets = hn::AndNot(hn::And(hn::Eq(found.first, own_first), hn::Eq(found.second, own_second)),
+                         meets);
+    found.hit = hn::Or(found.hit, hn::And(active, meets));
+    active = hn::AndNot(meets, active);
 
-    const V t_first =
-        hn::Mul(hn::Sub(hn::MulAdd(half, step_first, first), origin.x), inverse_first);
-    const V t_second =
-        hn::Mul(hn::Sub(hn::MulAdd(half, step_second, second), origin.z), inverse_second);
+    const V t_first = hn::MulAdd(found.first, inverse_first, leave_first);
+    const V t_second = hn::MulAdd(found.second, inverse_second, leave_second);
     const M crosses_first = hn::Lt(t_first, t_second);
     active = hn::And(active, hn::Le(hn::Min(t_first, t_second), t_end));
-    first = hn::Add(first, hn::IfThenElseZero(crosses_first, step_first));
-    second = hn::Add(second, hn::IfThenZeroElse(crosses_first, step_second));
-    active =
-        hn::And(active, hn::And(hn::And(hn::Ge(first, low_first), hn::Le(first, high_first)),
-                                hn::And(hn::Ge(second, low_second), hn::Le(second, high_second))));
+    found.first = hn::IfThenElse(hn::And(active, crosses_first), hn::Add(found.first, step_first),
+                                 found.first);
+    found.second = hn::IfThenElse(hn::AndNot(crosses_first, active),
+                                  hn::Add(found.second, step_second), found.second);
   }
+
+  const V3<V> f = from_cell();
+  const V b = approach(f);
+  const V3<V> l = mul_add(direction, b, f);
+  const V discriminant = hn::Max(hn::Sub(quarter, dot(l, l)), zero);
+  const V c = hn::Max(hn::Sub(dot(f, f), quarter), zero);
+  found.t = hn::Div(c, hn::Add(b, hn::Sqrt(discriminant)));
+  // A rounding of t_end may let a walk end a cell beyond the square's.
+  const M in_square =
+      hn::And(hn::And(hn::Ge(found.first, low_first), hn::Le(found.first, high_first)),
+              hn::And(hn::Ge(found.second, low_second), hn::Le(found.second, high_second)));
+  found.hit = hn::And(hn::And(found.hit, in_square), hn::Le(found.t, t_max));
+  if (!hn::AllFalse(d, active))
+    finish_long_walks(d, square, origin, direction, t_max, active, own_first, own_second, found);
   return found;
 }
 
-/// Whether a neighbour of the sphere in cell (first, second) stands between the point
-/// center + normal / 2 on it and a distant light: all positions in cells, in the square's axes.
+/// Whether a neighbour of the sphere in cell (first, second) stands between its point with
+/// `normal` and a distant light, both in the square's axes.
+///
+/// With the point n/2, the neighbour's centre o in cells and the light's direction d, the line
+/// passes at the centre's height after b = o.d - n.d/2, and its squared distance there is
+/// |o - n/2|^2 - b^2 = 1/4 + (|o|^2 - o.n) - b^2.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M shadowed_by_neighbours(D d, const SimdSquare<T>& square, const Stencil<T>& stencil,
-                                    V first, V second, const V3<V>& normal, const V3<V>& towards,
-                                    M active) {
-  const V half = hn::Set(d, T(0.5));
-  const V quarter = hn::Set(d, T(0.25));
+                                    V first, V second, const V3<V>& normal, V incidence, M active) {
   const V zero = hn::Zero(d);
-  const V low_first = hn::Set(d, square.low_first);
-  const V high_first = hn::Set(d, square.high_first);
-  const V low_second = hn::Set(d, square.low_second);
-  const V high_second = hn::Set(d, square.high_second);
-  const V3<V> point = scale(normal, half);
+  const V half_incidence = hn::Mul(hn::Set(d, T(0.5)), incidence);
+  const auto stands_before = [&](const StencilCell<T>& cell) HWY_ATTR {
+    const V b = hn::Sub(hn::Set(d, cell.forward), half_incidence);
+    const V beyond =
+        hn::NegMulAdd(normal.x, hn::Set(d, cell.first),
+                      hn::NegMulAdd(normal.z, hn::Set(d, cell.second), hn::Set(d, cell.distance2)));
+    return hn::And(hn::Ge(hn::Mul(b, b), beyond), hn::Gt(b, zero));
+  };
+
+  const auto within = [&](V place, T low, T high, T reach) HWY_ATTR {
+    return hn::And(hn::Ge(place, hn::Set(d, low + reach)), hn::Le(place, hn::Set(d, high - reach)));
+  };
+  const M amid = hn::And(within(first, square.low_first, square.high_first, stencil.reach),
+                         within(second, square.low_second, square.high_second, stencil.reach));
   M shadowed = hn::Lt(zero, zero);
-  for (const auto& offset : stencil.offsets) {
-    const V offset_first = hn::Set(d, offset[0]);
-    const V offset_second = hn::Set(d, offset[1]);
-    const V3<V> f{hn::Sub(point.x, offset_first), point.y, hn::Sub(point.z, offset_second)};
-    const V b = hn::Neg(dot(f, towards));
-    const V3<V> l = mul_add(towards, b, f);
-    M hit = hn::And(hn::Le(dot(l, l), quarter), hn::Gt(b, zero));
-    const V cell_first = hn::Add(first, offset_first);
-    const V cell_second = hn::Add(second, offset_second);
-    hit = hn::And(
-        hit, hn::And(hn::And(hn::Ge(cell_first, low_first), hn::Le(cell_first, high_first)),
-                     hn::And(hn::Ge(cell_second, low_second), hn::Le(cell_second, high_second))));
-    shadowed = hn::Or(shadowed, hit);
+  if (hn::AllTrue(d, hn::Or(amid, hn::Not(active)))) {
+    for (const StencilCell<T>& cell : stencil.cells)
+      shadowed = hn::Or(shadowed, stands_before(cell));
+  } else {
+    for (const StencilCell<T>& cell : stencil.cells) {
+      const M is_there = hn::And(
+          within(hn::Add(first, hn::Set(d, cell.first)), square.low_first, square.high_first, T(0)),
+          within(hn::Add(second, hn::Set(d, cell.second)), square.low_second, square.high_second,
+                 T(0)));
+      shadowed = hn::Or(shadowed, hn::And(stands_before(cell), is_there));
+    }
   }
   return hn::And(shadowed, active);
+}
+
+/// The packet against the squares.
+template <bool leaves_cell, class D, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE void show_squares(D d, const SimdScene<T>& scene, const Start<V>& from,
+                             const V3<V>& direction, M active, Nearest<V>& nearest) {
+  for (const SimdSquare<T>& square : scene.squares) {
+    const V to_cells = hn::Set(d, square.cells_per_unit);
+    const V3<V> eye = broadcast(d, square.eye);
+    const V3<V> origin =
+        leaves_cell ? mul_add(along_square(square, from.point), to_cells, eye) : eye;
+    const V id = hn::Set(d, static_cast<T>(square.id));
+    const M leaves = hn::Eq(from.id, id);
+    const V nowhere = hn::Set(d, std::numeric_limits<T>::max());
+    const CellHit<V, M> found = walk_square<leaves_cell>(
+        d, square, origin, along_square(square, direction), hn::Mul(nearest.t, to_cells), active,
+        hn::IfThenElse(leaves, from.first, nowhere), hn::IfThenElse(leaves, from.second, nowhere));
+    const V t = hn::Mul(found.t, hn::Set(d, square.unit_per_cell));
+    const M nearer = is_nearer(nearest, t, id, found.hit);
+    take(nearest, nearer, t, id);
+    nearest.first = hn::IfThenElse(nearer, found.first, nearest.first);
+    nearest.second = hn::IfThenElse(nearer, found.second, nearest.second);
+  }
+}
+
+/// Lanes of `lit` from which a sphere of a square stands before the light.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by_square(D d, const SimdSquare<T>& square, const Stencil<T>& stencil,
+                                const Start<V>& from, const V3<V>& towards, V distance, V incidence,
+                                M lit) {
+  const M leaves = hn::Eq(from.id, hn::Set(d, static_cast<T>(square.id)));
+  M dark = hn::Lt(distance, hn::Zero(d));
+  if (stencil.suffices) {
+    const M neighbours = hn::And(lit, leaves);
+    if (!hn::AllFalse(d, neighbours))
+      dark = shadowed_by_neighbours(d, square, stencil, from.first, from.second,
+                                    along_square(square, from.normal), incidence, neighbours);
+    lit = hn::AndNot(leaves, lit);
+  }
+  if (hn::AllFalse(d, lit)) return dark;
+  const V to_cells = hn::Set(d, square.cells_per_unit);
+  const V3<V> origin =
+      mul_add(along_square(square, from.point), to_cells, broadcast(d, square.eye));
+  const V nowhere = hn::Set(d, std::numeric_limits<T>::max());
+  const CellHit<V, M> found = walk_square<true>(
+      d, square, origin, along_square(square, towards), hn::Mul(distance, to_cells), lit,
+      hn::IfThenElse(leaves, from.first, nowhere), hn::IfThenElse(leaves, from.second, nowhere));
+  const M before = hn::Lt(found.t, hn::Mul(distance, to_cells));
+  return hn::Or(dark, hn::And(found.hit, before));
 }
 
 }  // namespace HWY_NAMESPACE

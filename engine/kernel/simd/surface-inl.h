@@ -15,45 +15,69 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
-/// Each lane's row of a column of the surface table.
-template <class D, class VI, typename T = hn::TFromD<D>>
-HWY_INLINE hn::Vec<D> column(D d, const std::vector<T>& values, VI rows) {
-  return hn::GatherIndex(d, values.data(), rows);
-}
+/// The row of a table that each lane asks for. Neighbouring pixels mostly show the same thing: then
+/// nothing is gathered.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+class Rows {
+ public:
+  using VI = hn::Vec<hn::RebindToSigned<D>>;
 
-/// The surfaces that the lanes have met, where they met them.
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE Start<V> surface_at(D d, const SimdScene<T>& scene, const Start<V>& from,
-                               const V3<V>& direction, const Nearest<V>& nearest) {
-  const hn::RebindToSigned<D> di;
+  /// `rows` counts in the lanes of `active`, at least one.
+  HWY_INLINE Rows(D d, V rows, M active) {
+    HWY_ALIGN T lanes[hn::MaxLanes(D())];
+    hn::Store(rows, d, lanes);
+    const T first = lanes[hn::FindFirstTrue(d, active)];
+    is_shared_ = hn::AllTrue(d, hn::Or(hn::Not(active), hn::Eq(rows, hn::Set(d, first))));
+    shared_ = static_cast<std::size_t>(first);
+    rows_ = hn::ConvertTo(hn::RebindToSigned<D>(), hn::IfThenElseZero(active, rows));
+  }
+
+  HWY_INLINE V operator()(D d, const Column<T>& column) const {
+    if (is_shared_) return hn::Set(d, column[shared_]);
+    return hn::GatherIndex(d, column.data(), rows_);
+  }
+
+ private:
+  VI rows_;
+  std::size_t shared_;
+  bool is_shared_;
+};
+
+/// What a packet has met, made ready for shading and for leaving it.
+template <class D, class V = hn::Vec<D>>
+struct Surface {
+  Start<V> at;
+  Rows<D> material;
+};
+
+/// The surfaces that the lanes of `hit` have met, at least one, where they met them.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE Surface<D> surface_at(D d, const SimdScene<T>& scene, const Start<V>& from,
+                                 const V3<V>& direction, const Nearest<V>& nearest, M hit) {
   const SurfaceTable<T>& table = scene.surfaces;
-  const V zero = hn::Zero(d);
-  const auto hit = hn::Ge(nearest.id, zero);
-  const auto rows = hn::ConvertTo(di, hn::IfThenElseZero(hit, nearest.id));
+  const Rows<D> primitive(d, nearest.id, hit);
   const V t = hn::IfThenElseZero(hit, nearest.t);
-
-  Start<V> surface{
-      mul_add(direction, t, from.point), {}, nearest.id, nearest.first, nearest.second};
-  const V curvature = column(d, table.curvature, rows);
-  const V3<V> place{column(d, table.x, rows), column(d, table.y, rows), column(d, table.z, rows)};
-  surface.normal = scale(sub(surface.point, place), curvature);
+  Start<V> at{mul_add(direction, t, from.point), {}, nearest.id, nearest.first, nearest.second};
+  const V curvature = primitive(d, table.curvature);
+  const V3<V> place{primitive(d, table.x), primitive(d, table.y), primitive(d, table.z)};
+  at.normal = scale(sub(at.point, place), curvature);
   if (!scene.planes.empty() || !scene.triangles.empty()) {
-    const auto flat = hn::Eq(curvature, zero);
-    const auto ahead = hn::Gt(dot(place, direction), zero);
-    surface.normal = select(flat, select(ahead, negate(place), place), surface.normal);
+    const M flat = hn::Eq(curvature, hn::Zero(d));
+    const M ahead = hn::Gt(dot(place, direction), hn::Zero(d));
+    at.normal = select(flat, select(ahead, negate(place), place), at.normal);
   }
 
   for (const SimdSquare<T>& square : scene.squares) {
-    const auto of_square = hn::Eq(nearest.id, hn::Set(d, static_cast<T>(square.id)));
+    const M of_square = hn::Eq(nearest.id, hn::Set(d, static_cast<T>(square.id)));
     if (hn::AllFalse(d, of_square)) continue;
     const V to_cells = hn::Set(d, square.cells_per_unit);
     const V3<V> in_cells =
-        mul_add(along_square(square, surface.point), to_cells, broadcast(d, square.eye));
+        mul_add(along_square(square, at.point), to_cells, broadcast(d, square.eye));
     const V3<V> from_center{hn::Sub(in_cells.x, nearest.first), in_cells.y,
                             hn::Sub(in_cells.z, nearest.second)};
-    surface.normal = select(of_square, from_square(square, unit(d, from_center)), surface.normal);
+    at.normal = select(of_square, from_square(square, unit(d, from_center)), at.normal);
   }
-  return surface;
+  return {at, Rows<D>(d, primitive(d, table.material), hit)};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,4 +1,4 @@
-#include "engine/render/tile.h"
+#include "engine/image/tile.h"
 
 #include <algorithm>
 

@@ -1,0 +1,211 @@
+#include "engine/kernel/simd/render_tile.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/kernel/simd/render_tile.cpp"  // this file, once per target
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "engine/kernel/simd/block-inl.h"
+#include "engine/kernel/simd/packet-inl.h"
+#include "engine/kernel/simd/rays-inl.h"
+#include "engine/kernel/simd/reflect-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// The directions from the eye through a block's pixels.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+class EyeRays {
+ public:
+  HWY_INLINE EyeRays(D d, const SimdScene<T>& scene, const Block& block)
+      : scene_(scene),
+        block_(block),
+        offsets_(d),
+        step_x_(2.0 / scene.view.width),
+        step_y_(2.0 / scene.view.height) {}
+
+  /// Through `sample` of the packet's pixels. The image point runs from -1 to 1; a packet's corner
+  /// is computed in double, within the packet T is enough.
+  HWY_INLINE V3<V> direction(D d, const PacketPlace<D>& place, const SamplePoint& sample) const {
+    const double corner_x = (block_.x_begin + place.x + sample.x) * step_x_ - 1;
+    const double corner_y =
+        (scene_.view.height - 1 - block_.y_begin - place.y + sample.y) * step_y_ - 1;
+    const V x = hn::MulAdd(offsets_.x, hn::Set(d, static_cast<T>(step_x_)),
+                           hn::Set(d, static_cast<T>(corner_x)));
+    const V y = hn::NegMulAdd(offsets_.y, hn::Set(d, static_cast<T>(step_y_)),
+                              hn::Set(d, static_cast<T>(corner_y)));
+    return unit(d, mul_add(broadcast(d, scene_.right), x,
+                           mul_add(broadcast(d, scene_.up), y, broadcast(d, scene_.forward))));
+  }
+
+  /// The lanes whose pixels are in the block.
+  HWY_INLINE hn::Mask<D> active(D d, const PacketPlace<D>& place) const {
+    return hn::And(hn::Lt(offsets_.x, hn::Set(d, static_cast<T>(block_.width - place.x))),
+                   hn::Lt(offsets_.y, hn::Set(d, static_cast<T>(block_.height - place.y))));
+  }
+
+ private:
+  const SimdScene<T>& scene_;
+  const Block& block_;
+  LaneOffsets<D> offsets_;
+  double step_x_;
+  double step_y_;
+};
+
+/// What rays from the eye may meet in a block.
+struct BlockContents {
+  std::span<const ScreenEntry> spheres;
+  std::uint32_t square_parts;  ///< parts that may show a square, as ScreenEntry::parts
+  std::uint32_t parts;         ///< parts that may show anything
+
+  template <typename T>
+  BlockContents(const SimdScene<T>& scene, int column, int row)
+      : spheres(scene.bins.block(column, row)),
+        square_parts(scene.bins.square_parts(column, row)),
+        parts(square_parts) {
+    constexpr std::uint32_t all = 0xFFFF;
+    for (const ScreenEntry& entry : spheres) parts |= entry.parts;
+    if (!scene.planes.empty() || !scene.triangles.empty()) parts = all;
+  }
+};
+
+/// Colours of one sample of a block's pixels, not yet clamped.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
+                             const BlockContents& contents, const EyeRays<D>& rays,
+                             const SamplePoint& sample, BlockColours<T>& colours) {
+  using Shape = PacketShape<D>;
+  const V zero = hn::Zero(d);
+  const V none = hn::Set(d, T(-1));
+  const Start<V> eye{{zero, zero, zero}, {zero, zero, zero}, none, none, none};
+  RayBlock<T> reflected;
+  for (int i = 0; i < Shape::packets; ++i) {
+    const PacketPlace<D> place(i);
+    if (!place.is_in(block)) continue;
+    const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
+    V3<V> colour = broadcast(d, scene.background);
+    if ((contents.parts >> place.part() & 1U) != 0) {
+      const V3<V> direction = rays.direction(d, place, sample);
+      const auto active = rays.active(d, place);
+      Nearest<V> nearest{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
+      show_spheres_to_eye(d, scene, contents.spheres, place.part(), direction, active, nearest);
+      if (!scene.triangles.empty()) show_tree(d, scene, eye, direction, active, false, nearest);
+      show_planes(d, scene, eye, direction, active, nearest);
+      if ((contents.square_parts >> place.part() & 1U) != 0)
+        show_squares<false>(d, scene, eye, direction, active, nearest);
+      const Packet<V> packet{eye, direction, hn::Set(d, T(1)), hn::Iota(d, static_cast<T>(first))};
+      shade_packet(d, scene, packet, nearest, active, scene.reflects, reflected, colour);
+    }
+    store(d, colour, first, colours);
+  }
+  if (reflected.count > 0) trace_reflections(scene, reflected, colours);
+}
+
+template <typename T>
+void render_block(const SimdScene<T>& scene, std::span<const SamplePoint> pattern,
+                  Transfer transfer, const Block& block, Image& image) {
+  using D = hn::ScalableTag<T>;
+  const D d;
+  using V = hn::Vec<D>;
+  using Shape = PacketShape<D>;
+  const auto resolved = [&](const V3<V>& mean) HWY_ATTR {
+    return V3<V>{encoded(d, transfer, mean.x), encoded(d, transfer, mean.y),
+                 encoded(d, transfer, mean.z)};
+  };
+  const BlockContents contents(scene, block.x_begin / block_side, block.y_begin / block_side);
+  if (contents.parts == 0) {
+    fill_block(d, resolved(clamped(d, broadcast(d, scene.background))), block, image);
+    return;
+  }
+
+  const EyeRays<D> rays(d, scene, block);
+  BlockColours<T> sums;
+  BlockColours<T> colours;
+  for (std::size_t sample = 0; sample < pattern.size(); ++sample) {
+    trace_sample(d, scene, block, contents, rays, pattern[sample], colours);
+    for (std::size_t i = 0; i < block_pixels; i += Shape::lanes) {
+      const V3<V> seen = clamped(d, load(d, colours, i));
+      store(d, sample == 0 ? seen : add(seen, load(d, sums, i)), i, sums);
+    }
+  }
+  const V share = hn::Set(d, static_cast<T>(1 / static_cast<double>(pattern.size())));
+  for (int i = 0; i < Shape::packets; ++i) {
+    const PacketPlace<D> place(i);
+    if (!place.is_in(block)) continue;
+    const V3<V> sum = load(d, sums, static_cast<std::size_t>(i) * Shape::lanes);
+    // A mean of singles may exceed 1 by a rounding.
+    store_pixels(d, resolved(clamped(d, scale(sum, share))), block, place, image);
+  }
+}
+
+template <typename T>
+std::int64_t render_blocks(const SimdScene<T>& scene, std::span<const SamplePoint> pattern,
+                           Transfer transfer, const Tile& tile, Image& image) {
+  for (int y = tile.y_begin; y < tile.y_end; y += block_side)
+    for (int x = tile.x_begin; x < tile.x_end; x += block_side)
+      render_block(
+          scene, pattern, transfer,
+          {x, y, std::min(block_side, tile.x_end - x), std::min(block_side, tile.y_end - y)},
+          image);
+  return HWY_TARGET;
+}
+
+std::int64_t render_single(const SimdScene<float>& scene, std::span<const SamplePoint> pattern,
+                           Transfer transfer, const Tile& tile, Image& image) {
+  return render_blocks(scene, pattern, transfer, tile, image);
+}
+
+std::int64_t render_double(const SimdScene<double>& scene, std::span<const SamplePoint> pattern,
+                           Transfer transfer, const Tile& tile, Image& image) {
+  return render_blocks(scene, pattern, transfer, tile, image);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace raytracer {
+namespace {
+
+HWY_EXPORT(render_single);
+HWY_EXPORT(render_double);
+
+/// The place of a target's function in Highway's tables.
+std::size_t table_index(std::int64_t target) {
+  hwy::ChosenTarget chosen;
+  chosen.Update(target);
+  return chosen.GetIndex();
+}
+
+}  // namespace
+
+std::vector<InstructionSet> supported_instruction_sets() {
+  std::vector<InstructionSet> sets;
+  const std::int64_t supported = hwy::SupportedTargets() & HWY_TARGETS;
+  for (std::int64_t bit = 1; bit > 0 && bit <= supported; bit <<= 1)
+    if ((supported & bit) != 0) sets.push_back({bit, hwy::TargetName(bit)});
+  return sets;
+}
+
+Machine this_machine() { return {supported_instruction_sets().front()}; }
+
+std::int64_t render_tile(const SimdScene<float>& scene, std::span<const SamplePoint> pattern,
+                         Transfer transfer, const Tile& tile, std::int64_t target, Image& image) {
+  return HWY_DISPATCH_TABLE(render_single)[table_index(target)](scene, pattern, transfer, tile,
+                                                                image);
+}
+
+std::int64_t render_tile(const SimdScene<double>& scene, std::span<const SamplePoint> pattern,
+                         Transfer transfer, const Tile& tile, std::int64_t target, Image& image) {
+  return HWY_DISPATCH_TABLE(render_double)[table_index(target)](scene, pattern, transfer, tile,
+                                                                image);
+}
+
+}  // namespace raytracer
+#endif  // HWY_ONCE

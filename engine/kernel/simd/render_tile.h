@@ -1,0 +1,31 @@
+// The SIMD kernels' entry: a tile of the image, all samples of its pixels, on a chosen
+// instruction set.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/image/image.h"
+#include "engine/image/tile.h"
+#include "engine/kernel/sample_point.h"
+#include "engine/kernel/simd/simd_scene.h"
+#include "engine/plan/machine.h"
+
+namespace raytracer {
+
+/// What this machine can run of what was compiled, best first.
+std::vector<InstructionSet> supported_instruction_sets();
+
+/// The machine that this process runs on.
+Machine this_machine();
+
+/// Traces one sample at each place of `pattern` in each of the tile's pixels, and stores the means
+/// of their clamped colours after `transfer`. The tile begins at multiples of `block_side`.
+/// Returns the target of the code that ran, which is the one asked for if that is supported.
+std::int64_t render_tile(const SimdScene<float>& scene, std::span<const SamplePoint> pattern,
+                         Transfer transfer, const Tile& tile, std::int64_t target, Image& image);
+std::int64_t render_tile(const SimdScene<double>& scene, std::span<const SamplePoint> pattern,
+                         Transfer transfer, const Tile& tile, std::int64_t target, Image& image);
+
+}  // namespace raytracer
