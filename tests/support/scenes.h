@@ -1,6 +1,7 @@
 // Scene documents for tests, and what the engine makes of them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -168,7 +169,9 @@ inline int count_different(const Image& a, const Image& b, double tolerance = 0)
 
 /// How many pixels are not black.
 inline int count_lit(const Image& image) {
-  return count_different(image, Image(image.width, image.height));
+  Image black(image.width, image.height);
+  std::fill(black.values.begin(), black.values.end(), 0.0F);
+  return count_different(image, black);
 }
 
 }  // namespace raytracer::test

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -80,6 +81,7 @@ Image sample() {
 
 TEST(Image, HasItsFirstRowOnTop) {
   Image image(3, 2);
+  std::fill(image.values.begin(), image.values.end(), 0.0F);
   image.pixel(2, 1)[0] = 1;
   EXPECT_EQ(image.values[15], 1);
 }

@@ -169,8 +169,9 @@ HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<
                                   hn::Add(found.second, step_second), found.second);
   }
 
+  // In the order of meets_sphere(), so that a sphere is as far as the same one in a square.
   const V3<V> f = from_cell();
-  const V b = approach(f);
+  const V b = hn::Neg(dot(f, direction));
   const V3<V> l = mul_add(direction, b, f);
   const V discriminant = hn::Max(hn::Sub(quarter, dot(l, l)), zero);
   const V c = hn::Max(hn::Sub(dot(f, f), quarter), zero);
