@@ -1,91 +1,220 @@
-// Sorting items into bins in parallel, an item into as many bins as it touches.
+// Sorting items into the bins of a 2-D grid in parallel, an item into as many bins as it touches.
 //
-// Counted first, then written: each bin's entries lie side by side in one array without gaps, in
-// the items' order, whatever the number of threads.
+// Scattering into very many bins misses the caches at every item, so items go to bands of rows
+// first, and each band is then sorted within them by one thread (a radix sort from the most
+// significant digit). The result does not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "engine/parallel/worker_pool.h"
+#include "engine/memory/page_allocator.h"
+#include "engine/parallel/chunks.h"
 
 namespace raytracer {
 
-/// Entries by bin.
-template <typename Entry>
-struct Binned {
-  std::vector<std::uint32_t> begins;  ///< of each bin in `entries`, and the end of the last
-  std::vector<Entry> entries;
+/// Cells begin <= index < end of a grid.
+struct CellRectangle {
+  std::uint16_t x_begin = 0;
+  std::uint16_t y_begin = 0;
+  std::uint16_t x_end = 0;
+  std::uint16_t y_end = 0;
+
+  bool empty() const { return x_begin >= x_end || y_begin >= y_end; }
 };
 
-/// Calls emit_entries(item, emit) for each item, twice, from several threads; it must call
-/// emit(bin, entry) for each bin that the item touches, the same both times.
-template <typename Entry, typename EmitEntries>
-Binned<Entry> sort_into_bins(std::size_t item_count, std::size_t bin_count, WorkerPool& pool,
-                             const EmitEntries& emit_entries) {
-  const std::size_t chunk_count = pool.thread_count();
-  const auto chunk_begin = [&](std::size_t chunk) { return item_count * chunk / chunk_count; };
-  const std::atomic<bool> never{false};
-  // A chunk's number of entries in each bin, then where its next one goes.
-  std::vector<std::vector<std::uint32_t>> places(chunk_count);
-  pool.run(
-      chunk_count,
-      [&](std::size_t chunk) {
-        places[chunk].assign(bin_count, 0);
-        std::uint32_t* const counts = places[chunk].data();
-        for (std::size_t item = chunk_begin(chunk); item < chunk_begin(chunk + 1); ++item)
-          emit_entries(item, [&](std::size_t bin, const Entry&) { ++counts[bin]; });
-      },
-      never);
+/// A grid of `columns` x `rows` bins, each of 2^cells_log2 x 2^cells_log2 cells.
+struct BinGrid {
+  int columns;
+  int rows;
+  int cells_log2;
 
-  Binned<Entry> binned;
-  binned.begins.resize(bin_count + 1);
-  std::uint32_t total = 0;
-  for (std::size_t bin = 0; bin < bin_count; ++bin) {
-    binned.begins[bin] = total;
-    for (std::vector<std::uint32_t>& chunk_places : places) {
-      const std::uint32_t count = chunk_places[bin];
-      chunk_places[bin] = total;
-      total += count;
-    }
+  std::size_t bin_count() const {
+    return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   }
-  binned.begins[bin_count] = total;
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
 
-  binned.entries.resize(total);
-  pool.run(
-      chunk_count,
-      [&](std::size_t chunk) {
-        std::uint32_t* const next = places[chunk].data();
-        for (std::size_t item = chunk_begin(chunk); item < chunk_begin(chunk + 1); ++item)
-          emit_entries(item, [&](std::size_t bin, const Entry& entry) {
-            binned.entries[next[bin]++] = entry;
-          });
-      },
-      never);
-  return binned;
+  /// The bins that a rectangle of cells, not empty, touches.
+  CellRectangle bins_of(const CellRectangle& cells) const {
+    const auto begin = [&](int cell) { return static_cast<std::uint16_t>(cell >> cells_log2); };
+    const auto end = [&](int cell) {
+      return static_cast<std::uint16_t>(((cell - 1) >> cells_log2) + 1);
+    };
+    return {begin(cells.x_begin), begin(cells.y_begin), end(cells.x_end), end(cells.y_end)};
+  }
+};
+
+/// How items are entered into bins.
+template <typename Entry, typename CellsOf, typename EntryOf, typename EntryIn, typename Arrange>
+struct Binning {
+  CellsOf cells_of;  ///< (item) -> CellRectangle
+  EntryOf entry_of;  ///< (item) -> Entry, the same for all its bins
+  EntryIn entry_in;  ///< (Entry, its cells, column, row) -> Entry, as it is in that bin
+  Arrange arrange;   ///< (span of a bin's entries, in the items' order): puts them into order
+};
+
+template <typename Entry, typename... Functions>
+Binning<Entry, Functions...> make_binning(const Functions&... functions) {
+  return {functions...};
 }
 
-/// Sorts each bin's entries by `less`, and calls visit(begin, end) for each range of bins that one
-/// thread has sorted.
-template <typename Entry, typename Less, typename Visit>
-void sort_bins(Binned<Entry>& binned, WorkerPool& pool, Less less, Visit visit) {
-  const std::size_t bin_count = binned.begins.size() - 1;
-  const std::size_t chunk_count = std::min<std::size_t>(bin_count, 8 * pool.thread_count());
-  const std::atomic<bool> never{false};
-  pool.run(
-      chunk_count,
-      [&](std::size_t chunk) {
-        const std::size_t begin = bin_count * chunk / chunk_count;
-        const std::size_t end = bin_count * (chunk + 1) / chunk_count;
-        for (std::size_t bin = begin; bin < end; ++bin)
-          std::sort(binned.entries.begin() + binned.begins[bin],
-                    binned.entries.begin() + binned.begins[bin + 1], less);
-        visit(begin, end);
-      },
-      never);
+namespace binning {
+
+constexpr int most_bands = 64;
+
+/// An item on its way to the bins of a band.
+template <typename Entry>
+struct Record {
+  CellRectangle cells;
+  Entry entry;
+};
+
+/// What a chunk of the items, or all, puts into a band.
+struct BandCount {
+  std::size_t records = 0;
+  std::size_t entries = 0;
+};
+
+/// The rows of a grid, cut into at most `most_bands` bands of 2^k rows.
+class Bands {
+ public:
+  explicit Bands(const BinGrid& grid) : grid_(grid) {
+    while (((grid.rows - 1) >> height_log2_) >= most_bands) ++height_log2_;
+  }
+
+  std::size_t count() const {
+    return static_cast<std::size_t>((grid_.rows - 1) >> height_log2_) + 1;
+  }
+  int row_begin(std::size_t band) const { return static_cast<int>(band) << height_log2_; }
+  int row_end(std::size_t band) const { return std::min(row_begin(band + 1), grid_.rows); }
+
+  /// The bins of `cells`, not empty, that are in the band.
+  CellRectangle bins_in(const CellRectangle& cells, std::size_t band) const {
+    CellRectangle bins = grid_.bins_of(cells);
+    bins.y_begin = std::max(bins.y_begin, static_cast<std::uint16_t>(row_begin(band)));
+    bins.y_end = std::min(bins.y_end, static_cast<std::uint16_t>(row_end(band)));
+    return bins;
+  }
+
+  /// Calls visit(band) for each band that `cells` touches.
+  template <typename Visit>
+  void for_each(const CellRectangle& cells, const Visit& visit) const {
+    if (cells.empty()) return;
+    const CellRectangle bins = grid_.bins_of(cells);
+    const int end = ((bins.y_end - 1) >> height_log2_) + 1;
+    for (int band = bins.y_begin >> height_log2_; band < end; ++band)
+      visit(static_cast<std::size_t>(band));
+  }
+
+ private:
+  BinGrid grid_;
+  int height_log2_ = 0;
+};
+
+}  // namespace binning
+
+/// Sorts `item_count` items into bins, row by row. Calls resize(entry_count) once, then from
+/// several threads write(first, entries) for ranges of entries, which together are all of them.
+/// Returns where each bin's entries begin, and the end of the last.
+template <typename Entry, typename CellsOf, typename EntryOf, typename EntryIn, typename Arrange,
+          typename Resize, typename Write>
+std::vector<std::uint32_t> sort_into_bins(
+    std::size_t item_count, const BinGrid& grid, WorkerPool& pool,
+    const Binning<Entry, CellsOf, EntryOf, EntryIn, Arrange>& how, const Resize& resize,
+    const Write& write) {
+  using binning::BandCount;
+  using Record = binning::Record<Entry>;
+  const binning::Bands bands(grid);
+  const std::size_t chunk_count = pool.thread_count();
+
+  LargeArray<CellRectangle> cells(item_count);
+  std::vector<std::vector<BandCount>> places(chunk_count, std::vector<BandCount>(bands.count()));
+  for_each_chunk(item_count, chunk_count, pool,
+                 [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                   BandCount* const counts = places[chunk].data();
+                   for (std::size_t item = begin; item < end; ++item) {
+                     cells[item] = how.cells_of(item);
+                     bands.for_each(cells[item], [&](std::size_t band) {
+                       const CellRectangle bins = bands.bins_in(cells[item], band);
+                       ++counts[band].records;
+                       counts[band].entries += static_cast<std::size_t>(bins.x_end - bins.x_begin) *
+                                               static_cast<std::size_t>(bins.y_end - bins.y_begin);
+                     });
+                   }
+                 });
+
+  // From here on a chunk's counts are where its next record goes; band_begins those of the bands.
+  std::vector<BandCount> band_begins(bands.count() + 1);
+  BandCount total;
+  for (std::size_t band = 0; band < bands.count(); ++band) {
+    band_begins[band] = total;
+    for (std::vector<BandCount>& chunk_places : places) {
+      const BandCount count = chunk_places[band];
+      chunk_places[band] = total;
+      total.records += count.records;
+      total.entries += count.entries;
+    }
+  }
+  band_begins[bands.count()] = total;
+
+  LargeArray<Record> records(total.records);
+  for_each_chunk(
+      item_count, chunk_count, pool, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        BandCount* const next = places[chunk].data();
+        for (std::size_t item = begin; item < end; ++item) {
+          if (cells[item].empty()) continue;
+          const Record record{cells[item], how.entry_of(item)};
+          bands.for_each(cells[item],
+                         [&](std::size_t band) { records[next[band].records++] = record; });
+        }
+      });
+
+  std::vector<std::uint32_t> bin_begins(grid.bin_count() + 1);
+  bin_begins[grid.bin_count()] = static_cast<std::uint32_t>(total.entries);
+  resize(total.entries);
+  for_each_chunk(
+      bands.count(), bands.count(), pool, [&](std::size_t band, std::size_t, std::size_t) {
+        const std::span<const Record> own = std::span(records).subspan(
+            band_begins[band].records, band_begins[band + 1].records - band_begins[band].records);
+        const auto for_each_entry = [&](const auto& visit) {
+          for (const Record& record : own) {
+            const CellRectangle bins = bands.bins_in(record.cells, band);
+            for (int row = bins.y_begin; row < bins.y_end; ++row)
+              for (int column = bins.x_begin; column < bins.x_end; ++column)
+                visit(record, column, row);
+          }
+        };
+        const std::size_t first_bin = grid.index(0, bands.row_begin(band));
+        const std::size_t last_bin = grid.index(0, bands.row_end(band));
+        std::vector<std::uint32_t> next(last_bin - first_bin + 1, 0);
+        for_each_entry([&](const Record&, int column, int row) {
+          ++next[grid.index(column, row) - first_bin + 1];
+        });
+        for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
+        const auto band_begin = static_cast<std::uint32_t>(band_begins[band].entries);
+        for (std::size_t bin = first_bin; bin < last_bin; ++bin)
+          bin_begins[bin] = band_begin + next[bin - first_bin];
+
+        LargeArray<Entry> entries(next.back());
+        for_each_entry([&](const Record& record, int column, int row) {
+          entries[next[grid.index(column, row) - first_bin]++] =
+              how.entry_in(record.entry, record.cells, column, row);
+        });
+        // Now next[i] is the end of the band's bin i.
+        std::uint32_t begin = 0;
+        for (std::size_t i = 0; i + 1 < next.size(); ++i) {
+          how.arrange(std::span(entries).subspan(begin, next[i] - begin));
+          begin = next[i];
+        }
+        write(band_begins[band].entries, std::span<const Entry>(entries));
+      });
+  return bin_begins;
 }
 
 }  // namespace raytracer

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "engine/accel/binning.h"
@@ -26,14 +27,27 @@ struct Bounds {
   double u_high = -std::numeric_limits<double>::infinity();
   double v_high = -std::numeric_limits<double>::infinity();
   double radius2_sum = 0;
+
+  void include(const Disc& disc, double radius) {
+    u_low = std::min(u_low, disc.u - radius);
+    v_low = std::min(v_low, disc.v - radius);
+    u_high = std::max(u_high, disc.u + radius);
+    v_high = std::max(v_high, disc.v + radius);
+    radius2_sum += radius * radius;
+  }
 };
 
-struct Cells {
-  int column_begin;
-  int row_begin;
-  int column_end;  ///< inclusive
-  int row_end;     ///< inclusive
-};
+/// Cells for about four spheres, but none smaller than four times the discs' mean radius: then
+/// there are some two entries for each disc, and a packet still tests a whole cell at once.
+/// Random spheres, against half that width: 250,000 build in 0.85 of the time and trace in 0.65.
+double cell_width(const Bounds& bounds, std::size_t sphere_count) {
+  constexpr double most_cells_across = 4096;
+  const double count = static_cast<double>(sphere_count);
+  const double width = bounds.u_high - bounds.u_low;
+  const double height = bounds.v_high - bounds.v_low;
+  return std::max({2 * std::sqrt(width * height / count), 4 * std::sqrt(bounds.radius2_sum / count),
+                   width / most_cells_across, height / most_cells_across});
+}
 
 }  // namespace
 
@@ -48,41 +62,30 @@ DistantGrid<T> build_distant_grid(const Vec3& towards, const std::vector<PackedS
                 dot(s.center, grid.axes[2])};
   };
   Bounds bounds;
-  for (const PackedSphere& s : spheres) {
-    const Disc disc = place(s);
-    bounds.u_low = std::min(bounds.u_low, disc.u - s.radius);
-    bounds.v_low = std::min(bounds.v_low, disc.v - s.radius);
-    bounds.u_high = std::max(bounds.u_high, disc.u + s.radius);
-    bounds.v_high = std::max(bounds.v_high, disc.v + s.radius);
-    bounds.radius2_sum += s.radius * s.radius;
-  }
-  // Cells about as many as spheres, but none smaller than twice the discs' mean radius, so that
-  // there are at most some four entries for each disc.
-  const double count = static_cast<double>(spheres.size());
-  const double width = bounds.u_high - bounds.u_low;
-  const double height = bounds.v_high - bounds.v_low;
-  const double cell =
-      std::max({std::sqrt(width * height / count), 2 * std::sqrt(bounds.radius2_sum / count),
-                width / 8192, height / 8192});
-  grid.cells_per_unit = static_cast<T>(1 / cell);
+  for (const PackedSphere& s : spheres) bounds.include(place(s), s.radius);
+  const double cell = cell_width(bounds, spheres.size());
+  const double cells_per_unit = 1 / cell;
+  grid.cells_per_unit = static_cast<T>(cells_per_unit);
   grid.u_low = static_cast<T>(bounds.u_low);
   grid.v_low = static_cast<T>(bounds.v_low);
-  grid.columns = static_cast<int>(width / cell) + 1;
-  grid.rows = static_cast<int>(height / cell) + 1;
+  grid.columns = static_cast<int>((bounds.u_high - bounds.u_low) / cell) + 1;
+  grid.rows = static_cast<int>((bounds.v_high - bounds.v_low) / cell) + 1;
 
   // A disc is entered a little beyond its rim, because a point finds its cell in precision T.
   const double margin = 64 * static_cast<double>(std::numeric_limits<T>::epsilon()) *
                         std::max({std::abs(bounds.u_low), std::abs(bounds.v_low),
                                   std::abs(bounds.u_high), std::abs(bounds.v_high)});
-  const auto cells_of = [&](const Disc& disc, double radius) {
-    const double reach = radius + margin;
+  const auto cells_of = [&](std::size_t i) {
+    const Disc disc = place(spheres[i]);
+    const double reach = spheres[i].radius + margin;
     const auto index = [&](double offset, int cells) {
-      return std::clamp(static_cast<int>(std::floor(offset / cell)), 0, cells - 1);
+      return static_cast<std::uint16_t>(
+          std::clamp(offset * cells_per_unit, 0.0, static_cast<double>(cells)));
     };
-    return Cells{index(disc.u - reach - bounds.u_low, grid.columns),
-                 index(disc.v - reach - bounds.v_low, grid.rows),
-                 index(disc.u + reach - bounds.u_low, grid.columns),
-                 index(disc.v + reach - bounds.v_low, grid.rows)};
+    return CellRectangle{index(disc.u - reach - bounds.u_low, grid.columns - 1),
+                         index(disc.v - reach - bounds.v_low, grid.rows - 1),
+                         index(disc.u + reach - bounds.u_low + cell, grid.columns),
+                         index(disc.v + reach - bounds.v_low + cell, grid.rows)};
   };
 
   struct Entry {
@@ -92,36 +95,34 @@ DistantGrid<T> build_distant_grid(const Vec3& towards, const std::vector<PackedS
     T radius2;
     T id;
   };
-  const std::size_t cell_count =
-      static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
-  Binned<Entry> discs =
-      sort_into_bins<Entry>(spheres.size(), cell_count, pool, [&](std::size_t i, auto emit) {
-        const PackedSphere& s = spheres[i];
-        const Disc disc = place(s);
-        const Cells cells = cells_of(disc, s.radius);
-        const Entry entry{static_cast<T>(disc.u), static_cast<T>(disc.v), static_cast<T>(disc.w),
-                          static_cast<T>(s.radius * s.radius), static_cast<T>(ids[i])};
-        for (int row = cells.row_begin; row <= cells.row_end; ++row)
-          for (int column = cells.column_begin; column <= cells.column_end; ++column)
-            emit(static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
-                     static_cast<std::size_t>(column),
-                 entry);
-      });
-  for (std::vector<T>* column : {&grid.u, &grid.v, &grid.radius2, &grid.w, &grid.id})
-    column->resize(discs.entries.size() + padding);
-  sort_bins(
-      discs, pool, [](const Entry& a, const Entry& b) { return a.w > b.w; },
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = discs.begins[begin]; i < discs.begins[end]; ++i) {
-          const Entry& entry = discs.entries[i];
-          grid.u[i] = entry.u;
-          grid.v[i] = entry.v;
-          grid.w[i] = entry.w;
-          grid.radius2[i] = entry.radius2;
-          grid.id[i] = entry.id;
+  const auto entry_of = [&](std::size_t i) {
+    const Disc disc = place(spheres[i]);
+    const double r = spheres[i].radius;
+    return Entry{static_cast<T>(disc.u), static_cast<T>(disc.v), static_cast<T>(disc.w),
+                 static_cast<T>(r * r), static_cast<T>(ids[i])};
+  };
+  const auto entry_in = [](const Entry& entry, const CellRectangle&, int, int) { return entry; };
+  const auto arrange = [](std::span<Entry> entries) {
+    if (entries.size() <= DistantGrid<T>::few) return;
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& a, const Entry& b) { return a.w > b.w; });
+  };
+  grid.begins = sort_into_bins(
+      spheres.size(), BinGrid{grid.columns, grid.rows, 0}, pool,
+      make_binning<Entry>(cells_of, entry_of, entry_in, arrange),
+      [&](std::size_t count) {
+        for (LargeArray<T>* column : {&grid.u, &grid.v, &grid.radius2, &grid.w, &grid.id})
+          column->resize(count + padding);
+      },
+      [&](std::size_t first, std::span<const Entry> entries) {
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+          grid.u[first + i] = entries[i].u;
+          grid.v[first + i] = entries[i].v;
+          grid.w[first + i] = entries[i].w;
+          grid.radius2[first + i] = entries[i].radius2;
+          grid.id[first + i] = entries[i].id;
         }
       });
-  grid.begins = std::move(discs.begins);
   return grid;
 }
 

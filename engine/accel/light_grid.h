@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/memory/page_allocator.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/parallel/worker_pool.h"
 
@@ -25,12 +26,14 @@ struct DistantGrid {
   int columns = 0;
   int rows = 0;
   std::vector<std::uint32_t> begins;  ///< of each cell, row by row, and the end of the last
-  // Of each cell's discs, those nearest to the light first. The columns are longer than the last
-  // cell by what a packet may read beyond it.
-  std::vector<T> u, v;
-  std::vector<T> radius2;
-  std::vector<T> w;   ///< how far the centre is towards the light
-  std::vector<T> id;  ///< of the primitive
+  /// A cell of so few discs is not in order: a packet or two test them all.
+  static constexpr std::size_t few = 32;
+  // Of each other cell's discs, those nearest to the light first. The columns are longer than the
+  // last cell by what a packet may read beyond it.
+  LargeArray<T> u, v;
+  LargeArray<T> radius2;
+  LargeArray<T> w;   ///< how far the centre is towards the light
+  LargeArray<T> id;  ///< of the primitive
 };
 
 /// `ids[i]` numbers sphere i among the scene's primitives. `towards` is a unit vector.

@@ -1,7 +1,11 @@
 #include "engine/accel/screen_bins.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "engine/accel/box.h"
 #include "engine/accel/projection.h"
@@ -9,34 +13,23 @@
 namespace raytracer {
 namespace {
 
-/// Whole blocks or parts of blocks: begin <= index < end.
-struct IndexRectangle {
-  int x_begin;
-  int y_begin;
-  int x_end;
-  int y_end;
-
-  bool empty() const { return x_begin >= x_end || y_begin >= y_end; }
-};
-
 /// The squares of `side` pixels, `columns` x `rows` in all, that the rectangle touches.
-IndexRectangle squares_touched(const PixelRectangle& pixels, int side, int columns, int rows) {
+CellRectangle squares_touched(const PixelRectangle& pixels, int side, int columns, int rows) {
+  if (!(pixels.x_begin < pixels.x_end && pixels.y_begin < pixels.y_end)) return {};
+  // A rectangle beside the image clamps to nothing.
   const auto index = [&](double pixel, int most) {
-    return static_cast<int>(std::clamp(std::floor(pixel / side), -1.0, static_cast<double>(most)));
+    return static_cast<std::uint16_t>(std::clamp(pixel / side, 0.0, static_cast<double>(most)));
   };
-  if (!(pixels.x_begin < pixels.x_end && pixels.y_begin < pixels.y_end)) return {0, 0, 0, 0};
-  return {std::max(index(pixels.x_begin, columns), 0), std::max(index(pixels.y_begin, rows), 0),
-          std::min(index(pixels.x_end, columns) + 1, columns),
-          std::min(index(pixels.y_end, rows) + 1, rows)};
+  return {index(pixels.x_begin, columns), index(pixels.y_begin, rows),
+          index(pixels.x_end + side, columns), index(pixels.y_end + side, rows)};
 }
 
 /// The parts of the block at (column, row) that lie in `parts`, which counts parts of the image.
-std::uint16_t part_mask(const IndexRectangle& parts, int column, int row) {
+std::uint16_t part_mask(const CellRectangle& parts, int column, int row) {
   const int x_begin = std::max(parts.x_begin - 4 * column, 0);
   const int x_end = std::min(parts.x_end - 4 * column, 4);
   const int y_begin = std::max(parts.y_begin - 4 * row, 0);
   const int y_end = std::min(parts.y_end - 4 * row, 4);
-  if (x_begin >= x_end) return 0;
   const unsigned in_row = ((1U << x_end) - 1U) & ~((1U << x_begin) - 1U);
   unsigned mask = 0;
   for (int y = y_begin; y < y_end; ++y) mask |= in_row << (4 * y);
@@ -51,47 +44,77 @@ Box bound(const PackedSquare& square) {
   return Box{square.center - extent, square.center + extent}.padded(0);
 }
 
+/// Nearest first. Distances are not negative: their order is that of their bits, and a radix sort
+/// of those takes a fifth of the time that comparisons take in a block of hundreds.
+void sort_by_distance(std::span<ScreenEntry> entries) {
+  constexpr std::size_t few = 48;
+  constexpr int digit_bits = 8;
+  constexpr std::uint32_t digits = 1U << digit_bits;
+  if (entries.size() <= few) {
+    std::sort(entries.begin(), entries.end(),
+              [](const ScreenEntry& a, const ScreenEntry& b) { return a.nearest < b.nearest; });
+    return;
+  }
+  std::vector<ScreenEntry> other(entries.size());
+  std::span<ScreenEntry> from = entries;
+  std::span<ScreenEntry> to = other;
+  for (int shift = 0; shift < 32; shift += digit_bits) {
+    const auto digit = [shift](const ScreenEntry& entry) {
+      return std::bit_cast<std::uint32_t>(entry.nearest) >> shift & (digits - 1);
+    };
+    std::array<std::uint32_t, digits> next{};
+    for (const ScreenEntry& entry : from) ++next[digit(entry)];
+    if (next[digit(from[0])] == from.size()) continue;
+    std::exclusive_scan(next.begin(), next.end(), next.begin(), 0U);
+    for (const ScreenEntry& entry : from) to[next[digit(entry)]++] = entry;
+    std::swap(from, to);
+  }
+  if (from.data() != entries.data()) std::copy(from.begin(), from.end(), entries.begin());
+}
+
 }  // namespace
 
 ScreenBins build_screen_bins(const View& view, const std::vector<PackedSphere>& spheres,
                              const std::vector<PackedSquare>& squares, int block_side,
                              WorkerPool& pool) {
   ScreenBins bins;
-  bins.block_columns = (view.width + block_side - 1) / block_side;
-  const int block_rows = (view.height + block_side - 1) / block_side;
-  const auto block_count =
-      static_cast<std::size_t>(bins.block_columns) * static_cast<std::size_t>(block_rows);
-  const auto parts_touched = [&](const PixelRectangle& pixels) {
-    return squares_touched(pixels, block_side / 4, 4 * bins.block_columns, 4 * block_rows);
-  };
+  bins.blocks = {(view.width + block_side - 1) / block_side,
+                 (view.height + block_side - 1) / block_side, 2};
   const Projection projection(view);
+  const auto parts_touched = [&](const PixelRectangle& pixels) {
+    return squares_touched(pixels, block_side / 4, 4 * bins.blocks.columns, 4 * bins.blocks.rows);
+  };
 
-  bins.spheres =
-      sort_into_bins<ScreenEntry>(spheres.size(), block_count, pool, [&](std::size_t i, auto emit) {
-        const PackedSphere& sphere = spheres[i];
-        const IndexRectangle parts =
-            parts_touched(projection.of_sphere(sphere.center, sphere.radius));
-        if (parts.empty()) return;
-        // Rounded down: by more than the rounding of the distance and of the cast.
-        const auto nearest =
-            static_cast<float>((length(sphere.center) - sphere.radius) * (1 - 1e-6));
-        for (int row = parts.y_begin / 4; row <= (parts.y_end - 1) / 4; ++row)
-          for (int column = parts.x_begin / 4; column <= (parts.x_end - 1) / 4; ++column)
-            emit(bins.index(column, row), ScreenEntry{nearest, static_cast<std::uint32_t>(i),
-                                                      part_mask(parts, column, row)});
+  const auto cells_of = [&](std::size_t i) {
+    return parts_touched(projection.of_sphere(spheres[i].center, spheres[i].radius));
+  };
+  const auto entry_of = [&](std::size_t i) {
+    // Rounded down: by more than the rounding of the distance and of the cast.
+    const double nearest = (length(spheres[i].center) - spheres[i].radius) * (1 - 1e-6);
+    return ScreenEntry{static_cast<float>(std::max(nearest, 0.0)), static_cast<std::uint32_t>(i),
+                       0};
+  };
+  const auto entry_in = [](ScreenEntry entry, const CellRectangle& parts, int column, int row) {
+    entry.parts = part_mask(parts, column, row);
+    return entry;
+  };
+  bins.begins = sort_into_bins(
+      spheres.size(), bins.blocks, pool,
+      make_binning<ScreenEntry>(cells_of, entry_of, entry_in, &sort_by_distance),
+      [&](std::size_t count) { bins.spheres.resize(count); },
+      [&](std::size_t first, std::span<const ScreenEntry> entries) {
+        std::copy(entries.begin(), entries.end(),
+                  bins.spheres.begin() + static_cast<std::ptrdiff_t>(first));
       });
-  sort_bins(
-      bins.spheres, pool,
-      [](const ScreenEntry& a, const ScreenEntry& b) { return a.nearest < b.nearest; },
-      [](std::size_t, std::size_t) {});
 
-  if (!squares.empty()) bins.squares.assign(block_count, 0);
+  if (!squares.empty()) bins.squares.assign(bins.blocks.bin_count(), 0);
   for (const PackedSquare& square : squares) {
-    const IndexRectangle parts = parts_touched(projection.of_box(bound(square)));
+    const CellRectangle parts = parts_touched(projection.of_box(bound(square)));
     if (parts.empty()) continue;
-    for (int row = parts.y_begin / 4; row <= (parts.y_end - 1) / 4; ++row)
-      for (int column = parts.x_begin / 4; column <= (parts.x_end - 1) / 4; ++column)
-        bins.squares[bins.index(column, row)] |= part_mask(parts, column, row);
+    const CellRectangle blocks = bins.blocks.bins_of(parts);
+    for (int row = blocks.y_begin; row < blocks.y_end; ++row)
+      for (int column = blocks.x_begin; column < blocks.x_end; ++column)
+        bins.squares[bins.blocks.index(column, row)] |= part_mask(parts, column, row);
   }
   return bins;
 }

@@ -25,26 +25,20 @@ struct ScreenEntry {
 
 /// Entries by block, blocks row by row from the top.
 struct ScreenBins {
-  int block_columns = 0;
-  Binned<ScreenEntry> spheres;
+  BinGrid blocks{};
+  std::vector<std::uint32_t> begins;  ///< of each block in `spheres`, and the end of the last
+  LargeArray<ScreenEntry> spheres;
   std::vector<std::uint16_t> squares;  ///< the parts of each block that may show a square
-
-  /// The bin of the block at (column, row).
-  std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(block_columns) +
-           static_cast<std::size_t>(column);
-  }
 
   /// The parts of the block at (column, row) that may show a square, as ScreenEntry::parts.
   std::uint16_t square_parts(int column, int row) const {
-    return squares.empty() ? 0 : squares[index(column, row)];
+    return squares.empty() ? 0 : squares[blocks.index(column, row)];
   }
 
   /// The spheres of the block at (column, row), nearest first.
   std::span<const ScreenEntry> block(int column, int row) const {
-    const std::uint32_t begin = spheres.begins[index(column, row)];
-    const std::uint32_t end = spheres.begins[index(column, row) + 1];
-    return std::span(spheres.entries).subspan(begin, end - begin);
+    const std::uint32_t begin = begins[blocks.index(column, row)];
+    return std::span(spheres).subspan(begin, begins[blocks.index(column, row) + 1] - begin);
   }
 };
 

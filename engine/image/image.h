@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/image/pixel_allocator.h"
+#include "engine/memory/page_allocator.h"
 
 namespace raytracer {
 
@@ -12,7 +12,7 @@ namespace raytracer {
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<float, PixelAllocator<float>> values;  ///< 3 * width * height: red, green, blue
+  LargeArray<float> values;  ///< 3 * width * height: red, green, blue
 
   Image() = default;
   /// The values are not set.

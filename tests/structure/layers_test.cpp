@@ -20,12 +20,12 @@ namespace {
 using Folders = std::set<std::string>;
 
 /// The folders of the engine, each of which may include those before it.
-const std::vector<std::string> engine_order{"engine/parallel", "engine/math",   "engine/scene",
-                                            "engine/image",    "engine/plan",   "engine/pack",
-                                            "engine/accel",    "engine/kernel", "engine/sample",
-                                            "engine/render",   "engine/measure"};
+const std::vector<std::string> engine_order{"engine/memory", "engine/parallel", "engine/math",
+                                            "engine/scene",  "engine/image",    "engine/plan",
+                                            "engine/pack",   "engine/accel",    "engine/kernel",
+                                            "engine/sample", "engine/render",   "engine/measure"};
 
-/// Kernels and structures see packed arrays, never the scene or pixels' encodings.
+/// Structures and kernels see packed arrays, never the scene.
 const std::map<std::string, Folders> further_refusals{
     {"engine/math", {"engine/parallel"}},
     {"engine/scene", {"engine/parallel"}},
@@ -33,7 +33,7 @@ const std::map<std::string, Folders> further_refusals{
     {"engine/plan", {"engine/image"}},
     {"engine/pack", {"engine/image"}},
     {"engine/accel", {"engine/scene", "engine/image"}},
-    {"engine/kernel", {"engine/scene", "engine/image"}},
+    {"engine/kernel", {"engine/scene"}},
 };
 
 bool may_include(const std::string& layer, const std::string& target) {

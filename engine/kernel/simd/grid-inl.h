@@ -49,8 +49,10 @@ HWY_INLINE M occluded_in_grid(D d, const DistantGrid<T>& grid, const Start<V>& f
     const V point_w = hn::Set(d, w[lane]);
     const V own = hn::Set(d, id[lane]);
     const std::size_t end = grid.begins[cell + 1];
+    const bool is_sorted = end - grid.begins[cell] > DistantGrid<T>::few;
     for (std::size_t i = grid.begins[cell]; i < end; i += lanes) {
-      if (grid.w[i] <= w[lane]) break;  // this one and all behind it are farther from the light
+      // Then this one and all behind it are farther from the light.
+      if (is_sorted && grid.w[i] <= w[lane]) break;
       const V du = hn::Sub(hn::LoadU(d, &grid.u[i]), point_u);
       const V dv = hn::Sub(hn::LoadU(d, &grid.v[i]), point_v);
       const V distance2 = hn::MulAdd(du, du, hn::Mul(dv, dv));

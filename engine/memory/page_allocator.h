@@ -1,27 +1,30 @@
-// Memory for pixels: not written before the pixels are, and few pages where there are many.
+// Memory for large arrays of plain values: not written before their values are, and in few pages.
+//
+// A small page costs as much as many values when it is first written, by whoever writes it: a
+// picture of 3840 x 2160 has 24,000 of them.
 #pragma once
 
 #include <cstddef>
 #include <memory>
 #include <new>
 #include <utility>
+#include <vector>
 
 namespace raytracer {
 
-/// Memory for `bytes` at a page's begin, in huge pages where the system has them: an image of
-/// 3840 x 2160 has 24,000 small ones, and each costs as much as many pixels when it is first
-/// written. Throws std::bad_alloc.
+/// Memory for `bytes`, in huge pages if it fills some and the system has them. Throws
+/// std::bad_alloc.
 void* allocate_pages(std::size_t bytes);
 void free_pages(void* memory);
 
 /// For vectors whose elements are all written after they were made: it leaves them as they are.
 template <typename T>
-struct PixelAllocator {
+struct PageAllocator {
   using value_type = T;
 
-  PixelAllocator() = default;
+  PageAllocator() = default;
   template <typename U>
-  explicit PixelAllocator(const PixelAllocator<U>&) {}
+  explicit PageAllocator(const PageAllocator<U>&) {}
 
   T* allocate(std::size_t count) { return static_cast<T*>(allocate_pages(count * sizeof(T))); }
   void deallocate(T* memory, std::size_t) { free_pages(memory); }
@@ -35,7 +38,11 @@ struct PixelAllocator {
     std::construct_at(place, std::forward<Arguments>(arguments)...);
   }
 
-  friend bool operator==(const PixelAllocator&, const PixelAllocator&) { return true; }
+  friend bool operator==(const PageAllocator&, const PageAllocator&) { return true; }
 };
+
+/// A vector that resize() grows by elements that are not set.
+template <typename T>
+using LargeArray = std::vector<T, PageAllocator<T>>;
 
 }  // namespace raytracer

@@ -1,4 +1,4 @@
-#include "engine/image/pixel_allocator.h"
+#include "engine/memory/page_allocator.h"
 
 #include <cstdlib>
 
