@@ -42,6 +42,23 @@ struct Packet {
   V pixel;
 };
 
+/// The order that puts the lanes of `mask`, at least one, first. Made once for all values to be
+/// stored: Highway's Compress copies a table at each call, and CompressStore is slow on some
+/// processors.
+template <class D, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE auto compressing_order(D d, M mask) {
+  constexpr std::size_t most_lanes = hn::MaxLanes(D());
+  uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  HWY_ALIGN hwy::MakeSigned<T> order[most_lanes] = {};
+  std::size_t count = 0;
+  for (std::size_t lane = 0; lane < most_lanes; ++lane) {
+    order[count] = static_cast<hwy::MakeSigned<T>>(lane);
+    count += bytes[lane / 8] >> (lane % 8) & 1U;
+  }
+  return hn::SetTableIndices(d, order);
+}
+
 /// Adds what a packet sees to the block's colours and keeps what it mirrors for `reflected`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE void shade_packet(D d, const SimdScene<T>& scene, const Packet<V>& packet,
@@ -60,9 +77,9 @@ HWY_INLINE void shade_packet(D d, const SimdScene<T>& scene, const Packet<V>& pa
   if (hn::AllFalse(d, mirrors)) return;
   const V twice = hn::Mul(hn::Set(d, T(-2)), dot(packet.direction, surface.at.normal));
   const V3<V> direction = unit(d, mul_add(surface.at.normal, twice, packet.direction));
+  const auto first_mirrors = compressing_order(d, mirrors);
   const auto keep = [&](V values, T* column_of_block) HWY_ATTR {
-    // Not CompressStore: some processors take a hundred cycles for it.
-    hn::StoreU(hn::Compress(values, mirrors), d, column_of_block + reflected.count);
+    hn::StoreU(hn::TableLookupLanes(values, first_mirrors), d, column_of_block + reflected.count);
   };
   keep(direction.x, reflected.direction_x);
   keep(direction.y, reflected.direction_y);
