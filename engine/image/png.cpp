@@ -14,7 +14,8 @@ std::string encode_png(int width, int height, const std::vector<unsigned char>& 
     static_cast<std::string*>(context)->append(static_cast<const char*>(data),
                                                static_cast<std::size_t>(size));
   };
-  if (stbi_write_png_to_func(append, &file, width, height, 3, rgb.data(), 3 * width) == 0)
+  constexpr int no_gap_between_rows = 0;
+  if (stbi_write_png_to_func(append, &file, width, height, 3, rgb.data(), no_gap_between_rows) == 0)
     throw std::runtime_error("no memory to encode the PNG");
   return file;
 }

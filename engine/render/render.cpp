@@ -1,11 +1,11 @@
 #include "engine/render/render.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
 #include "engine/image/tile.h"
+#include "engine/measure/stopwatch.h"
 #include "engine/plan/plan.h"
 #include "engine/render/tracer.h"
 #include "engine/sample/contract.h"
@@ -26,17 +26,6 @@ int tile_side_px(int width, int height, std::size_t thread_count) {
     side /= 2;
   return side;
 }
-
-class Stopwatch {
- public:
-  double elapsed_ms() const {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
 
 /// What every pass over the image needs.
 struct Tracing {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/scenes.h"
+#include "tests/analytic/expect_color.h"
 
 namespace raytracer::test {
 namespace {
@@ -11,19 +11,14 @@ json mirror(double reflectivity) {
   return {{"ka", 1}, {"kd", 0}, {"ks", 0}, {"reflectivity", reflectivity}};
 }
 
-void expect_gray(const json& text, double expected) {
-  EXPECT_LE(distance(only_color(text), {expected, expected, expected}), rounding)
-      << only_color(text).x << " is not " << expected;
-}
-
 TEST(Reflection, OfTheBackgroundNeedsADepthOfOne) {
   json text = document(camera_json(), {plane_json({0, 0, 5}, {0, 0, 1}, mirror(0.5))});
   text["background"] = {0.2, 0.4, 0.8};
   text["render"]["max_depth"] = 0;
-  EXPECT_EQ(only_color(text), Vec3{});
+  expect_exact_color(text, {0, 0, 0});
   for (const int depth : {1, 2, 100}) {
     text["render"]["max_depth"] = depth;
-    EXPECT_LE(distance(only_color(text), {0.1, 0.2, 0.4}), rounding);
+    expect_color(text, {0.1, 0.2, 0.4});
   }
 }
 

@@ -8,7 +8,7 @@
 
 #include <numbers>
 
-#include "tests/support/scenes.h"
+#include "tests/analytic/expect_color.h"
 
 namespace raytracer::test {
 namespace {
@@ -24,13 +24,6 @@ json wall(double ka, double kd, double ks, double shininess) {
                      {"kd", kd},
                      {"ks", ks},
                      {"shininess", shininess}});
-}
-
-void expect_color(const json& text, const Vec3& expected, double tolerance = rounding) {
-  const Vec3 actual = only_color(text);
-  EXPECT_LE(distance(actual, expected), tolerance)
-      << actual.x << ' ' << actual.y << ' ' << actual.z << " is not " << expected.x << ' '
-      << expected.y << ' ' << expected.z;
 }
 
 TEST(Shading, AddsAmbientDiffuseAndHighlightEachTimesTheColor) {
@@ -128,10 +121,6 @@ json shadow_scene(const char* shadows, bool is_shadowed, const json& light) {
 
 constexpr double ambient_part = 0.5 * 0.2;
 constexpr double direct_part = 0.5 * 0.8;
-
-void expect_gray(const json& text, double expected) {
-  expect_color(text, {expected, expected, expected});
-}
 
 TEST(Shadow, BlackTakesTheAmbientPartToo) {
   const json light = distant_json({-0.6, 0, 0.8});

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/measure/stopwatch.h"
 #include "tests/bench/embree_world.h"
-#include "tests/bench/stopwatch.h"
 
 namespace raytracer::bench {
 namespace {

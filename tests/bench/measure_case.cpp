@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "tests/bench/stopwatch.h"
+#include "engine/measure/stopwatch.h"
 
 namespace raytracer::bench {
 namespace {

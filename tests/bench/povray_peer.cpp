@@ -11,8 +11,8 @@
 #include <regex>
 #include <stdexcept>
 
+#include "engine/measure/stopwatch.h"
 #include "tests/bench/povray_scene.h"
-#include "tests/bench/stopwatch.h"
 
 namespace raytracer::bench {
 namespace {

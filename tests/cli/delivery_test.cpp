@@ -104,8 +104,9 @@ TEST_F(Delivery, full_device_is_an_error) {
 }
 
 TEST_F(Delivery, reader_that_leaves_is_an_error_not_a_crash) {
-  // The pipe's reader has gone before the picture is written.
-  const std::string script = std::string("(sleep 0.2; ") + RAYTRACER_CLIENT_PATH +
+  // An echo to the pipe fails once its reader has gone, so that is before the picture is written.
+  const std::string script = std::string("(while (echo); do sleep 0.01; done; ") +
+                             RAYTRACER_CLIENT_PATH +
                              " render -; echo status $? >&2) < scene.json | true";
   folder_.write("scene.json", small_scene);
   Command command{"/bin/sh", {"-c", script}, "", {{"RAYTRACER_SERVER", server().url()}}};

@@ -102,7 +102,9 @@ TEST_F(EndlessRender, daemon_that_is_killed_is_status_2) {
 }
 
 TEST(PrivateDaemon, is_gone_after_a_render) {
-  Process client(client_command({"render", "-", "--samples", "400"}, small_scene));
+  // By time, so that the daemon is seen however fast the engine is.
+  Process client(client_command(
+      {"render", "-", "--width", "700", "--height", "500", "--budget-ms", "500"}, small_scene));
   pid_t daemon = -1;
   ASSERT_TRUE(eventually([&] {
     const std::vector<pid_t> children = children_of(client.id());

@@ -21,13 +21,13 @@ using namespace std::chrono_literals;
 /// As many renders as run at once, begun; --max-queue 0 lets /readyz say that all of them are.
 class Busy {
  public:
-  Busy(const ServerProcess& server, const std::string& document) {
+  Busy(const ServerProcess& server, const std::string& document, const std::string& query = "") {
     for (int i = 0; i < 4; ++i) {
       clients_.push_back(std::make_unique<RawConnection>(server.port()));
       clients_.back()->send(
-          fmt::format("POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+          fmt::format("POST /render{} HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
                       "Connection: close\r\nContent-Length: {}\r\n\r\n{}",
-                      document.size(), document));
+                      query, document.size(), document));
     }
     EXPECT_TRUE(eventually([&] { return get(server, "/readyz").status == 503; }));
   }
@@ -60,7 +60,8 @@ TEST(ShutdownSignal, idle_server_ends_at_once_with_status_0) {
 
 TEST(ShutdownSignal, accepted_renders_are_finished_and_new_ones_refused) {
   ServerProcess server({"--max-queue", "0"});
-  Busy renders(server, square_scene(400, 10));
+  // By time, so that they are still running however fast the engine is.
+  Busy renders(server, square_scene(400, 1), "?budget_ms=2000");
   server.signal(SIGTERM);
   EXPECT_TRUE(eventually([&] { return refuses_new_work(server); }, 3s));
   renders.expect_answers(200);

@@ -18,10 +18,6 @@ namespace raytracer::test {
 
 using nlohmann::json;
 
-/// How far a channel may be from its exact value where the engine chose single precision: a 400th
-/// of an 8-bit level.
-inline constexpr double rounding = 1e-5;
-
 inline json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// A camera at the origin that looks along +z: x of the scene is x of the image.

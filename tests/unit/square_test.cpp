@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <vector>
 
+#include "tests/support/cpu_stopwatch.h"
 #include "tests/support/rays.h"
 
 namespace raytracer::test {
@@ -182,13 +182,8 @@ INSTANTIATE_TEST_SUITE_P(AllAxes, SquareOf,
 
 constexpr std::int64_t billion = 1'000'000'000;
 
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-}
-
 TEST(SquareOfABillion, IsHitAtTheRightSphereAtOnce) {
-  const auto start = std::chrono::steady_clock::now();
+  const CpuStopwatch watch;
   for (const auto& axes : all_axes) {
     const PackedSquare square = square_of({}, 1, billion, axes);
     for (const std::int64_t index : {std::int64_t{0}, std::int64_t{7}, billion - 1, billion,
@@ -207,7 +202,7 @@ TEST(SquareOfABillion, IsHitAtTheRightSphereAtOnce) {
       EXPECT_EQ(query.surface().id.part, static_cast<std::uint64_t>(index * square.side + billion));
     }
   }
-  EXPECT_LT(milliseconds_since(start), 100);
+  EXPECT_LT(watch.elapsed_ms(), 100);
 }
 
 TEST(SquareOfABillion, IsHitLikeTheSpheresNearby) {
@@ -221,10 +216,10 @@ TEST(SquareOfABillion, IsHitLikeTheSpheresNearby) {
       Vec3 origin = random.point(-1, 1);
       coordinate(origin, axes[2]) = random.magnitude(-0.1, 0.5) * 2;
       const Ray ray = ray_towards(origin, random.point(-3, 3) * 0.3);
-      const auto before = std::chrono::steady_clock::now();
+      const CpuStopwatch watch;
       NearestHit query(ray);
       query.show(square);
-      in_square_ms += milliseconds_since(before);
+      in_square_ms += watch.elapsed_ms();
       if (query.found() && query.t_max() < 8) expect_same_hit(ray, square, near);
     }
   }
@@ -234,7 +229,7 @@ TEST(SquareOfABillion, IsHitLikeTheSpheresNearby) {
 TEST(SquareOfABillion, IsCrossedAlmostInItsPlaneAtOnce) {
   Random random(13);
   const PackedSquare square = square_of({}, 1, billion, all_axes[0]);
-  const auto start = std::chrono::steady_clock::now();
+  const CpuStopwatch watch;
   for (int i = 0; i < 100; ++i) {
     const double angle = random.between(0, 2 * std::numbers::pi);
     const double height = random.between(-0.999, 0.999);
@@ -244,18 +239,18 @@ TEST(SquareOfABillion, IsCrossedAlmostInItsPlaneAtOnce) {
     query.show(square);
     EXPECT_TRUE(query.found());
   }
-  EXPECT_LT(milliseconds_since(start), 500);
+  EXPECT_LT(watch.elapsed_ms(), 500);
 }
 
 TEST(SquareOfMany, IsCrossedInTheTangentPlaneOfItsSpheresAtOnce) {
   // One ray of a photograph with the horizon at the spheres' tops. A walk over all rows would take
   // minutes for n = 1e9; here n is such that it is merely too long.
   const PackedSquare square = square_of({}, 1, 10'000'000, all_axes[0]);
-  const auto start = std::chrono::steady_clock::now();
+  const CpuStopwatch watch;
   const Ray ray = ray_from({-3e7, 1, -2e7}, {1, 0, 0.7123});
   AnyHit query(ray, 1e30);
   query.show(square);
-  EXPECT_LT(milliseconds_since(start), 100);
+  EXPECT_LT(watch.elapsed_ms(), 100);
 }
 
 }  // namespace

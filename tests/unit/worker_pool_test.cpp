@@ -53,27 +53,29 @@ TEST(WorkerPool, ServesManyCallersAtOnce) {
     for (const auto& call : own) EXPECT_EQ(call, 5);
 }
 
-TEST(WorkerPool, LetsAShortBatchPassALongOne) {
+TEST(WorkerPool, TakesATaskOfEachBatchInTurn) {
   WorkerPool pool(1);
-  std::atomic<int> long_done{0};
-  std::atomic<bool> long_began{false};
-  constexpr int long_count = 400;
+  std::atomic<bool> stop{false};
+  std::atomic<int> long_calls{0};
+  // 20 s: far longer than the short batch needs, and an end if that had to wait for this one.
   std::thread long_caller([&] {
     pool.run(
-        long_count,
+        20'000,
         [&](std::size_t) {
-          long_began = true;
+          ++long_calls;
           std::this_thread::sleep_for(std::chrono::milliseconds(1));
-          ++long_done;
         },
-        never);
+        stop);
   });
-  while (!long_began) std::this_thread::yield();
+  while (long_calls == 0) std::this_thread::yield();
+  std::vector<int> long_calls_before;
   pool.run(
-      5, [](std::size_t) {}, never);
-  EXPECT_LT(long_done, long_count / 2);
+      5, [&](std::size_t) { long_calls_before.push_back(long_calls); }, never);
+  stop = true;
   long_caller.join();
-  EXPECT_EQ(long_done, long_count);
+  ASSERT_EQ(long_calls_before.size(), 5U);
+  for (std::size_t i = 1; i < 5; ++i)
+    EXPECT_EQ(long_calls_before[i], long_calls_before[i - 1] + 1) << i;
 }
 
 TEST(WorkerPool, BeginsNoTaskOnceStopIsSet) {
@@ -85,10 +87,12 @@ TEST(WorkerPool, BeginsNoTaskOnceStopIsSet) {
       [&](std::size_t i) {
         ++calls;
         if (i == 10) stop = true;
+        while (i > 10 && !stop) std::this_thread::yield();
       },
       stop);
+  // The other thread may have begun the next task before the flag was set.
   EXPECT_GE(calls, 11);
-  EXPECT_LE(calls, 20);
+  EXPECT_LE(calls, 12);
   pool.run(
       5, [&](std::size_t) { ADD_FAILURE(); }, stop);
 }
@@ -113,9 +117,9 @@ TEST(WorkerPool, StopsFromAnotherThread) {
 }
 
 TEST(WorkerPool, ThrowsATasksExceptionAtItsCallerAndServesOn) {
-  WorkerPool pool(2);
+  WorkerPool pool(1);
   for (int round = 0; round < 20; ++round) {
-    std::atomic<int> calls{0};
+    int calls = 0;
     EXPECT_THROW(pool.run(
                      1000,
                      [&](std::size_t i) {
@@ -124,11 +128,49 @@ TEST(WorkerPool, ThrowsATasksExceptionAtItsCallerAndServesOn) {
                      },
                      never),
                  std::runtime_error);
-    EXPECT_LT(calls, 1000);
-    std::atomic<int> next{0};
+    EXPECT_EQ(calls, 4);
+    int next = 0;
     pool.run(
         10, [&](std::size_t) { ++next; }, never);
     EXPECT_EQ(next, 10);
+  }
+}
+
+TEST(WorkerPool, BeginsNoTaskOnAnyThreadOnceOneHasThrown) {
+  for (int round = 0; round < 20; ++round) {
+    WorkerPool pool(2);
+    std::atomic<std::thread::id> thrower{};
+    std::atomic<bool> is_known{false};
+    std::atomic<bool> is_over{false};
+    // The thread that threw serves other batches only after it has told the pool.
+    std::thread witness([&] {
+      while (!is_over)
+        pool.run(
+            1,
+            [&](std::size_t) {
+              if (thrower.load() == std::this_thread::get_id()) is_known = true;
+            },
+            never);
+    });
+    std::atomic<int> calls{0};
+    EXPECT_THROW(pool.run(
+                     1000,
+                     [&](std::size_t i) {
+                       ++calls;
+                       if (i == 3) {
+                         thrower = std::this_thread::get_id();
+                         throw std::runtime_error("task");
+                       }
+                       if (i > 4) is_known = true;  // one too many: fail, do not hang
+                       while (i > 3 && !is_known) std::this_thread::yield();
+                     },
+                     never),
+                 std::runtime_error);
+    is_over = true;
+    witness.join();
+    // The other thread may have begun the next task before.
+    EXPECT_GE(calls, 4);
+    EXPECT_LE(calls, 5);
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-namespace raytracer::bench {
+namespace raytracer {
 
 class Stopwatch {
  public:
@@ -16,4 +16,4 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-}  // namespace raytracer::bench
+}  // namespace raytracer
