@@ -56,7 +56,9 @@ TEST_F(Interruption, works_from_the_keyboard) {
   PseudoTerminal terminal(client_command({"render", "-", "--server", server().url()}, ""), 80, 24);
   // The scene is typed, so this also says that a terminal's input is read to its end (Ctrl-D).
   terminal.type(R"({"camera": {"origin": [0,0,-5], "look_at": [0,0,0], "fov": 1, "width": 1500,)");
-  terminal.type("\n\"height\": 1500}, \"render\": {\"samples\": 1500}}\n\x04");
+  terminal.type("\n\"height\": 1500}, \"render\": {\"samples\": 1500},\n");
+  terminal.type(R"("objects": [{"type": "sphere", "center": [0,0,0], "radius": 4}],)");
+  terminal.type("\n\"lights\": [{\"type\": \"distant\", \"direction\": [1,1,9]}]}\n\x04");
   EXPECT_TRUE(terminal.shows(" %", 10s)) << terminal.screen();
   terminal.type("\x03");
   EXPECT_EQ(terminal.wait(5s), 128 + SIGINT) << terminal.screen();
