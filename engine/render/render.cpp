@@ -14,15 +14,18 @@
 namespace raytracer {
 namespace {
 
-/// As large as leaves each thread enough tiles to share the work evenly: a tile costs a lock.
-int tile_side_px(int width, int height, std::size_t thread_count) {
+/// As large as leaves each thread enough tiles to share the work evenly, because a tile costs a
+/// lock; but no more samples than others, whose turn comes after a tile, may be made to wait for.
+int tile_side_px(int width, int height, int samples, std::size_t thread_count) {
   constexpr double tiles_per_thread = 16;
+  constexpr double most_samples = 1 << 14;
   constexpr int largest = 64;
   constexpr int smallest = 16;
   const double pixels = static_cast<double>(width) * height;
   int side = largest;
   while (side > smallest &&
-         pixels / (side * side) < tiles_per_thread * static_cast<double>(thread_count))
+         (pixels / (side * side) < tiles_per_thread * static_cast<double>(thread_count) ||
+          static_cast<double>(side) * side * samples > most_samples))
     side /= 2;
   return side;
 }
@@ -47,8 +50,9 @@ struct Tracing {
   std::optional<Image> pass(int samples, bool may_end_early) {
     Image image(width, height);
     const std::vector<SamplePoint> pattern = sample_pattern(samples);
-    const std::vector<Tile> tiles = split_into_tiles(
-        image.width, image.height, tile_side_px(image.width, image.height, pool.thread_count()));
+    const std::vector<Tile> tiles =
+        split_into_tiles(image.width, image.height,
+                         tile_side_px(image.width, image.height, samples, pool.thread_count()));
     std::atomic<bool> stop{progress.stop.load()};
     std::atomic<std::size_t> done{0};
     pool.run(

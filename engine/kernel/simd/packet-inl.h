@@ -86,6 +86,20 @@ HWY_INLINE V inverse_root(D d, V a) {
   return hn::Div(hn::Set(d, T(1)), hn::Sqrt(a));
 }
 
+/// 1 / a, likewise.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V inverse(D d, V a) {
+  using T = hn::TFromD<D>;
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+  if constexpr (sizeof(T) == sizeof(float)) {
+    const V estimate = hn::ApproximateReciprocal(a);
+    const V error = hn::NegMulAdd(a, estimate, hn::Set(d, T(1)));
+    return hn::MulAdd(estimate, error, estimate);
+  }
+#endif
+  return hn::Div(hn::Set(d, T(1)), a);
+}
+
 /// The lanes' directions; the zero vector gives no number.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V3<V> unit(D d, const V3<V>& a) {

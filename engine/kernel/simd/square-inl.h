@@ -106,15 +106,15 @@ HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<
   const V low_second = hn::Set(d, square.low_second);
   const V high_second = hn::Set(d, square.high_second);
 
-  const V inverse_first = hn::Div(one, without_zero(d, direction.x));
-  const V inverse_across = hn::Div(one, without_zero(d, direction.y));
-  const V inverse_second = hn::Div(one, without_zero(d, direction.z));
+  const V inverse_first = inverse(d, without_zero(d, direction.x));
+  const V inverse_across = inverse(d, without_zero(d, direction.y));
+  const V inverse_second = inverse(d, without_zero(d, direction.z));
 
   V t_begin = zero;
   V t_end = t_max;
-  const auto clip = [&](V low, V high, V from, V inverse) HWY_ATTR {
-    const V t1 = hn::Mul(hn::Sub(low, from), inverse);
-    const V t2 = hn::Mul(hn::Sub(high, from), inverse);
+  const auto clip = [&](V low, V high, V from, V slope_inverse) HWY_ATTR {
+    const V t1 = hn::Mul(hn::Sub(low, from), slope_inverse);
+    const V t2 = hn::Mul(hn::Sub(high, from), slope_inverse);
     t_begin = hn::Max(t_begin, hn::Min(t1, t2));
     t_end = hn::Min(t_end, hn::Max(t1, t2));
   };
@@ -133,8 +133,8 @@ HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<
   found.first = start(origin.x, direction.x, low_first, high_first);
   found.second = start(origin.z, direction.z, low_second, high_second);
   // The ray leaves cell i at i * inverse + leave.
-  const auto leave_time = [&](V step, V from, V inverse) HWY_ATTR {
-    return hn::Mul(hn::Sub(hn::Mul(half, step), from), inverse);
+  const auto leave_time = [&](V step, V from, V slope_inverse) HWY_ATTR {
+    return hn::Mul(hn::Sub(hn::Mul(half, step), from), slope_inverse);
   };
   const V leave_first = leave_time(step_first, origin.x, inverse_first);
   const V leave_second = leave_time(step_second, origin.z, inverse_second);

@@ -57,25 +57,35 @@ HWY_INLINE Surface<D> surface_at(D d, const SimdScene<T>& scene, const Start<V>&
   const SurfaceTable<T>& table = scene.surfaces;
   const Rows<D> primitive(d, nearest.id, hit);
   const V t = hn::IfThenElseZero(hit, nearest.t);
-  Start<V> at{mul_add(direction, t, from.point), {}, nearest.id, nearest.first, nearest.second};
-  const V curvature = primitive(d, table.curvature);
-  const V3<V> place{primitive(d, table.x), primitive(d, table.y), primitive(d, table.z)};
-  at.normal = scale(sub(at.point, place), curvature);
-  if (!scene.planes.empty() || !scene.triangles.empty()) {
-    const M flat = hn::Eq(curvature, hn::Zero(d));
-    const M ahead = hn::Gt(dot(place, direction), hn::Zero(d));
-    at.normal = select(flat, select(ahead, negate(place), place), at.normal);
-  }
-
+  const V zero = hn::Zero(d);
+  Start<V> at{mul_add(direction, t, from.point),
+              {zero, zero, zero},
+              nearest.id,
+              nearest.first,
+              nearest.second};
+  M of_squares = hn::Lt(t, t);
   for (const SimdSquare<T>& square : scene.squares) {
-    const M of_square = hn::Eq(nearest.id, hn::Set(d, static_cast<T>(square.id)));
+    const M of_square = hn::And(hit, hn::Eq(nearest.id, hn::Set(d, static_cast<T>(square.id))));
     if (hn::AllFalse(d, of_square)) continue;
+    of_squares = hn::Or(of_squares, of_square);
     const V to_cells = hn::Set(d, square.cells_per_unit);
     const V3<V> in_cells =
         mul_add(along_square(square, at.point), to_cells, broadcast(d, square.eye));
     const V3<V> from_center{hn::Sub(in_cells.x, nearest.first), in_cells.y,
                             hn::Sub(in_cells.z, nearest.second)};
     at.normal = select(of_square, from_square(square, unit(d, from_center)), at.normal);
+  }
+  const M others = hn::AndNot(of_squares, hit);
+  if (!hn::AllFalse(d, others)) {
+    const V curvature = primitive(d, table.curvature);
+    const V3<V> place{primitive(d, table.x), primitive(d, table.y), primitive(d, table.z)};
+    V3<V> normal = scale(sub(at.point, place), curvature);
+    if (!scene.planes.empty() || !scene.triangles.empty()) {
+      const M flat = hn::Eq(curvature, hn::Zero(d));
+      const M ahead = hn::Gt(dot(place, direction), hn::Zero(d));
+      normal = select(flat, select(ahead, negate(place), place), normal);
+    }
+    at.normal = select(others, normal, at.normal);
   }
   return {at, Rows<D>(d, primitive(d, table.material), hit)};
 }
