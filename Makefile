@@ -7,7 +7,7 @@ JOBS ?= $(shell getconf _NPROCESSORS_ONLN)
 MAKEFLAGS += --no-print-directory
 
 sources = $(shell find engine server client tests -name '*.h' -o -name '*.cpp')
-scripts = raytracer-demo .ci/install .ci/run
+scripts = raytracer-demo .ci/install .ci/run tests/instructions/check
 
 # Configures every time: it takes a second, and finds what was installed since the last time.
 # $(1) is the directory, $(2) more flags.
@@ -40,7 +40,8 @@ check:
 	clang-format --dry-run -Werror $(sources)
 	shellcheck $(scripts)
 	$(call configure,build,-DRAYTRACER_TESTS=ON)
-	@cmake --build build --parallel $(JOBS)  # some headers are generated
+	@cmake --build build --parallel $(JOBS) --target all render_repeatedly  # headers are generated
+	tests/instructions/check build
 	run-clang-tidy -quiet -j $(JOBS) -p build '^$(CURDIR)/(engine|server|client|tests)/'
 
 # Directories of their own: the two cannot be combined, and neither with the ordinary build.
@@ -77,7 +78,7 @@ clean:
 help:
 	@echo "make           build/raytracer-server and build/raytracer"
 	@echo "make test      all tests; installs what is missing"
-	@echo "make check     clang-format, clang-tidy, shellcheck; installs what is missing"
+	@echo "make check     clang-format, clang-tidy, shellcheck, instruction counts; installs what is missing"
 	@echo "make sanitize  all tests with AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make tsan      all tests with ThreadSanitizer"
 	@echo "make tradeoff  the demo's error and time for growing numbers of samples"
