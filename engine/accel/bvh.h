@@ -1,87 +1,83 @@
-// A binary tree of boxes over spheres and triangles, built by the surface area heuristic over
-// bins (Wald: "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007).
+// What finds a scene's primitives for one ray after the other: a tree over its spheres and one over
+// its triangles.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <limits>
+#include <utility>
 
 #include "engine/accel/box.h"
+#include "engine/accel/primitive_trees.h"
+#include "engine/accel/tree.h"
 #include "engine/accel/unbounded.h"
 #include "engine/pack/packed_scene.h"
+#include "engine/parallel/worker_pool.h"
 
 namespace raytracer {
 
 /// Refers to the scene, which must outlive it.
 class Bvh {
  public:
-  struct Node {
-    Box box;
-    std::uint32_t first;  ///< leaf: into order(); inner: the first of two children
-    std::uint32_t count;  ///< leaf: of primitives; inner: 0
-    int axis;             ///< inner: of the split; the first child is on its lower side
-  };
-
-  /// Deeper than this the tree is split in the middle, so that a stack of fixed size suffices.
-  static constexpr int deepest_by_heuristic = 48;
-  static constexpr int deepest = deepest_by_heuristic + 32;
-
-  static Bvh build(const PackedScene& scene);
-
-  /// The root first; children side by side. Empty if there is nothing to find.
-  const std::vector<Node>& nodes() const { return nodes_; }
-  /// Primitives by leaf: spheres are numbered first, then triangles.
-  const std::vector<std::uint32_t>& order() const { return order_; }
+  /// On the pool's threads.
+  static Bvh build(const PackedScene& scene, WorkerPool& pool) {
+    return {scene, build_sphere_tree(scene.spheres, pool),
+            build_triangle_tree(scene.triangles, pool)};
+  }
 
   template <typename Query>
   void visit(Query& query) const {
     show_unbounded(*scene_, query);
-    if (nodes_.empty()) return;
     const BoxRay ray(query.ray());
-    std::array<Entry, deepest + 1> stack;
-    std::size_t size = 0;
-    const auto push = [&](std::uint32_t node) {
-      const double enter = ray.enter(nodes_[node].box, query.t_max());
-      if (enter < std::numeric_limits<double>::infinity()) stack[size++] = {node, enter};
-    };
-    push(0);
-    while (size > 0 && !query.is_settled()) {
-      const Entry entry = stack[--size];
-      if (entry.enter > query.t_max()) continue;
-      const Node& node = nodes_[entry.node];
-      if (node.count > 0) {
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) show(i, query);
-        continue;
-      }
-      push(node.first);
-      push(node.first + 1);
-      // The nearer child goes on top.
-      if (size >= 2 && stack[size - 2].node == node.first &&
-          stack[size - 2].enter < stack[size - 1].enter)
-        std::swap(stack[size - 2], stack[size - 1]);
-    }
+    visit(spheres_, scene_->spheres, ray, query);
+    visit(triangles_, scene_->triangles, ray, query);
   }
 
  private:
+  Bvh(const PackedScene& scene, Tree spheres, Tree triangles)
+      : scene_(&scene), spheres_(std::move(spheres)), triangles_(std::move(triangles)) {}
+
   struct Entry {
-    std::uint32_t node;
+    TreeChild child;
     double enter;
   };
-  struct Builder;
 
-  template <typename Query>
-  void show(std::uint32_t place, Query& query) const {
-    const std::uint32_t primitive = order_[place];
-    const auto sphere_count = static_cast<std::uint32_t>(scene_->spheres.size());
-    if (primitive < sphere_count)
-      query.show(scene_->spheres[primitive]);
-    else
-      query.show(scene_->triangles[primitive - sphere_count]);
+  template <typename Primitives, typename Query>
+  static void visit(const Tree& tree, const Primitives& primitives, const BoxRay& ray,
+                    Query& query) {
+    if (tree.nodes.empty()) return;
+    std::array<Entry, Tree::stack_size> stack;
+    std::size_t size = 0;
+    stack[size++] = {TreeChild::node(0), 0};
+    while (size > 0 && !query.is_settled()) {
+      const Entry entry = stack[--size];
+      if (entry.enter > query.t_max()) continue;
+      const std::uint32_t index = entry.child.index();
+      if (entry.child.is_leaf()) {
+        for (std::uint32_t i = tree.leaf_begins[index]; i < tree.leaf_begins[index + 1]; ++i)
+          query.show(primitives[tree.order[i]]);
+        continue;
+      }
+      const TreeNode& node = tree.nodes[index];
+      const std::size_t first = size;
+      for (std::size_t i = 0; i < node.child_count; ++i) {
+        const Box box{{node.low[0][i], node.low[1][i], node.low[2][i]},
+                      {node.high[0][i], node.high[1][i], node.high[2][i]}};
+        const double enter = ray.enter(box, query.t_max());
+        if (enter == std::numeric_limits<double>::infinity()) continue;
+        // The nearest goes on top.
+        std::size_t place = size++;
+        for (; place > first && stack[place - 1].enter < enter; --place)
+          stack[place] = stack[place - 1];
+        stack[place] = {node.children[i], enter};
+      }
+    }
   }
 
-  const PackedScene* scene_ = nullptr;
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> order_;
+  const PackedScene* scene_;
+  Tree spheres_;
+  Tree triangles_;
 };
 
 }  // namespace raytracer

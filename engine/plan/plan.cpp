@@ -29,8 +29,9 @@ Choice<Kernel> choose_kernel(const Census& census) {
 Structures choose_structures(const Census& census) {
   Structures structures;
   structures.light_grids = census.spheres > few_for_shadows && !census.has_point_lights;
-  structures.tree = census.triangles > 0 || (census.spheres > few_for_reflections &&
-                                             (census.has_point_lights || census.reflects));
+  structures.sphere_tree =
+      census.spheres > few_for_reflections && (census.has_point_lights || census.reflects);
+  structures.triangle_tree = census.triangles > 0;
   return structures;
 }
 

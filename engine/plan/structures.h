@@ -5,7 +5,8 @@ namespace raytracer {
 
 struct Structures {
   bool light_grids = false;  ///< over the spheres, for each light: all must be distant
-  bool tree = false;         ///< over spheres and triangles
+  bool sphere_tree = false;
+  bool triangle_tree = false;
 };
 
 }  // namespace raytracer

@@ -61,7 +61,7 @@ Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool) {
   auto kept = std::make_unique<const PackedScene>(std::move(packed));
   const PackedScene& reference = *kept;
   if (plan.kernel.value == Kernel::bvh)
-    return ReferenceTracer{std::move(kept), Bvh::build(reference)};
+    return ReferenceTracer{std::move(kept), Bvh::build(reference, pool)};
   return ReferenceTracer{std::move(kept), BruteForce(reference)};
 }
 

@@ -16,9 +16,10 @@ template <typename S>
 Image reference_image(const Scene& scene) {
   auto packed = std::make_unique<const PackedScene>(pack_scene(scene, make_frame(scene)));
   const PackedScene& kept = *packed;
+  WorkerPool pool(1);
   const auto structure = [&] {
     if constexpr (std::is_same_v<S, Bvh>)
-      return Bvh::build(kept);
+      return Bvh::build(kept, pool);
     else
       return BruteForce(kept);
   }();

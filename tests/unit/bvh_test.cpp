@@ -33,7 +33,8 @@ std::optional<Departure> expect_same_hit(const Ray& ray, const Bvh& tree, const 
 
 /// Rays from all around, and rays that leave what those meet.
 void expect_same_hits(const PackedScene& scene, Random& random, int count = 300) {
-  const Bvh tree = Bvh::build(scene);
+  WorkerPool pool(2);
+  const Bvh tree = Bvh::build(scene, pool);
   const BruteForce force(scene);
   for (int i = 0; i < count; ++i) {
     Ray ray = ray_towards(random.point(-3, 3), random.point(-1, 1));
@@ -108,7 +109,8 @@ TEST(Bvh, OfFlatBoxesIsHitLikeBruteForce) {
     add_triangle(scene, turned(a, b), turned(a + 0.5, b), turned(a, b + 0.5));
   }
   expect_same_hits(scene, random, 2000);
-  const Bvh tree = Bvh::build(scene);
+  WorkerPool pool(2);
+  const Bvh tree = Bvh::build(scene, pool);
   const BruteForce force(scene);
   for (int i = 0; i < 1000; ++i) {
     const auto level = [&] { return 0.25 * static_cast<double>(random.below(9)) - 1; };
@@ -144,7 +146,8 @@ TEST(Bvh, IsHitLikeBruteForceByRaysThatLeaveAFarPlane) {
   PackedScene scene;
   for (int i = 0; i < 200; ++i) add_sphere(scene, random.point(-1, 1), random.between(0.01, 0.1));
   scene.planes.push_back({{0, -1.2, 0}, {0, 1, 0}, {100'000, 0}});
-  const Bvh tree = Bvh::build(scene);
+  WorkerPool pool(2);
+  const Bvh tree = Bvh::build(scene, pool);
   const BruteForce force(scene);
   for (int i = 0; i < 3000; ++i) {
     const double far_away = std::abs(random.magnitude(0, 7));

@@ -96,7 +96,8 @@ std::vector<NamedScene> scenes() {
 /// The reference: one ray at a time, in double.
 Image reference_image(const Scene& scene) {
   const PackedScene packed = pack_scene(scene, make_frame(scene));
-  const Bvh structure = Bvh::build(packed);
+  WorkerPool pool(1);
+  const Bvh structure = Bvh::build(packed, pool);
   Image image(scene.camera.width, scene.camera.height);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {

@@ -19,20 +19,26 @@ namespace HWY_NAMESPACE {
 template <typename T>
 inline constexpr T plane_noise = 16 * std::numeric_limits<T>::epsilon();
 
+/// Distances to planes at `height` along their normals; the ray that leaves one does not meet it.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M meets_plane(D d, const SimdPlane<T>& plane, const Start<V>& from,
+HWY_INLINE M meets_plane(D d, const V3<V>& normal, V height, V id, const Start<V>& from,
                          const V3<V>& direction, V& t) {
-  const V3<V> normal = broadcast(d, plane.normal);
-  const V height = hn::Set(d, plane.height);
   const V rest = hn::Sub(height, dot(normal, from.point));
   const V noise =
       hn::Mul(hn::Set(d, plane_noise<T>), hn::Add(hn::Abs(height), hn::Abs(hn::Sub(height, rest))));
   t = hn::Div(rest, dot(normal, direction));
-  const M other = hn::Ne(from.id, hn::Set(d, static_cast<T>(plane.id)));
+  const M other = hn::Ne(from.id, id);
   const M apart = hn::Gt(hn::Abs(rest), noise);
   const M ahead =
       hn::And(hn::Gt(t, hn::Zero(d)), hn::Lt(t, hn::Set(d, std::numeric_limits<T>::max())));
   return hn::And(hn::And(other, apart), ahead);
+}
+
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M meets_plane(D d, const SimdPlane<T>& plane, const Start<V>& from,
+                         const V3<V>& direction, V& t) {
+  return meets_plane(d, broadcast(d, plane.normal), hn::Set(d, plane.height),
+                     hn::Set(d, static_cast<T>(plane.id)), from, direction, t);
 }
 
 /// The lanes' planes across their rays (see across() in engine/math/vec.h).
@@ -53,14 +59,25 @@ HWY_INLINE AcrossPacket<V> across_packet(D d, const V3<V>& w) {
           {b, hn::MulAdd(hn::Mul(w.y, w.y), a, sign), hn::Neg(w.y)}};
 }
 
-/// Lanes whose rays pass through the triangle, as intersect_triangle() in engine/kernel/flat.h
+/// Triangles, one for each lane's ray.
+template <class V>
+struct Triangles {
+  V3<V> a;
+  V3<V> b;
+  V3<V> c;
+  V3<V> normal;
+  V height;
+  V id;
+};
+
+/// Lanes whose rays pass through their triangle, as intersect_triangle() in engine/kernel/flat.h
 /// decides it. The products are not fused: that could make their difference's sign wrong.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M passes_through(D d, const SimdTriangle<T>& triangle, const V3<V>& origin,
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M passes_through(D d, const Triangles<V>& triangles, const V3<V>& origin,
                             const AcrossPacket<V>& plane) {
-  const V3<V> a = sub(broadcast(d, triangle.a), origin);
-  const V3<V> b = sub(broadcast(d, triangle.b), origin);
-  const V3<V> c = sub(broadcast(d, triangle.c), origin);
+  const V3<V> a = sub(triangles.a, origin);
+  const V3<V> b = sub(triangles.b, origin);
+  const V3<V> c = sub(triangles.c, origin);
   const V a_u = dot(plane.u, a);
   const V a_v = dot(plane.v, a);
   const V b_u = dot(plane.u, b);
@@ -76,28 +93,32 @@ HWY_INLINE M passes_through(D d, const SimdTriangle<T>& triangle, const V3<V>& o
   return hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
 }
 
-/// Distances to a triangle. What lies wholly on or under the tangent plane that a ray leaves
-/// cannot be met by it: that settles the triangle itself and its coplanar neighbours by their
+/// Lanes whose triangle does not lie wholly on or under the tangent plane that the ray leaves. What
+/// does cannot be met by it: that settles the triangle itself and its coplanar neighbours by their
 /// exact corners, not by the rounded point.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M meets_triangle(D d, const SimdTriangle<T>& triangle, const Start<V>& from,
-                            const V3<V>& direction, const AcrossPacket<V>& plane, M active, V& t) {
-  M hit = hn::And(active, passes_through(d, triangle, from.point, plane));
-  t = hn::Zero(d);
-  if (hn::AllFalse(d, hit)) return hit;
-  hit = hn::And(hit, meets_plane(d, triangle.plane, from, direction, t));
+HWY_INLINE M rises_above(D d, const Triangles<V>& triangles, const Start<V>& from) {
   const V reach =
       hn::Add(hn::Max(hn::Abs(from.point.x), hn::Abs(from.point.y)), hn::Abs(from.point.z));
   M above = hn::Lt(from.id, hn::Zero(d));  // nothing is under the eye
-  for (const Triple<T>* corner : {&triangle.a, &triangle.b, &triangle.c}) {
-    const V3<V> to_corner = sub(broadcast(d, *corner), from.point);
-    const V size = hn::Set(d, (corner->x < 0 ? -corner->x : corner->x) +
-                                  (corner->y < 0 ? -corner->y : corner->y) +
-                                  (corner->z < 0 ? -corner->z : corner->z));
+  for (const V3<V>* corner : {&triangles.a, &triangles.b, &triangles.c}) {
+    const V size = hn::Add(hn::Add(hn::Abs(corner->x), hn::Abs(corner->y)), hn::Abs(corner->z));
     const V noise = hn::Mul(hn::Set(d, plane_noise<T>), hn::Add(size, reach));
-    above = hn::Or(above, hn::Gt(dot(from.normal, to_corner), noise));
+    above = hn::Or(above, hn::Gt(dot(from.normal, sub(*corner, from.point)), noise));
   }
-  return hn::And(hit, above);
+  return above;
+}
+
+/// Distances to triangles.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M meets(D d, const Triangles<V>& triangles, const Start<V>& from, const V3<V>& direction,
+                   const AcrossPacket<V>& plane, M active, V& t) {
+  M hit = hn::And(active, passes_through(d, triangles, from.point, plane));
+  t = hn::Zero(d);
+  if (hn::AllFalse(d, hit)) return hit;
+  hit = hn::And(
+      hit, meets_plane(d, triangles.normal, triangles.height, triangles.id, from, direction, t));
+  return hn::And(hit, rises_above(d, triangles, from));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -36,13 +36,14 @@ HWY_INLINE M occluded(D d, const SimdScene<T>& scene, const SimdLight<T>& light,
                       const Start<V>& from, const V3<V>& towards, V distance, V incidence, M lit) {
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
   if (scene.has_light_grids) dark = occluded_in_grid(d, light.grid, from, lit);
-  const bool has_tree = !scene.tree.nodes.empty();
-  if (has_tree && (!scene.triangles.empty() || !scene.has_light_grids)) {
-    dark = hn::Or(
-        dark, occluded_in_tree(d, scene, light, from, towards, distance, hn::AndNot(dark, lit)));
-  } else if (!has_tree && !scene.has_light_grids) {
+  else if (!scene.sphere_tree.is_empty())
+    dark = occluded_in_tree(d, scene.sphere_tree, from, towards, distance, lit);
+  else
     for (const SimdSphere<T>& sphere : scene.spheres)
       dark = hn::Or(dark, occluded_by(d, sphere, light, from, towards, distance, lit));
+  if (!scene.triangle_tree.is_empty()) {
+    const M rest = hn::AndNot(dark, lit);
+    dark = hn::Or(dark, occluded_in_tree(d, scene.triangle_tree, from, towards, distance, rest));
   }
   for (const SimdPlane<T>& plane : scene.planes) {
     V t;

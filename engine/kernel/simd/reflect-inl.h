@@ -121,12 +121,14 @@ void trace_reflected(const SimdScene<T>& scene, const RayBlock<T>& rays, bool re
                            at(rays.pixel)};
     const V none = hn::Set(d, T(-1));
     Nearest<V> nearest{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
-    if (scene.tree.nodes.empty()) {
+    if (scene.sphere_tree.is_empty()) {
       for (const SimdSphere<T>& sphere : scene.spheres)
         show_sphere(d, sphere, packet.from, packet.direction, active, nearest);
     } else {
-      show_tree(d, scene, packet.from, packet.direction, active, true, nearest);
+      show_tree(d, scene.sphere_tree, packet.from, packet.direction, active, nearest);
     }
+    if (!scene.triangle_tree.is_empty())
+      show_tree(d, scene.triangle_tree, packet.from, packet.direction, active, nearest);
     show_planes(d, scene, packet.from, packet.direction, active, nearest);
     show_squares<true>(d, scene, packet.from, packet.direction, active, nearest);
 

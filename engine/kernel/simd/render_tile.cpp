@@ -70,7 +70,7 @@ struct BlockContents {
         parts(square_parts) {
     constexpr std::uint32_t all = 0xFFFF;
     for (const ScreenEntry& entry : spheres) parts |= entry.parts;
-    if (!scene.planes.empty() || !scene.triangles.empty()) parts = all;
+    if (!scene.planes.empty() || scene.has_triangles) parts = all;
   }
 };
 
@@ -94,7 +94,7 @@ HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
       const auto active = rays.active(d, place);
       Nearest<V> nearest{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
       show_spheres_to_eye(d, scene, contents.spheres, place.part(), direction, active, nearest);
-      if (!scene.triangles.empty()) show_tree(d, scene, eye, direction, active, false, nearest);
+      if (scene.has_triangles) show_tree(d, scene.triangle_tree, eye, direction, active, nearest);
       show_planes(d, scene, eye, direction, active, nearest);
       if ((contents.square_parts >> place.part() & 1U) != 0)
         show_squares<false>(d, scene, eye, direction, active, nearest);

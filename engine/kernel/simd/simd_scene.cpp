@@ -35,32 +35,6 @@ SimdPlane<T> pack_plane(const Vec3& normal, const Vec3& point, std::int32_t id) 
   return {narrowed<T>(normal), static_cast<T>(dot(normal, point)), id};
 }
 
-/// The box's corners rounded outward.
-template <typename T>
-SimdNode<T> pack(const Bvh::Node& node) {
-  const auto toward = [](double value, T end) {
-    const T rounded = static_cast<T>(value);
-    return std::nextafter(rounded, end);
-  };
-  constexpr T infinity = std::numeric_limits<T>::infinity();
-  const Vec3& low = node.box.low;
-  const Vec3& high = node.box.high;
-  return {{toward(low.x, -infinity), toward(low.y, -infinity), toward(low.z, -infinity)},
-          {toward(high.x, infinity), toward(high.y, infinity), toward(high.z, infinity)},
-          node.first,
-          node.count,
-          node.axis};
-}
-
-template <typename T>
-SimdTree<T> pack_tree(const Bvh& bvh) {
-  SimdTree<T> tree;
-  tree.nodes.reserve(bvh.nodes().size());
-  for (const Bvh::Node& node : bvh.nodes()) tree.nodes.push_back(pack<T>(node));
-  tree.order = bvh.order();
-  return tree;
-}
-
 template <typename T>
 SimdSquare<T> pack(const PackedSquare& square, std::int32_t id) {
   const double cell = 2 * square.radius;
@@ -158,9 +132,11 @@ class SurfaceNumbering {
   SurfaceTable<T>& table_;
 };
 
-/// The primitives of all kinds in the document's order.
+/// The primitives of all kinds in the document's order; returns the triangles' numbers.
 template <typename T>
-void pack_primitives(const PackedScene& scene, SimdScene<T>& packed) {
+std::vector<std::int32_t> pack_primitives(const PackedScene& scene, SimdScene<T>& packed) {
+  std::vector<std::int32_t> triangle_ids;
+  triangle_ids.reserve(scene.triangles.size());
   SurfaceNumbering<T> numbering(scene, packed.surfaces);
   auto sphere = scene.spheres.begin();
   auto square = scene.squares.begin();
@@ -174,13 +150,10 @@ void pack_primitives(const PackedScene& scene, SimdScene<T>& packed) {
     for (; plane != scene.planes.end() && plane->id.object == object; ++plane)
       packed.planes.push_back(
           pack_plane<T>(plane->normal, plane->point, numbering.add_plane(*plane)));
-    for (; triangle != scene.triangles.end() && triangle->id.object == object; ++triangle) {
-      const auto& [a, b, c] = triangle->vertices;
-      packed.triangles.push_back(
-          {narrowed<T>(a), narrowed<T>(b), narrowed<T>(c),
-           pack_plane<T>(triangle->normal, a, numbering.add_triangle(*triangle))});
-    }
+    for (; triangle != scene.triangles.end() && triangle->id.object == object; ++triangle)
+      triangle_ids.push_back(numbering.add_triangle(*triangle));
   }
+  return triangle_ids;
 }
 
 /// The spheres' numbers among the primitives.
@@ -213,10 +186,14 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Structures& structu
   packed.forward = narrowed<T>(scene.view.forward);
   packed.right = narrowed<T>(scene.view.right);
   packed.up = narrowed<T>(scene.view.up);
-  pack_primitives(scene, packed);
+  const std::vector<std::int32_t> triangle_ids = pack_primitives(scene, packed);
+  packed.has_triangles = !scene.triangles.empty();
   packed.bins = build_screen_bins(scene.view, scene.spheres, scene.squares, block_side, pool);
   packed.has_light_grids = structures.light_grids;
-  if (structures.tree) packed.tree = pack_tree<T>(Bvh::build(scene));
+  if (structures.sphere_tree)
+    packed.sphere_tree = make_sphere_tree<T>(scene.spheres, ids(packed), pool);
+  if (structures.triangle_tree)
+    packed.triangle_tree = make_triangle_tree<T>(scene.triangles, triangle_ids, pool);
   for (const PackedLight& light : scene.lights) {
     SimdLight<T> simd{
         light.is_distant, narrowed<T>(light.place), saturated<T>(light.emission), {}, {}};

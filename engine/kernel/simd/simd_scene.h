@@ -14,9 +14,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/accel/bvh.h"
 #include "engine/accel/light_grid.h"
 #include "engine/accel/screen_bins.h"
+#include "engine/kernel/simd/simd_tree.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/parallel/worker_pool.h"
 #include "engine/plan/structures.h"
@@ -47,33 +47,6 @@ struct SimdPlane {
   T height;          ///< normal . (point - eye)
   std::int32_t id;
 };
-
-template <typename T>
-struct SimdTriangle {
-  Triple<T> a;
-  Triple<T> b;
-  Triple<T> c;
-  SimdPlane<T> plane;  ///< through its corners; the id is the triangle's
-};
-
-/// A node of a tree of boxes, as Bvh::Node.
-template <typename T>
-struct SimdNode {
-  Triple<T> low;
-  Triple<T> high;
-  std::uint32_t first;
-  std::uint32_t count;
-  int axis;
-};
-
-/// Over the spheres (numbered first in `order`) and the triangles.
-template <typename T>
-struct SimdTree {
-  std::vector<SimdNode<T>> nodes;
-  std::vector<std::uint32_t> order;
-};
-
-inline constexpr int deepest_tree = Bvh::deepest;
 
 /// A square of spheres in units of its cells (one cell is a sphere's diameter), its spanning axes
 /// first and last, the axis across it in the middle. Cells have integer coordinates relative to
@@ -147,11 +120,12 @@ struct SimdScene {
   Triple<T> up;
   std::vector<SimdSphere<T>> spheres;
   ScreenBins bins;       ///< of the spheres, for rays from the eye
-  bool has_light_grids;  ///< for shadows of spheres; else the tree, or every sphere
+  bool has_light_grids;  ///< for shadows of spheres; else their tree, or every sphere
   std::vector<SimdSquare<T>> squares;
   std::vector<SimdPlane<T>> planes;
-  std::vector<SimdTriangle<T>> triangles;
-  SimdTree<T> tree;  ///< empty where nothing needs it
+  SimdTree<SphereBlock<T>> sphere_tree;      ///< empty where nothing needs it
+  SimdTree<TriangleBlock<T>> triangle_tree;  ///< empty where nothing needs it
+  bool has_triangles;
   std::vector<SimdLight<T>> lights;
   SurfaceTable<T> surfaces;
   MaterialTable<T> materials;

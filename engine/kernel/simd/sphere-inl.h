@@ -42,19 +42,36 @@ HWY_INLINE void show_spheres_to_eye(D d, const SimdScene<T>& scene,
   }
 }
 
-/// Distances to a sphere from anywhere outside of it; lanes that leave it do not meet it.
+/// Spheres, one for each lane's ray.
+template <class V>
+struct Spheres {
+  V3<V> center;
+  V radius2;
+  V id;
+};
+
+/// What distances to spheres, from anywhere outside of them, follow from; lanes that leave a sphere
+/// do not meet it.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M meets_sphere(D d, const Spheres<V>& spheres, const Start<V>& from,
+                          const V3<V>& direction, V& b, V& discriminant, V& c) {
+  const V zero = hn::Zero(d);
+  const V3<V> f = sub(from.point, spheres.center);
+  b = hn::Neg(dot(f, direction));
+  const V3<V> l = mul_add(direction, b, f);
+  discriminant = hn::Sub(spheres.radius2, dot(l, l));
+  c = hn::Max(hn::Sub(dot(f, f), spheres.radius2), zero);
+  const M other = hn::Ne(from.id, spheres.id);
+  return hn::And(other, hn::And(hn::Ge(discriminant, zero), hn::Gt(b, zero)));
+}
+
+/// The same for one sphere.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M meets_sphere(D d, const SimdSphere<T>& sphere, const Start<V>& from,
                           const V3<V>& direction, V& b, V& discriminant, V& c) {
-  const V zero = hn::Zero(d);
-  const V3<V> f = sub(from.point, broadcast(d, sphere.center));
-  b = hn::Neg(dot(f, direction));
-  const V3<V> l = mul_add(direction, b, f);
-  const V radius2 = hn::Set(d, sphere.radius2);
-  discriminant = hn::Sub(radius2, dot(l, l));
-  c = hn::Max(hn::Sub(dot(f, f), radius2), zero);
-  const M other = hn::Ne(from.id, hn::Set(d, static_cast<T>(sphere.id)));
-  return hn::And(other, hn::And(hn::Ge(discriminant, zero), hn::Gt(b, zero)));
+  const Spheres<V> spheres{broadcast(d, sphere.center), hn::Set(d, sphere.radius2),
+                           hn::Set(d, static_cast<T>(sphere.id))};
+  return meets_sphere(d, spheres, from, direction, b, discriminant, c);
 }
 
 /// The packet against one sphere.

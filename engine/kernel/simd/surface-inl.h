@@ -80,7 +80,7 @@ HWY_INLINE Surface<D> surface_at(D d, const SimdScene<T>& scene, const Start<V>&
     const V curvature = primitive(d, table.curvature);
     const V3<V> place{primitive(d, table.x), primitive(d, table.y), primitive(d, table.z)};
     V3<V> normal = scale(sub(at.point, place), curvature);
-    if (!scene.planes.empty() || !scene.triangles.empty()) {
+    if (!scene.planes.empty() || scene.has_triangles) {
       const M flat = hn::Eq(curvature, hn::Zero(d));
       const M ahead = hn::Gt(dot(place, direction), hn::Zero(d));
       normal = select(flat, select(ahead, negate(place), place), normal);

@@ -1,0 +1,41 @@
+// Building a tree of boxes by the surface area heuristic, on all threads.
+//
+// A node takes eight children by splitting the largest again (Wald, Benthin, Boulos: "Getting Rid
+// of Packets", 2008). Large ranges are split by all threads together, the rest is one task for
+// each subtree. The tree does not depend on the number of threads.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "engine/accel/box.h"
+#include "engine/accel/tree.h"
+#include "engine/accel/tree_split.h"
+#include "engine/parallel/worker_pool.h"
+
+namespace raytracer {
+
+/// The records are reordered. There are less than 2^29.
+Tree build_tree(TreeRecord* records, std::uint32_t count, WorkerPool& pool);
+
+/// A tree over primitives 0 to count - 1. `bound_of(i)` gives the box of one, and is called from
+/// several threads.
+template <typename BoundOf>
+Tree build_tree(std::size_t count, const BoundOf& bound_of, WorkerPool& pool) {
+  constexpr std::size_t chunk_size = 16384;
+  const auto records = std::make_unique_for_overwrite<TreeRecord[]>(count);
+  const std::atomic<bool> never{false};
+  pool.run((count + chunk_size - 1) / chunk_size,
+           [&](std::size_t chunk) {
+             const std::size_t end = std::min(count, (chunk + 1) * chunk_size);
+             for (std::size_t i = chunk * chunk_size; i < end; ++i)
+               records[i] = TreeRecord::of(bound_of(i), static_cast<std::uint32_t>(i));
+           },
+           never);
+  return build_tree(records.get(), static_cast<std::uint32_t>(count), pool);
+}
+
+}  // namespace raytracer

@@ -1,0 +1,15 @@
+// Trees over a scene's spheres and over its triangles.
+#pragma once
+
+#include <vector>
+
+#include "engine/accel/tree.h"
+#include "engine/pack/packed_scene.h"
+#include "engine/parallel/worker_pool.h"
+
+namespace raytracer {
+
+Tree build_sphere_tree(const std::vector<PackedSphere>& spheres, WorkerPool& pool);
+Tree build_triangle_tree(const std::vector<PackedTriangle>& triangles, WorkerPool& pool);
+
+}  // namespace raytracer
