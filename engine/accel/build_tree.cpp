@@ -31,15 +31,15 @@ class Nodes {
   std::pair<Part, Part> split(const Part& part, int depth, ParallelSplit* together) const {
     const Range& range = part.range;
     if (depth < deepest_by_heuristic) {
-      const Binning binning(part);
+      const BinScale scale(part);
       Bins bins;
       if (together != nullptr)
-        bins = together->count(range, binning);
+        bins = together->count(range, scale);
       else
-        bins.count(binning, records_, range);
-      if (const std::optional<Cut> cut = best_cut(bins, binning)) {
-        const Sides sides = together != nullptr ? together->partition(range, binning, *cut)
-                                                : partition(records_, range, binning, *cut);
+        bins.count(scale, records_, range);
+      if (const std::optional<Cut> cut = best_cut(bins, scale)) {
+        const Sides sides = together != nullptr ? together->partition(range, scale, *cut)
+                                                : partition(records_, range, scale, *cut);
         return {{{range.begin, sides.middle}, cut->below, sides.below},
                 {{sides.middle, range.end}, cut->above, sides.above}};
       }

@@ -56,19 +56,19 @@ Part ParallelSplit::bound(const Range& range) {
   return all;
 }
 
-Bins ParallelSplit::count(const Range& range, const Binning& binning) {
+Bins ParallelSplit::count(const Range& range, const BinScale& scale) {
   std::vector<Bins> bins(chunk_count(range));
   for_chunks(range, [&](std::size_t chunk, const Range& part) {
-    bins[chunk].count(binning, records_, part);
+    bins[chunk].count(scale, records_, part);
   });
   for (std::size_t chunk = 1; chunk < bins.size(); ++chunk) bins[0].add(bins[chunk]);
   return bins[0];
 }
 
-Sides ParallelSplit::partition(const Range& range, const Binning& binning, const Cut& cut) {
+Sides ParallelSplit::partition(const Range& range, const BinScale& scale, const Cut& cut) {
   std::vector<Sides> sides(chunk_count(range));
   for_chunks(range, [&](std::size_t chunk, const Range& part) {
-    sides[chunk] = raytracer::partition(records_, part, binning, cut);
+    sides[chunk] = raytracer::partition(records_, part, scale, cut);
   });
   Sides all{range.begin, {}, {}};
   for (std::size_t chunk = 0; chunk < sides.size(); ++chunk) {

@@ -19,8 +19,8 @@ class ParallelSplit {
   ParallelSplit(TreeRecord* records, WorkerPool& pool) : records_(records), pool_(pool) {}
 
   Part bound(const Range& range);
-  Bins count(const Range& range, const Binning& binning);
-  Sides partition(const Range& range, const Binning& binning, const Cut& cut);
+  Bins count(const Range& range, const BinScale& scale);
+  Sides partition(const Range& range, const BinScale& scale, const Cut& cut);
 
  private:
   template <typename Task>

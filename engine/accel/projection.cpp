@@ -39,7 +39,9 @@ Projection::Projection(const View& view)
       columns_per_slope_(length(view.forward) / length(view.right) * 0.5 * view.width),
       rows_per_slope_(length(view.forward) / length(view.up) * 0.5 * view.height),
       middle_column_(0.5 * view.width),
-      middle_row_(0.5 * view.height) {}
+      middle_row_(0.5 * view.height),
+      most_distance_per_depth_(
+          length(Vec3{middle_column_ / columns_per_slope_, middle_row_ / rows_per_slope_, 1})) {}
 
 Projection::Place Projection::place(const Vec3& point) const {
   return {dot(point, right_), dot(point, up_), dot(point, forward_)};
@@ -81,6 +83,67 @@ PixelRectangle Projection::of_box(const Box& box) const {
   }
   return {column(horizontal.low) - generosity_px, row(vertical.high) - generosity_px,
           column(horizontal.high) + generosity_px, row(vertical.low) + generosity_px};
+}
+
+PixelRectangle Projection::of_triangle(const PackedTriangle& triangle) const {
+  // What the image shows of it lies deeper than this, at the distance of its plane or beyond.
+  const double least_depth =
+      std::abs(dot(triangle.normal, triangle.vertices[0])) / most_distance_per_depth_ * (1 - 1e-9);
+  std::array<Place, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = place(triangle.vertices[i]);
+  Slopes horizontal;
+  Slopes vertical;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Place& from = corners[i];
+    const Place& to = corners[(i + 1) % 3];
+    if (from.z >= least_depth && from.z > 0) {
+      horizontal.include(from.x / from.z);
+      vertical.include(from.y / from.z);
+    }
+    if ((from.z < least_depth) != (to.z < least_depth) && least_depth > 0) {
+      const double share = (least_depth - from.z) / (to.z - from.z);
+      horizontal.include((from.x + share * (to.x - from.x)) / least_depth);
+      vertical.include((from.y + share * (to.y - from.y)) / least_depth);
+    }
+  }
+  return {column(horizontal.low) - generosity_px, row(vertical.high) - generosity_px,
+          column(horizontal.high) + generosity_px, row(vertical.low) + generosity_px};
+}
+
+double Projection::depth(const PackedTriangle& triangle) const {
+  const auto& [a, b, c] = triangle.vertices;
+  return std::max(0.0, std::min({dot(a, forward_), dot(b, forward_), dot(c, forward_)}));
+}
+
+double Projection::distance_per_depth(const PixelRectangle& pixels) const {
+  const double column = std::clamp(middle_column_, pixels.x_begin, pixels.x_end) - middle_column_;
+  const double row = std::clamp(middle_row_, pixels.y_begin, pixels.y_end) - middle_row_;
+  return length({column / columns_per_slope_, row / rows_per_slope_, 1});
+}
+
+TriangleSides::TriangleSides(const View& view, const PackedTriangle& triangle) {
+  const auto& corners = triangle.vertices;
+  const double sign = dot(cross(corners[0], corners[1]), corners[2]) < 0 ? -1 : 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    // The plane through the eye and the side.
+    const Vec3 inward = sign * cross(corners[i], corners[(i + 1) % 3]);
+    const double right = dot(inward, view.right);
+    const double up = dot(inward, view.up);
+    sides_[i] = {dot(inward, view.forward) - right + up, 2 * right / view.width,
+                 -2 * up / view.height};
+  }
+}
+
+bool TriangleSides::reach(const PixelRectangle& pixels) const {
+  const double x = 0.5 * (pixels.x_begin + pixels.x_end);
+  const double y = 0.5 * (pixels.y_begin + pixels.y_end);
+  const double half_width = 0.5 * (pixels.x_end - pixels.x_begin) + generosity_px;
+  const double half_height = 0.5 * (pixels.y_end - pixels.y_begin) + generosity_px;
+  return std::all_of(sides_.begin(), sides_.end(), [&](const Side& side) {
+    return side.at_origin + side.per_column * x + side.per_row * y +
+               std::abs(side.per_column) * half_width + std::abs(side.per_row) * half_height >=
+           0;
+  });
 }
 
 }  // namespace raytracer

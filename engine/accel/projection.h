@@ -1,8 +1,11 @@
 // Where on the image a shape may be seen, a little generously.
 #pragma once
 
+#include <array>
+
 #include "engine/accel/box.h"
 #include "engine/math/vec.h"
+#include "engine/pack/packed_scene.h"
 #include "engine/pack/view.h"
 
 namespace raytracer {
@@ -22,6 +25,13 @@ class Projection {
 
   PixelRectangle of_sphere(const Vec3& center, double radius) const;
   PixelRectangle of_box(const Box& box) const;
+  PixelRectangle of_triangle(const PackedTriangle& triangle) const;
+
+  /// Of the part of a triangle that the image can show: a lower bound of its depth, the distance
+  /// along the view's middle.
+  double depth(const PackedTriangle& triangle) const;
+  /// How many times as far as deep what is seen in the rectangle is at least.
+  double distance_per_depth(const PixelRectangle& pixels) const;
 
  private:
   /// Distances from the eye along the view's axes.
@@ -41,6 +51,25 @@ class Projection {
   double rows_per_slope_;
   double middle_column_;
   double middle_row_;
+  double most_distance_per_depth_;
+};
+
+/// The sides of a triangle on the image, which part what it may cover from what it does not.
+class TriangleSides {
+ public:
+  TriangleSides(const View& view, const PackedTriangle& triangle);
+
+  /// Whether the triangle may cover something of the rectangle that its own rectangle covers.
+  bool reach(const PixelRectangle& pixels) const;
+
+ private:
+  /// Positive inside, linear over the image.
+  struct Side {
+    double at_origin;
+    double per_column;
+    double per_row;
+  };
+  std::array<Side, 3> sides_;
 };
 
 }  // namespace raytracer

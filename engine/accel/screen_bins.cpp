@@ -36,6 +36,30 @@ std::uint16_t part_mask(const CellRectangle& parts, int column, int row) {
   return static_cast<std::uint16_t>(mask);
 }
 
+/// The square of `side` pixels at (column, row).
+PixelRectangle square_pixels(int column, int row, int side) {
+  const double x = static_cast<double>(column) * side;
+  const double y = static_cast<double>(row) * side;
+  return {x, y, x + side, y + side};
+}
+
+/// Those of a block's parts that the triangle reaches.
+std::uint16_t parts_reached(const TriangleSides& sides, const PixelRectangle& block,
+                            std::uint16_t mask) {
+  if (!sides.reach(block)) return 0;
+  const double side = (block.x_end - block.x_begin) / 4;
+  unsigned reached = 0;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      const unsigned part = 1U << (4 * row + column);
+      const double x = block.x_begin + side * column;
+      const double y = block.y_begin + side * row;
+      if ((mask & part) != 0 && sides.reach({x, y, x + side, y + side})) reached |= part;
+    }
+  }
+  return static_cast<std::uint16_t>(reached);
+}
+
 /// The space that holds a square's spheres.
 Box bound(const PackedSquare& square) {
   const double half = square.radius * static_cast<double>(square.side);
@@ -72,10 +96,48 @@ void sort_by_distance(std::span<ScreenEntry> entries) {
   if (from.data() != entries.data()) std::copy(from.begin(), from.end(), entries.begin());
 }
 
+/// Fills in the bins' triangles.
+void bin_triangles(const View& view, std::span<const PackedTriangle> triangles, int block_side,
+                   WorkerPool& pool, ScreenBins& bins) {
+  const BinGrid& blocks = bins.blocks;
+  const Projection projection(view);
+  std::vector<float> distance_per_depth(blocks.bin_count());
+  for (int row = 0; row < blocks.rows; ++row)
+    for (int column = 0; column < blocks.columns; ++column)
+      distance_per_depth[blocks.index(column, row)] = static_cast<float>(
+          projection.distance_per_depth(square_pixels(column, row, block_side)) * (1 - 1e-6));
+
+  const auto cells_of = [&](std::size_t i) {
+    return squares_touched(projection.of_triangle(triangles[i]), block_side / 4, 4 * blocks.columns,
+                           4 * blocks.rows);
+  };
+  const auto entry_of = [&](std::size_t i) {
+    return ScreenEntry{static_cast<float>(projection.depth(triangles[i]) * (1 - 1e-6)),
+                       static_cast<std::uint32_t>(i), 0};
+  };
+  const auto entry_in = [&](ScreenEntry entry, const CellRectangle& parts, int column, int row) {
+    entry.nearest *= distance_per_depth[blocks.index(column, row)];
+    entry.parts = part_mask(parts, column, row);
+    if (parts.x_end - parts.x_begin > 4 && parts.y_end - parts.y_begin > 4)
+      entry.parts = parts_reached(TriangleSides(view, triangles[entry.primitive]),
+                                  square_pixels(column, row, block_side), entry.parts);
+    return entry;
+  };
+  bins.triangle_begins = sort_into_bins(
+      triangles.size(), blocks, pool,
+      make_binning<ScreenEntry>(cells_of, entry_of, entry_in, &sort_by_distance),
+      [&](std::size_t count) { bins.triangles.resize(count); },
+      [&](std::size_t first, std::span<const ScreenEntry> entries) {
+        std::copy(entries.begin(), entries.end(),
+                  bins.triangles.begin() + static_cast<std::ptrdiff_t>(first));
+      });
+}
+
 }  // namespace
 
 ScreenBins build_screen_bins(const View& view, const std::vector<PackedSphere>& spheres,
-                             const std::vector<PackedSquare>& squares, int block_side,
+                             const std::vector<PackedSquare>& squares,
+                             std::span<const PackedTriangle> triangles, int block_side,
                              WorkerPool& pool) {
   ScreenBins bins;
   bins.blocks = {(view.width + block_side - 1) / block_side,
@@ -106,6 +168,8 @@ ScreenBins build_screen_bins(const View& view, const std::vector<PackedSphere>& 
         std::copy(entries.begin(), entries.end(),
                   bins.spheres.begin() + static_cast<std::ptrdiff_t>(first));
       });
+
+  if (!triangles.empty()) bin_triangles(view, triangles, block_side, pool, bins);
 
   if (!squares.empty()) bins.squares.assign(bins.blocks.bin_count(), 0);
   for (const PackedSquare& square : squares) {

@@ -1,7 +1,7 @@
-// Which spheres each block of pixels may show, near to far.
+// Which spheres and triangles each block of pixels may show, near to far.
 //
 // All rays from the eye share their origin, so a 2-D structure finds what they meet: the image,
-// cut into blocks. Every sphere is entered into the blocks that its silhouette may touch.
+// cut into blocks. Every primitive is entered into the blocks that its silhouette may touch.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@
 
 namespace raytracer {
 
-/// A sphere in a block.
+/// A sphere or triangle in a block.
 struct ScreenEntry {
-  float nearest;         ///< a lower bound of its distance from the eye
-  std::uint32_t sphere;  ///< index into the spheres
+  float nearest;            ///< a lower bound of its distance from the eye
+  std::uint32_t primitive;  ///< index into the spheres or triangles
   /// Which of the block's 4 x 4 parts it may touch: bit 4 * row + column, row 0 on top.
   std::uint16_t parts;
 };
@@ -28,7 +28,9 @@ struct ScreenBins {
   BinGrid blocks{};
   std::vector<std::uint32_t> begins;  ///< of each block in `spheres`, and the end of the last
   LargeArray<ScreenEntry> spheres;
-  std::vector<std::uint16_t> squares;  ///< the parts of each block that may show a square
+  std::vector<std::uint32_t> triangle_begins;  ///< of each block in `triangles`, likewise
+  LargeArray<ScreenEntry> triangles;           ///< none unless they are to be found here
+  std::vector<std::uint16_t> squares;          ///< the parts of each block that may show a square
 
   /// The parts of the block at (column, row) that may show a square, as ScreenEntry::parts.
   std::uint16_t square_parts(int column, int row) const {
@@ -40,11 +42,20 @@ struct ScreenBins {
     const std::uint32_t begin = begins[blocks.index(column, row)];
     return std::span(spheres).subspan(begin, begins[blocks.index(column, row) + 1] - begin);
   }
+
+  /// Its triangles, nearest first.
+  std::span<const ScreenEntry> block_triangles(int column, int row) const {
+    if (triangles.empty()) return {};
+    const std::uint32_t begin = triangle_begins[blocks.index(column, row)];
+    const std::uint32_t end = triangle_begins[blocks.index(column, row) + 1];
+    return std::span(triangles).subspan(begin, end - begin);
+  }
 };
 
 /// Uses the pool's threads. `block_side` is in pixels, a multiple of 4.
 ScreenBins build_screen_bins(const View& view, const std::vector<PackedSphere>& spheres,
-                             const std::vector<PackedSquare>& squares, int block_side,
+                             const std::vector<PackedSquare>& squares,
+                             std::span<const PackedTriangle> triangles, int block_side,
                              WorkerPool& pool);
 
 }  // namespace raytracer

@@ -44,21 +44,21 @@ Part bound(const TreeRecord* records, const Range& range) {
   return part;
 }
 
-Binning::Binning(const Part& part)
+BinScale::BinScale(const Part& part)
     : low(part.centers.low),
-      scale{},
+      bins_per_unit{},
       count(part.range.size() <= few_records ? few_bins : most_bins) {
   constexpr float less_than_all = 1 - 0x1p-20F;  // so that rounding never makes a bin more
   const Float4 extent = part.centers.high - part.centers.low;
   for (int axis = 0; axis < 3; ++axis) {
     const float per_extent = static_cast<float>(count) * less_than_all / extent[axis];
-    if (extent[axis] > 0 && std::isfinite(per_extent)) scale[axis] = per_extent;
+    if (extent[axis] > 0 && std::isfinite(per_extent)) bins_per_unit[axis] = per_extent;
   }
 }
 
-void Bins::count(const Binning& binning, const TreeRecord* records, const Range& range) {
+void Bins::count(const BinScale& scale, const TreeRecord* records, const Range& range) {
   for (std::uint32_t i = range.begin; i < range.end; ++i) {
-    const Int4 bins = binning.bins(records[i]);
+    const Int4 bins = scale.bins(records[i]);
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
       const auto bin = static_cast<std::size_t>(bins[axis]);
@@ -70,25 +70,25 @@ void Bins::count(const Binning& binning, const TreeRecord* records, const Range&
 
 void Bins::add(const Bins& other) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t bin = 0; bin < Binning::most_bins; ++bin) {
+    for (std::size_t bin = 0; bin < BinScale::most_bins; ++bin) {
       boxes[axis][bin].include(other.boxes[axis][bin]);
       sizes[axis][bin] += other.sizes[axis][bin];
     }
   }
 }
 
-std::optional<Cut> best_cut(const Bins& bins, const Binning& binning) {
+std::optional<Cut> best_cut(const Bins& bins, const BinScale& scale) {
   std::optional<Cut> best;
   float least = std::numeric_limits<float>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
-    if (binning.scale[axis] == 0) continue;
+    if (scale.bins_per_unit[axis] == 0) continue;
     const auto& boxes = bins.boxes[static_cast<std::size_t>(axis)];
     const auto& sizes = bins.sizes[static_cast<std::size_t>(axis)];
-    std::array<float, Binning::most_bins> costs{};
-    std::array<Bounds, Binning::most_bins> above;
+    std::array<float, BinScale::most_bins> costs{};
+    std::array<Bounds, BinScale::most_bins> above;
     Bounds box;
     std::uint32_t size = 0;
-    for (std::uint32_t bin = binning.count - 1; bin > 0; --bin) {
+    for (std::uint32_t bin = scale.count - 1; bin > 0; --bin) {
       box.include(boxes[bin]);
       size += sizes[bin];
       above[bin] = box;
@@ -97,7 +97,7 @@ std::optional<Cut> best_cut(const Bins& bins, const Binning& binning) {
     const std::uint32_t all = size + sizes[0];
     box = {};
     size = 0;
-    for (std::uint32_t bin = 1; bin < binning.count; ++bin) {
+    for (std::uint32_t bin = 1; bin < scale.count; ++bin) {
       box.include(boxes[bin - 1]);
       size += sizes[bin - 1];
       if (size == 0 || size == all) continue;
@@ -113,12 +113,12 @@ std::optional<Cut> best_cut(const Bins& bins, const Binning& binning) {
 
 // Without a branch on the side, which nothing could predict (Lomuto's scheme): from both ends a
 // tree of 1,000,000 spheres took 226 ms instead of 142, both of one thread's time.
-Sides partition(TreeRecord* records, const Range& range, const Binning& binning, const Cut& cut) {
+Sides partition(TreeRecord* records, const Range& range, const BinScale& scale, const Cut& cut) {
   std::array<Bounds, 2> centers;
   std::uint32_t middle = range.begin;
   for (std::uint32_t i = range.begin; i < range.end; ++i) {
     const TreeRecord record = records[i];
-    const bool is_below = binning.bin(record, cut.axis) < cut.bin;
+    const bool is_below = scale.bin(record, cut.axis) < cut.bin;
     centers[is_below ? 0 : 1].include(record.center(), record.center());
     records[i] = records[middle];
     records[middle] = record;

@@ -64,30 +64,30 @@ struct Part {
 Part bound(const TreeRecord* records, const Range& range);
 
 /// Which bin a centre belongs to, on each axis.
-struct Binning {
+struct BinScale {
   static constexpr std::uint32_t most_bins = 16;
 
   Float4 low;
-  Float4 scale;  ///< 0 on an axis that cannot be cut
+  Float4 bins_per_unit;  ///< 0 on an axis that cannot be cut
   std::uint32_t count;
 
-  explicit Binning(const Part& part);
+  explicit BinScale(const Part& part);
 
   Int4 bins(const TreeRecord& record) const {
-    return __builtin_convertvector((record.center() - low) * scale, Int4);
+    return __builtin_convertvector((record.center() - low) * bins_per_unit, Int4);
   }
   std::int32_t bin(const TreeRecord& record, int axis) const {
     return static_cast<std::int32_t>((record.low[axis] + record.high[axis] - low[axis]) *
-                                     scale[axis]);
+                                     bins_per_unit[axis]);
   }
 };
 
 /// What the bins hold, on each axis.
 struct Bins {
-  std::array<std::array<Bounds, Binning::most_bins>, 3> boxes;
-  std::array<std::array<std::uint32_t, Binning::most_bins>, 3> sizes{};
+  std::array<std::array<Bounds, BinScale::most_bins>, 3> boxes;
+  std::array<std::array<std::uint32_t, BinScale::most_bins>, 3> sizes{};
 
-  void count(const Binning& binning, const TreeRecord* records, const Range& range);
+  void count(const BinScale& scale, const TreeRecord* records, const Range& range);
   void add(const Bins& other);
 };
 
@@ -100,7 +100,7 @@ struct Cut {
 };
 
 /// Nothing if all centres are in one place.
-std::optional<Cut> best_cut(const Bins& bins, const Binning& binning);
+std::optional<Cut> best_cut(const Bins& bins, const BinScale& scale);
 
 /// Where the records above a cut begin, and the centres on either side of it.
 struct Sides {
@@ -110,6 +110,6 @@ struct Sides {
 };
 
 /// Brings the records below the cut before those above it.
-Sides partition(TreeRecord* records, const Range& range, const Binning& binning, const Cut& cut);
+Sides partition(TreeRecord* records, const Range& range, const BinScale& scale, const Cut& cut);
 
 }  // namespace raytracer

@@ -36,10 +36,14 @@ struct Packer {
   }
 
   void operator()(const Mesh& m) const {
+    std::vector<Vec3> vertices;
+    vertices.reserve(m.vertices.size());
+    for (const Vec3& vertex : m.vertices) vertices.push_back(frame.frame_from_scene(vertex));
+    packed.triangles.reserve(packed.triangles.size() + m.triangles.size());
     for (std::size_t i = 0; i < m.triangles.size(); ++i) {
       PackedTriangle triangle{.vertices = {}, .normal = {}, .id = {object, i}};
       for (std::size_t corner = 0; corner < 3; ++corner)
-        triangle.vertices[corner] = frame.frame_from_scene(m.vertices[m.triangles[i][corner]]);
+        triangle.vertices[corner] = vertices[m.triangles[i][corner]];
       const auto& [a, b, c] = triangle.vertices;
       triangle.normal = unit(cross(unit(b - a), unit(c - a)));
       if (triangle.normal != Vec3{}) packed.triangles.push_back(triangle);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <variant>
+#include <vector>
 
 namespace raytracer {
 namespace {
@@ -32,18 +33,33 @@ double distance_to_square(const SphereSquare& s, const Vec3& center, double r) {
   return nearest;
 }
 
-/// A lower bound of the origin's distance to a triangle: that of the ball around its corners'
-/// middle, or of its plane.
-double distance_to_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 middle = (a + b + c) / 3;
-  const double reach = std::max({length(a - middle), length(b - middle), length(c - middle)});
-  const double to_plane = std::abs(dot(unit(cross(b - a, c - a)), a));
-  return std::max(to_plane, length(middle) - reach);
+/// A ball around a triangle, and a lower bound of the origin's distance to the triangle: that of
+/// the ball or of the plane.
+struct TriangleBall {
+  double reach;
+  double distance;
+
+  TriangleBall(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 middle = (a + b + c) / 3;
+    reach = std::max({length(a - middle), length(b - middle), length(c - middle)});
+    const double to_plane = std::abs(dot(unit(cross(b - a, c - a)), a));
+    distance = std::max(to_plane, length(middle) - reach);
+  }
+};
+
+/// At the image's middle.
+double pixel_angle(const Camera& camera) {
+  return 2 * std::abs(std::tan(camera.fov / 2)) / camera.width;
 }
 
 class Counter {
  public:
-  Counter(const Frame& frame, Census& census) : frame_(frame), census_(census) {}
+  Counter(const Frame& frame, const Camera& camera, Census& census)
+      : frame_(frame),
+        census_(census),
+        blocks_per_radian_(1 / (block_side_px * pixel_angle(camera))),
+        block_columns_(1 + camera.width / block_side_px),
+        block_rows_(1 + camera.height / block_side_px) {}
 
   void operator()(const Sphere& s) { add_sphere(s.center, s.radius); }
 
@@ -68,13 +84,18 @@ class Counter {
   }
 
   void operator()(const Mesh& m) {
-    for (const auto& corners : m.triangles)
-      add(distance_to_triangle(frame_.frame_from_scene(m.vertices[corners[0]]),
-                               frame_.frame_from_scene(m.vertices[corners[1]]),
-                               frame_.frame_from_scene(m.vertices[corners[2]])),
-          0);
-    for (const Vec3& vertex : m.vertices)
-      add(std::numeric_limits<double>::infinity(), length(frame_.frame_from_scene(vertex)));
+    std::vector<Vec3> vertices;
+    vertices.reserve(m.vertices.size());
+    for (const Vec3& vertex : m.vertices) {
+      vertices.push_back(frame_.frame_from_scene(vertex));
+      add(std::numeric_limits<double>::infinity(), length(vertices.back()));
+    }
+    for (const auto& corners : m.triangles) {
+      const TriangleBall ball(vertices[corners[0]], vertices[corners[1]], vertices[corners[2]]);
+      add(ball.distance, 0);
+      const double blocks = 2 * ball.reach / ball.distance * blocks_per_radian_ + 1;
+      census_.triangle_blocks += std::min(blocks, block_columns_) * std::min(blocks, block_rows_);
+    }
     census_.triangles += m.triangles.size();
   }
 
@@ -95,8 +116,13 @@ class Counter {
     ++census_.spheres;
   }
 
+  static constexpr double block_side_px = 16;
+
   const Frame& frame_;
   Census& census_;
+  double blocks_per_radian_;
+  double block_columns_;
+  double block_rows_;
   double farthest_but_squares_ = 0;
 };
 
@@ -174,7 +200,7 @@ double magnification(const Scene& scene, const Frame& frame, const Census& censu
 
 Census take_census(const Scene& scene, const Frame& frame) {
   Census census;
-  Counter counter(frame, census);
+  Counter counter(frame, scene.camera, census);
   for (const Object& object : scene.objects)
     std::visit([&](const auto& shape) { counter(shape); }, object.shape);
   for (const Light& light : scene.lights) {
@@ -189,7 +215,7 @@ Census take_census(const Scene& scene, const Frame& frame) {
     if (point == nullptr) continue;
     Census around_light;
     const Frame light_frame{point->position, frame.exponent};
-    Counter light_counter(light_frame, around_light);
+    Counter light_counter(light_frame, scene.camera, around_light);
     for (const Object& object : scene.objects)
       std::visit([&](const auto& shape) { light_counter(shape); }, object.shape);
     census.light_clearance =
@@ -201,8 +227,7 @@ Census take_census(const Scene& scene, const Frame& frame) {
   }
   census.shadow_path = shadow_path(scene, frame, census.farthest, counter.farthest_but_squares());
   if (census.reflects) census.magnification = magnification(scene, frame, census);
-  const double half_width = std::abs(std::tan(scene.camera.fov / 2));
-  census.pixel_angle = 2 * half_width / scene.camera.width;
+  census.pixel_angle = pixel_angle(scene.camera);
   return census;
 }
 

@@ -15,6 +15,8 @@ struct Census {
   std::size_t squares = 0;
   std::size_t planes = 0;
   std::size_t triangles = 0;
+  /// About how many blocks of 16 x 16 pixels the triangles touch, in sum.
+  double triangle_blocks = 0;
   double nearest = std::numeric_limits<double>::infinity();  ///< surface; 0 inside a sphere
   double farthest = 0;           ///< point of a sphere, square or mesh, and point light
   double distance_in_radii = 0;  ///< the largest of farthest distance / radius

@@ -15,6 +15,10 @@ constexpr std::size_t few_for_shadows = 28;
 // The same as mirrors: trying each against a tree 3.18 ms to 3.31 with 128 spheres.
 constexpr std::size_t few_for_reflections = 128;
 
+/// The entries that screen bins of triangles may have: of 12 bytes, so that they take no more
+/// memory than the triangles themselves.
+double most_blocks(std::size_t triangles) { return 1e6 + 8 * static_cast<double>(triangles); }
+
 Choice<Kernel> choose_kernel(const Census& census) {
   const std::size_t bounded = census.spheres + census.triangles;
   if (census.nearest > 0)
@@ -26,12 +30,17 @@ Choice<Kernel> choose_kernel(const Census& census) {
   return {bounded <= few_for_one_ray ? Kernel::brute_force : Kernel::bvh, inside};
 }
 
-Structures choose_structures(const Census& census) {
+Structures choose_structures(const Census& census, bool has_shadows) {
+  const bool has_triangles = census.triangles > 0;
+  const bool needs_directions = census.reflects || (census.has_point_lights && has_shadows);
   Structures structures;
-  structures.light_grids = census.spheres > few_for_shadows && !census.has_point_lights;
-  structures.sphere_tree =
-      census.spheres > few_for_reflections && (census.has_point_lights || census.reflects);
-  structures.triangle_tree = census.triangles > 0;
+  structures.light_grids =
+      has_shadows && census.spheres > few_for_shadows && !census.has_point_lights;
+  structures.sphere_tree = census.spheres > few_for_reflections && needs_directions;
+  structures.triangle_bins =
+      has_triangles && census.triangle_blocks <= most_blocks(census.triangles);
+  structures.triangle_grids = has_triangles && has_shadows;
+  structures.triangle_tree = has_triangles && (needs_directions || !structures.triangle_bins);
   return structures;
 }
 
@@ -46,7 +55,7 @@ Plan make_plan(const Scene& scene, const Machine& machine) {
                        ? choose_precision(scene.render.precision, plan.census)
                        : Choice<Precision>{Precision::double_precision,
                                            "the kernel that this scene needs has no other"};
-  plan.structures = choose_structures(plan.census);
+  plan.structures = choose_structures(plan.census, scene.shadows != Shadows::off);
   plan.instruction_set = machine.instruction_set;
   return plan;
 }

@@ -12,6 +12,7 @@
 #include "engine/kernel/simd/grid-inl.h"
 #include "engine/kernel/simd/square-inl.h"
 #include "engine/kernel/simd/tree-inl.h"
+#include "engine/kernel/simd/triangle-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -35,13 +36,17 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn:
 HWY_INLINE M occluded(D d, const SimdScene<T>& scene, const SimdLight<T>& light,
                       const Start<V>& from, const V3<V>& towards, V distance, V incidence, M lit) {
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
-  if (scene.has_light_grids) dark = occluded_in_grid(d, light.grid, from, lit);
+  if (scene.has_light_grids)
+    dark = occluded_in_grid(d, light.grid, from, lit);
   else if (!scene.sphere_tree.is_empty())
     dark = occluded_in_tree(d, scene.sphere_tree, from, towards, distance, lit);
   else
     for (const SimdSphere<T>& sphere : scene.spheres)
       dark = hn::Or(dark, occluded_by(d, sphere, light, from, towards, distance, lit));
-  if (!scene.triangle_tree.is_empty()) {
+  if (!light.triangle_grid.outlines.empty()) {
+    dark = hn::Or(dark, occluded_by_triangles(d, scene, light.triangle_grid, from, towards,
+                                              hn::AndNot(dark, lit)));
+  } else if (!scene.triangle_tree.is_empty()) {
     const M rest = hn::AndNot(dark, lit);
     dark = hn::Or(dark, occluded_in_tree(d, scene.triangle_tree, from, towards, distance, rest));
   }

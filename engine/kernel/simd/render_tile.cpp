@@ -60,17 +60,21 @@ class EyeRays {
 /// What rays from the eye may meet in a block.
 struct BlockContents {
   std::span<const ScreenEntry> spheres;
+  std::span<const ScreenEntry> triangles;
   std::uint32_t square_parts;  ///< parts that may show a square, as ScreenEntry::parts
   std::uint32_t parts;         ///< parts that may show anything
 
   template <typename T>
   BlockContents(const SimdScene<T>& scene, int column, int row)
       : spheres(scene.bins.block(column, row)),
+        triangles(scene.bins.block_triangles(column, row)),
         square_parts(scene.bins.square_parts(column, row)),
         parts(square_parts) {
     constexpr std::uint32_t all = 0xFFFF;
     for (const ScreenEntry& entry : spheres) parts |= entry.parts;
-    if (!scene.planes.empty() || scene.has_triangles) parts = all;
+    for (const ScreenEntry& entry : triangles) parts |= entry.parts;
+    const bool by_tree = scene.has_triangles && !scene.has_triangle_bins;
+    if (!scene.planes.empty() || by_tree) parts = all;
   }
 };
 
@@ -94,7 +98,11 @@ HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
       const auto active = rays.active(d, place);
       Nearest<V> nearest{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
       show_spheres_to_eye(d, scene, contents.spheres, place.part(), direction, active, nearest);
-      if (scene.has_triangles) show_tree(d, scene.triangle_tree, eye, direction, active, nearest);
+      if (scene.has_triangle_bins)
+        show_triangles_to_eye(d, scene, contents.triangles, place.part(), direction, active,
+                              nearest);
+      else if (scene.has_triangles)
+        show_tree(d, scene.triangle_tree, eye, direction, active, nearest);
       show_planes(d, scene, eye, direction, active, nearest);
       if ((contents.square_parts >> place.part() & 1U) != 0)
         show_squares<false>(d, scene, eye, direction, active, nearest);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+
+#include "engine/parallel/chunks.h"
 
 namespace raytracer {
 namespace {
@@ -156,6 +159,22 @@ std::vector<std::int32_t> pack_primitives(const PackedScene& scene, SimdScene<T>
   return triangle_ids;
 }
 
+template <typename T>
+SimdTriangle<T> pack_triangle(const PackedTriangle& triangle, std::int32_t id) {
+  const auto& [a, b, c] = triangle.vertices;
+  return {{narrowed<T>(a), narrowed<T>(b), narrowed<T>(c)}, pack_plane<T>(triangle.normal, a, id)};
+}
+
+/// In double up to the last step: corners near each other as seen from the eye give a side's plane
+/// all its digits.
+template <typename T>
+TriangleCone<T> eye_cone(const PackedTriangle& triangle) {
+  const auto& [a, b, c] = triangle.vertices;
+  const double sign = dot(cross(a, b), c) < 0 ? -1 : 1;
+  return {narrowed<T>(sign * unit(cross(a, b))), narrowed<T>(sign * unit(cross(b, c))),
+          narrowed<T>(sign * unit(cross(c, a)))};
+}
+
 /// The spheres' numbers among the primitives.
 template <typename T>
 std::vector<std::int32_t> ids(const SimdScene<T>& scene) {
@@ -188,17 +207,35 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Structures& structu
   packed.up = narrowed<T>(scene.view.up);
   const std::vector<std::int32_t> triangle_ids = pack_primitives(scene, packed);
   packed.has_triangles = !scene.triangles.empty();
-  packed.bins = build_screen_bins(scene.view, scene.spheres, scene.squares, block_side, pool);
+  packed.bins = build_screen_bins(
+      scene.view, scene.spheres, scene.squares,
+      structures.triangle_bins ? std::span(scene.triangles) : std::span<const PackedTriangle>(),
+      block_side, pool);
   packed.has_light_grids = structures.light_grids;
   if (structures.sphere_tree)
     packed.sphere_tree = make_sphere_tree<T>(scene.spheres, ids(packed), pool);
   if (structures.triangle_tree)
     packed.triangle_tree = make_triangle_tree<T>(scene.triangles, triangle_ids, pool);
+  packed.has_triangle_bins = structures.triangle_bins;
+  if (structures.triangle_bins || structures.triangle_grids) {
+    packed.triangles.resize(scene.triangles.size());
+    if (structures.triangle_bins) packed.eye_cones.resize(scene.triangles.size());
+    for_each_chunk(scene.triangles.size(), pool.thread_count(), pool,
+                   [&](std::size_t, std::size_t begin, std::size_t end) {
+                     for (std::size_t i = begin; i < end; ++i) {
+                       packed.triangles[i] = pack_triangle<T>(scene.triangles[i], triangle_ids[i]);
+                       if (structures.triangle_bins)
+                         packed.eye_cones[i] = eye_cone<T>(scene.triangles[i]);
+                     }
+                   });
+  }
   for (const PackedLight& light : scene.lights) {
     SimdLight<T> simd{
-        light.is_distant, narrowed<T>(light.place), saturated<T>(light.emission), {}, {}};
+        light.is_distant, narrowed<T>(light.place), saturated<T>(light.emission), {}, {}, {}};
     if (structures.light_grids)
       simd.grid = build_distant_grid<T>(light.place, scene.spheres, ids(packed), pool);
+    if (structures.triangle_grids && light.is_distant)
+      simd.triangle_grid = build_triangle_grid<T>(light.place, scene.triangles, pool);
     for (const PackedSquare& square : scene.squares)
       simd.stencils.push_back(light.is_distant ? make_stencil<T>(light.place, square)
                                                : Stencil<T>{{}, 0, false});

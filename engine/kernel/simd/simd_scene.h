@@ -16,6 +16,7 @@
 
 #include "engine/accel/light_grid.h"
 #include "engine/accel/screen_bins.h"
+#include "engine/accel/triangle_grid.h"
 #include "engine/kernel/simd/simd_tree.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/parallel/worker_pool.h"
@@ -47,6 +48,17 @@ struct SimdPlane {
   T height;          ///< normal . (point - eye)
   std::int32_t id;
 };
+
+template <typename T>
+struct SimdTriangle {
+  std::array<Triple<T>, 3> corners;
+  SimdPlane<T> plane;  ///< through its corners; the id is the triangle's
+};
+
+/// The planes through the eye and the sides of a triangle: their unit normals, towards the
+/// triangle. Those of triangles that share a side are opposite to the bit.
+template <typename T>
+using TriangleCone = std::array<Triple<T>, 3>;
 
 /// A square of spheres in units of its cells (one cell is a sphere's diameter), its spanning axes
 /// first and last, the axis across it in the middle. Cells have integer coordinates relative to
@@ -88,6 +100,7 @@ struct SimdLight {
   Triple<T> emission;                ///< saturated, so that sums stay finite
   std::vector<Stencil<T>> stencils;  ///< distant: one for each square
   DistantGrid<T> grid;               ///< over the spheres, where there are many
+  TriangleGrid<T> triangle_grid;     ///< distant, if its rays do not go through the tree
 };
 
 /// A column of values that SIMD code gathers from.
@@ -126,6 +139,9 @@ struct SimdScene {
   SimdTree<SphereBlock<T>> sphere_tree;      ///< empty where nothing needs it
   SimdTree<TriangleBlock<T>> triangle_tree;  ///< empty where nothing needs it
   bool has_triangles;
+  bool has_triangle_bins;
+  LargeArray<SimdTriangle<T>> triangles;  ///< where they are found by bins or grids
+  LargeArray<TriangleCone<T>> eye_cones;  ///< where they are found by bins
   std::vector<SimdLight<T>> lights;
   SurfaceTable<T> surfaces;
   MaterialTable<T> materials;

@@ -26,7 +26,7 @@ HWY_INLINE void show_spheres_to_eye(D d, const SimdScene<T>& scene,
   for (const ScreenEntry& entry : entries) {
     if (entry.nearest > t_max) return;
     if ((entry.parts >> part & 1) == 0) continue;
-    const SimdSphere<T>& sphere = scene.spheres[entry.sphere];
+    const SimdSphere<T>& sphere = scene.spheres[entry.primitive];
     const V3<V> center = broadcast(d, sphere.center);
     const V b = dot(center, direction);
     const V3<V> l{hn::MulSub(direction.x, b, center.x), hn::MulSub(direction.y, b, center.y),

@@ -1,0 +1,140 @@
+// Triangles found by 2-D structures: by the screen's bins, which share the eye, and by a distant
+// light's grid, whose rays share a direction.
+//
+// Sides are tested by what is known beforehand: the plane through the eye and a side, or its line
+// as the light sees it. Two triangles that share a side have opposite ones, to the bit, and all are
+// a few roundings generous, so that no ray slips between triangles at a side or a corner.
+
+#if defined(RAYTRACER_KERNEL_SIMD_TRIANGLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_KERNEL_SIMD_TRIANGLE_INL_H_
+#undef RAYTRACER_KERNEL_SIMD_TRIANGLE_INL_H_
+#else
+#define RAYTRACER_KERNEL_SIMD_TRIANGLE_INL_H_
+#endif
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "engine/kernel/simd/flat-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// Rays from the eye, in one of the 4 x 4 parts of a block, against the block's triangles: near to
+/// far, until the next one is farther than all that is seen already.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void show_triangles_to_eye(D d, const SimdScene<T>& scene,
+                                      std::span<const ScreenEntry> entries, int part,
+                                      const V3<V>& direction, M active, Nearest<V>& nearest) {
+  const V zero = hn::Zero(d);
+  const V outside = hn::Set(d, -4 * std::numeric_limits<T>::epsilon());
+  float t_max = farthest(d, nearest, active);
+  for (const ScreenEntry& entry : entries) {
+    if (entry.nearest > t_max) return;
+    if ((entry.parts >> part & 1) == 0) continue;
+    const TriangleCone<T>& cone = scene.eye_cones[entry.primitive];
+    const V least = hn::Min(
+        hn::Min(dot(broadcast(d, cone[0]), direction), dot(broadcast(d, cone[1]), direction)),
+        dot(broadcast(d, cone[2]), direction));
+    const M inside = hn::Ge(least, outside);
+    if (hn::AllFalse(d, inside)) continue;
+    const SimdPlane<T>& plane = scene.triangles[entry.primitive].plane;
+    const V t = hn::Div(hn::Set(d, plane.height), dot(broadcast(d, plane.normal), direction));
+    const M ahead = hn::And(hn::Gt(t, zero), hn::Lt(t, hn::Set(d, std::numeric_limits<T>::max())));
+    const V id = hn::Set(d, static_cast<T>(plane.id));
+    take(nearest, is_nearer(nearest, t, id, hn::And(inside, ahead)), t, id);
+    t_max = farthest(d, nearest, active);
+  }
+}
+
+/// A triangle in all lanes.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE Triangles<V> in_all_lanes(D d, const SimdTriangle<T>& triangle) {
+  return {broadcast(d, triangle.corners[0]), broadcast(d, triangle.corners[1]),
+          broadcast(d, triangle.corners[2]), broadcast(d, triangle.plane.normal),
+          hn::Set(d, triangle.plane.height), hn::Set(d, static_cast<T>(triangle.plane.id))};
+}
+
+/// Lanes of `rest`, all in one cell of the grid, before which one of the cell's triangles stands.
+/// `u` and `v` are the lanes' places on the grid, `least_w` is how near to the light the farthest
+/// of them is.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_in_cell(D d, const SimdScene<T>& scene, const TriangleGrid<T>& grid,
+                              std::size_t cell, const Start<V>& from, const V3<V>& towards, V u,
+                              V v, T least_w, M rest) {
+  const V outside = hn::Set(d, -grid.noise);
+  M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
+  for (std::size_t i = grid.begins[cell]; i < grid.begins[cell + 1]; ++i) {
+    const GridTriangle<T>& entry = grid.entries[i];
+    if (entry.top <= least_w) break;  // this one and all behind it are farther from the light
+    const TriangleOutline<T>& outline = grid.outlines[entry.triangle];
+    const auto side = [&](std::size_t k) HWY_ATTR {
+      return hn::MulAdd(
+          hn::Set(d, outline.u_slopes[k]), u,
+          hn::MulAdd(hn::Set(d, outline.v_slopes[k]), v, hn::Set(d, outline.offsets[k])));
+    };
+    const M covers = hn::And(rest, hn::Ge(hn::Min(hn::Min(side(0), side(1)), side(2)), outside));
+    if (hn::AllFalse(d, covers)) continue;
+    const SimdTriangle<T>& triangle = scene.triangles[entry.triangle];
+    V t;
+    M hit = hn::And(covers, meets_plane(d, triangle.plane, from, towards, t));
+    if (hn::AllFalse(d, hit)) continue;
+    hit = hn::And(hit, rises_above(d, in_all_lanes(d, triangle), from));
+    dark = hn::Or(dark, hit);
+    rest = hn::AndNot(hit, rest);
+    if (hn::AllFalse(d, rest)) break;
+  }
+  return dark;
+}
+
+/// Lanes of `lit` from which a triangle of the grid stands before its distant light.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by_triangles(D d, const SimdScene<T>& scene, const TriangleGrid<T>& grid,
+                                   const Start<V>& from, const V3<V>& towards, M lit) {
+  const V zero = hn::Zero(d);
+  const auto along = [&](const Vec3& axis) HWY_ATTR {
+    return dot(from.point, broadcast(d, Triple<T>{static_cast<T>(axis.x), static_cast<T>(axis.y),
+                                                  static_cast<T>(axis.z)}));
+  };
+  const V u = along(grid.axes[0]);
+  const V v = along(grid.axes[1]);
+  const V w = along(grid.axes[2]);
+  const V per_unit = hn::Set(d, grid.cells_per_unit);
+  const V column_place = hn::Mul(hn::Sub(u, hn::Set(d, grid.u_low)), per_unit);
+  const V row_place = hn::Mul(hn::Sub(v, hn::Set(d, grid.v_low)), per_unit);
+  const V column = hn::Floor(column_place);
+  const V row = hn::Floor(row_place);
+  // Off the grid nothing stands before the light.
+  const M in_columns =
+      hn::And(hn::Ge(column, zero), hn::Lt(column, hn::Set(d, static_cast<T>(grid.columns))));
+  const M in_rows = hn::And(hn::Ge(row, zero), hn::Lt(row, hn::Set(d, static_cast<T>(grid.rows))));
+  M rest = hn::And(lit, hn::And(in_columns, in_rows));
+  M dark = hn::Lt(zero, zero);
+  alignas(64) T columns[hn::MaxLanes(D())];
+  alignas(64) T rows[hn::MaxLanes(D())];
+  hn::Store(column, d, columns);
+  hn::Store(row, d, rows);
+  const V highest = hn::Set(d, std::numeric_limits<T>::max());
+  while (!hn::AllFalse(d, rest)) {
+    // All lanes in the first one's cell.
+    const auto first = static_cast<std::size_t>(hn::FindFirstTrue(d, rest));
+    const M here = hn::And(rest, hn::And(hn::Eq(column, hn::Set(d, columns[first])),
+                                         hn::Eq(row, hn::Set(d, rows[first]))));
+    const T least_w = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(here, w, highest)));
+    const std::size_t cell =
+        static_cast<std::size_t>(rows[first]) * static_cast<std::size_t>(grid.columns) +
+        static_cast<std::size_t>(columns[first]);
+    dark = hn::Or(dark, occluded_in_cell(d, scene, grid, cell, from, towards, u, v, least_w, here));
+    rest = hn::AndNot(here, rest);
+  }
+  return dark;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target
