@@ -61,6 +61,50 @@ std::string random_spheres(int count, double radius, const std::string& material
                      centers, radius, material);
 }
 
+/// A rough sheet of 2 * side * side triangles, each corner shared, that hangs over itself.
+std::string rough_sheet(int side, const std::string& material) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(side));
+  std::uniform_real_distribution<double> shift(-0.35, 0.35);
+  std::string vertices;
+  std::string triangles;
+  for (int i = 0; i <= side; ++i) {
+    for (int k = 0; k <= side; ++k) {
+      const double x = 8 * (i + shift(random)) / side - 4;
+      const double z = 8 * (k + shift(random)) / side - 4;
+      const double y = std::sin(1.3 * x) * std::cos(1.7 * z) + 8 * shift(random) / side;
+      vertices +=
+          fmt::format("{}[{}, {}, {}]", vertices.empty() ? "" : ",", x + 0.8 * y, y, z - 0.5 * y);
+    }
+  }
+  for (int i = 0; i < side; ++i) {
+    for (int k = 0; k < side; ++k) {
+      const int a = i * (side + 1) + k;
+      const int b = a + side + 1;
+      triangles += fmt::format("{}[{},{},{}],[{},{},{}]", triangles.empty() ? "" : ",", a, b, b + 1,
+                               b + 1, a + 1, a);
+    }
+  }
+  return fmt::format(R"({{"type": "mesh", "vertices": [{}], "triangles": [{}], "material": {}}})",
+                     vertices, triangles, material);
+}
+
+/// Triangles across each other and the whole image, some of them also behind the eye.
+std::string random_triangles(int count, const std::string& material) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(count));
+  std::uniform_real_distribution<double> place(-16, 16);
+  std::string vertices;
+  std::string triangles;
+  for (int i = 0; i < count; ++i) {
+    const double level = -7 + 0.05 * i;
+    for (int corner = 0; corner < 3; ++corner)
+      vertices += fmt::format("{}[{}, {}, {}]", vertices.empty() ? "" : ",", place(random),
+                              level + 0.02 * place(random), place(random));
+    triangles += fmt::format("{}[{}, {}, {}]", i == 0 ? "" : ",", 3 * i, 3 * i + 1, 3 * i + 2);
+  }
+  return fmt::format(R"({{"type": "mesh", "vertices": [{}], "triangles": [{}], "material": {}}})",
+                     vertices, triangles, material);
+}
+
 std::vector<NamedScene> scenes() {
   std::vector<NamedScene> scenes;
   for (const auto& entry : std::filesystem::directory_iterator(SCENES_DIRECTORY)) {
@@ -81,6 +125,18 @@ std::vector<NamedScene> scenes() {
       {"many spheres, point light", with_objects(random_spheres(900, 0.3, matt), point_light)});
   scenes.push_back({"many mirrors",
                     with_objects(random_spheres(400, 0.4, mirror) + "," + floor, distant_lights)});
+  for (const std::string& lights : {std::string(distant_lights), std::string(point_light),
+                                    std::string(distant_lights) + "," + point_light}) {
+    const std::string under =
+        " under " + std::to_string(std::count(lights.begin(), lights.end(), '{')) + " lights";
+    scenes.push_back({"sheet" + under, with_objects(rough_sheet(70, matt) + "," + floor, lights)});
+    scenes.push_back(
+        {"mirroring sheet" + under,
+         with_objects(rough_sheet(9, mirror) + "," + random_spheres(200, 0.3, mirror), lights)});
+    scenes.push_back(
+        {"large triangles" + under,
+         with_objects(random_triangles(90, matt) + "," + random_spheres(40, 0.3, matt), lights)});
+  }
   for (const std::string axes : {"xz", "xy", "yz"})
     scenes.push_back(
         {"square " + axes,
@@ -111,17 +167,21 @@ Image reference_image(const Scene& scene) {
   return image;
 }
 
-Image image_on(const InstructionSet& set, Precision precision, Scene scene) {
-  scene.render.precision = precision;
-  const Plan plan = make_plan(scene, {set});
-  EXPECT_EQ(plan.kernel.value, Kernel::simd) << plan.kernel.reason;
-  EXPECT_EQ(plan.precision.value, precision);
+Image image_by(const Plan& plan, const Scene& scene) {
   WorkerPool pool(2);
   const Tracer tracer = make_tracer(plan, scene, pool);
   Image image(scene.camera.width, scene.camera.height);
   for (const Tile& tile : split_into_tiles(image.width, image.height, 32))
     render_tile(tracer, sample_pattern(1), Transfer::linear, tile, image);
   return image;
+}
+
+Image image_on(const InstructionSet& set, Precision precision, Scene scene) {
+  scene.render.precision = precision;
+  const Plan plan = make_plan(scene, {set});
+  EXPECT_EQ(plan.kernel.value, Kernel::simd) << plan.kernel.reason;
+  EXPECT_EQ(plan.precision.value, precision);
+  return image_by(plan, scene);
 }
 
 /// Pixels with a channel that is off by more than a level, or is no number.
@@ -159,6 +219,25 @@ TEST(Variants, singleIsNearTheReferenceWhereThePlanChoosesIt) {
           << named.name << " on " << set.name;
   }
   EXPECT_GE(chosen, 8) << "single precision is hardly ever chosen";
+}
+
+TEST(Variants, findsTrianglesAlikeByEveryStructure) {
+  for (const NamedScene& named : scenes()) {
+    Scene scene = named.scene;
+    scene.render.precision = Precision::double_precision;
+    Plan plan = make_plan(scene, this_machine());
+    if (plan.census.triangles == 0) continue;
+    const Image expected = reference_image(scene);
+    for (const bool by_bins : {false, true}) {
+      for (const bool by_grids : {false, true}) {
+        plan.structures.triangle_bins = by_bins;
+        plan.structures.triangle_grids = by_grids;
+        plan.structures.triangle_tree = true;
+        EXPECT_EQ(count_wrong(image_by(plan, scene), expected), 0)
+            << named.name << (by_bins ? ", bins" : "") << (by_grids ? ", grids" : "");
+      }
+    }
+  }
 }
 
 TEST(Variants, runsOnTheInstructionSetThatIsAskedFor) {
