@@ -5,15 +5,14 @@
 // each subtree. The tree does not depend on the number of threads.
 #pragma once
 
-#include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 #include "engine/accel/box.h"
 #include "engine/accel/tree.h"
 #include "engine/accel/tree_split.h"
+#include "engine/memory/page_allocator.h"
+#include "engine/parallel/chunks.h"
 #include "engine/parallel/worker_pool.h"
 
 namespace raytracer {
@@ -25,17 +24,13 @@ Tree build_tree(TreeRecord* records, std::uint32_t count, WorkerPool& pool);
 /// several threads.
 template <typename BoundOf>
 Tree build_tree(std::size_t count, const BoundOf& bound_of, WorkerPool& pool) {
-  constexpr std::size_t chunk_size = 16384;
-  const auto records = std::make_unique_for_overwrite<TreeRecord[]>(count);
-  const std::atomic<bool> never{false};
-  pool.run((count + chunk_size - 1) / chunk_size,
-           [&](std::size_t chunk) {
-             const std::size_t end = std::min(count, (chunk + 1) * chunk_size);
-             for (std::size_t i = chunk * chunk_size; i < end; ++i)
-               records[i] = TreeRecord::of(bound_of(i), static_cast<std::uint32_t>(i));
-           },
-           never);
-  return build_tree(records.get(), static_cast<std::uint32_t>(count), pool);
+  LargeArray<TreeRecord> records(count);
+  for_each_chunk(count, pool.thread_count(), pool,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i)
+                     records[i] = TreeRecord::of(bound_of(i), static_cast<std::uint32_t>(i));
+                 });
+  return build_tree(records.data(), static_cast<std::uint32_t>(count), pool);
 }
 
 }  // namespace raytracer

@@ -1,11 +1,11 @@
 #include "engine/accel/primitive_trees.h"
 
 #include <algorithm>
-#include <atomic>
 #include <vector>
 
 #include "engine/accel/box.h"
 #include "engine/accel/build_tree.h"
+#include "engine/parallel/chunks.h"
 
 namespace raytracer {
 namespace {
@@ -25,17 +25,12 @@ template <typename Primitive>
 Tree build(const std::vector<Primitive>& primitives, WorkerPool& pool) {
   const std::size_t chunk_count = pool.thread_count();
   std::vector<Box> boxes(chunk_count);
-  const std::atomic<bool> never{false};
-  pool.run(
-      chunk_count,
-      [&](std::size_t chunk) {
-        Box box;
-        for (std::size_t i = primitives.size() * chunk / chunk_count;
-             i < primitives.size() * (chunk + 1) / chunk_count; ++i)
-          box.include(bound(primitives[i]));
-        boxes[chunk] = box;
-      },
-      never);
+  for_each_chunk(primitives.size(), chunk_count, pool,
+                 [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                   Box box;
+                   for (std::size_t i = begin; i < end; ++i) box.include(bound(primitives[i]));
+                   boxes[chunk] = box;
+                 });
   Box all;
   for (const Box& box : boxes) all.include(box);
   // A ray's origin is a point as far out as any primitive, rounded.

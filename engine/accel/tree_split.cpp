@@ -16,7 +16,8 @@ constexpr std::uint32_t few_records = 48;  // have few bins: clearing more costs
 
 /// Leaves that so many primitives fill.
 float leaves(std::uint32_t size) {
-  return static_cast<float>((size + Tree::leaf_size - 1) / Tree::leaf_size);
+  const std::uint32_t count = (size + Tree::leaf_size - 1) / Tree::leaf_size;
+  return static_cast<float>(count);
 }
 
 }  // namespace

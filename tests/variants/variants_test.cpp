@@ -105,6 +105,39 @@ std::string random_triangles(int count, const std::string& material) {
                      vertices, triangles, material);
 }
 
+/// A flat sheet before a plane, wider than the view, whose sides and corners the rays and the
+/// shadows pass through: wherever one slips between triangles it shows.
+Scene straight_sheet() {
+  std::string vertices;
+  std::string triangles;
+  constexpr int side = 96;
+  for (int i = 0; i <= side; ++i)
+    for (int k = 0; k <= side; ++k)
+      vertices += fmt::format("{}[{}, {}, 0]", vertices.empty() ? "" : ",", (i - side / 2) / 8.0,
+                              (k - side / 2) / 8.0);
+  for (int i = 0; i < side; ++i) {
+    for (int k = 0; k < side; ++k) {
+      const int a = i * (side + 1) + k;
+      const int b = a + side + 1;
+      triangles += fmt::format("{}[{},{},{}],[{},{},{}]", triangles.empty() ? "" : ",", a, b, b + 1,
+                               b + 1, a + 1, a);
+    }
+  }
+  const std::string mesh = fmt::format(
+      R"({{"type": "mesh", "vertices": [{}], "triangles": [{}], "material": {{"color": [1, 0, 0]}}}})",
+      vertices, triangles);
+  const std::string wall = R"({"type": "plane", "point": [0, 0, 1], "normal": [0, 0, 1]})";
+  Scene scene = with_objects(mesh + "," + wall, R"({"type": "distant", "direction": [0, 0, 1]})");
+  scene.camera.origin = {0, 0, -8};
+  scene.camera.look_at = {0, 0, 0};
+  scene.camera.fov = 2 * std::atan(0.625);  // pixels are 1/16 wide on the sheet
+  scene.camera.height = scene.camera.width;
+  scene.camera.origin.x += 1.0 / 32;  // and their centres on corners of the triangles
+  scene.camera.origin.y += 1.0 / 32;
+  scene.camera.look_at = {1.0 / 32, 1.0 / 32, 0};
+  return scene;
+}
+
 std::vector<NamedScene> scenes() {
   std::vector<NamedScene> scenes;
   for (const auto& entry : std::filesystem::directory_iterator(SCENES_DIRECTORY)) {
@@ -137,6 +170,7 @@ std::vector<NamedScene> scenes() {
         {"large triangles" + under,
          with_objects(random_triangles(90, matt) + "," + random_spheres(40, 0.3, matt), lights)});
   }
+  scenes.push_back({"sheet seen along its corners", straight_sheet()});
   for (const std::string axes : {"xz", "xy", "yz"})
     scenes.push_back(
         {"square " + axes,

@@ -1,11 +1,10 @@
 #include "engine/kernel/simd/simd_tree.h"
 
-#include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <utility>
 
 #include "engine/accel/primitive_trees.h"
+#include "engine/parallel/chunks.h"
 
 namespace raytracer {
 namespace {
@@ -50,28 +49,24 @@ TriangleBlock<T> empty(const TriangleBlock<T>& /*like*/) {
 template <typename Block, typename Primitive>
 SimdTree<Block> make(Tree tree, const std::vector<Primitive>& primitives,
                      const std::vector<std::int32_t>& ids, WorkerPool& pool) {
-  constexpr std::size_t chunk_size = 1024;
   SimdTree<Block> packed;
   packed.nodes = std::move(tree.nodes);
   if (packed.nodes.empty()) return packed;
   const std::size_t count = tree.leaf_begins.size() - 1;
   packed.leaves.resize(count);
-  const std::atomic<bool> never{false};
-  pool.run((count + chunk_size - 1) / chunk_size,
-           [&](std::size_t chunk) {
-             const std::size_t end = std::min(count, (chunk + 1) * chunk_size);
-             for (std::size_t leaf = chunk * chunk_size; leaf < end; ++leaf) {
-               const std::uint32_t first = tree.leaf_begins[leaf];
-               Block block = empty(Block{});
-               block.count = tree.leaf_begins[leaf + 1] - first;
-               for (std::uint32_t i = 0; i < block.count; ++i) {
-                 const std::uint32_t primitive = tree.order[first + i];
-                 pack(primitives[primitive], ids[primitive], i, block);
-               }
-               packed.leaves[leaf] = block;
-             }
-           },
-           never);
+  for_each_chunk(count, pool.thread_count(), pool,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t leaf = begin; leaf < end; ++leaf) {
+                     const std::uint32_t first = tree.leaf_begins[leaf];
+                     Block block = empty(Block{});
+                     block.count = tree.leaf_begins[leaf + 1] - first;
+                     for (std::uint32_t i = 0; i < block.count; ++i) {
+                       const std::uint32_t primitive = tree.order[first + i];
+                       pack(primitives[primitive], ids[primitive], i, block);
+                     }
+                     packed.leaves[leaf] = block;
+                   }
+                 });
   return packed;
 }
 
