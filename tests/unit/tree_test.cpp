@@ -41,7 +41,7 @@ class Inspector {
   }
 
  private:
-  void inspect_node(std::uint32_t index, int depth, std::vector<Box> above) {
+  void inspect_node(std::uint32_t index, int depth, const std::vector<Box>& above) {
     deepest_ = std::max(deepest_, depth);
     const TreeNode& node = tree_.nodes.at(index);
     ASSERT_GE(node.child_count, 1U);
