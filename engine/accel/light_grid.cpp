@@ -52,8 +52,8 @@ double cell_width(const Bounds& bounds, std::size_t sphere_count) {
 }  // namespace
 
 template <typename T>
-DistantGrid<T> build_distant_grid(const Vec3& towards, const std::vector<PackedSphere>& spheres,
-                                  const std::vector<std::int32_t>& ids, WorkerPool& pool) {
+DistantGrid<T> build_distant_grid(const Vec3& towards, std::span<const PackedSphere> spheres,
+                                  const Numbering& numbers, WorkerPool& pool) {
   DistantGrid<T> grid{};
   const Across plane = across(towards);
   grid.axes = {plane.u, plane.v, towards};
@@ -99,7 +99,7 @@ DistantGrid<T> build_distant_grid(const Vec3& towards, const std::vector<PackedS
     const Disc disc = place(spheres[i]);
     const double r = spheres[i].radius;
     return Entry{static_cast<T>(disc.u), static_cast<T>(disc.v), static_cast<T>(disc.w),
-                 static_cast<T>(r * r), static_cast<T>(ids[i])};
+                 static_cast<T>(r * r), static_cast<T>(numbers(spheres[i].id))};
   };
   const auto entry_in = [](const Entry& entry, const CellRectangle&, int, int) { return entry; };
   const auto arrange = [](std::span<Entry> entries) {
@@ -126,12 +126,9 @@ DistantGrid<T> build_distant_grid(const Vec3& towards, const std::vector<PackedS
   return grid;
 }
 
-template DistantGrid<float> build_distant_grid<float>(const Vec3&, const std::vector<PackedSphere>&,
-                                                      const std::vector<std::int32_t>&,
-                                                      WorkerPool&);
-template DistantGrid<double> build_distant_grid<double>(const Vec3&,
-                                                        const std::vector<PackedSphere>&,
-                                                        const std::vector<std::int32_t>&,
-                                                        WorkerPool&);
+template DistantGrid<float> build_distant_grid<float>(const Vec3&, std::span<const PackedSphere>,
+                                                      const Numbering&, WorkerPool&);
+template DistantGrid<double> build_distant_grid<double>(const Vec3&, std::span<const PackedSphere>,
+                                                        const Numbering&, WorkerPool&);
 
 }  // namespace raytracer

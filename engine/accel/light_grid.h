@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/memory/page_allocator.h"
@@ -36,18 +37,16 @@ struct DistantGrid {
   LargeArray<T> id;  ///< of the primitive
 };
 
-/// `ids[i]` numbers sphere i among the scene's primitives. `towards` is a unit vector.
+/// `numbers` are those of the scene. `towards` is a unit vector.
 template <typename T>
-DistantGrid<T> build_distant_grid(const Vec3& towards, const std::vector<PackedSphere>& spheres,
-                                  const std::vector<std::int32_t>& ids, WorkerPool& pool);
+DistantGrid<T> build_distant_grid(const Vec3& towards, std::span<const PackedSphere> spheres,
+                                  const Numbering& numbers, WorkerPool& pool);
 
 extern template DistantGrid<float> build_distant_grid<float>(const Vec3&,
-                                                             const std::vector<PackedSphere>&,
-                                                             const std::vector<std::int32_t>&,
-                                                             WorkerPool&);
+                                                             std::span<const PackedSphere>,
+                                                             const Numbering&, WorkerPool&);
 extern template DistantGrid<double> build_distant_grid<double>(const Vec3&,
-                                                               const std::vector<PackedSphere>&,
-                                                               const std::vector<std::int32_t>&,
-                                                               WorkerPool&);
+                                                               std::span<const PackedSphere>,
+                                                               const Numbering&, WorkerPool&);
 
 }  // namespace raytracer

@@ -1,6 +1,7 @@
 #include "engine/accel/primitive_trees.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "engine/accel/box.h"
@@ -22,7 +23,7 @@ Box bound(const PackedTriangle& triangle) {
 }
 
 template <typename Primitive>
-Tree build(const std::vector<Primitive>& primitives, WorkerPool& pool) {
+Tree build(std::span<const Primitive> primitives, WorkerPool& pool) {
   const std::size_t chunk_count = pool.thread_count();
   std::vector<Box> boxes(chunk_count);
   for_each_chunk(primitives.size(), chunk_count, pool,
@@ -42,11 +43,11 @@ Tree build(const std::vector<Primitive>& primitives, WorkerPool& pool) {
 
 }  // namespace
 
-Tree build_sphere_tree(const std::vector<PackedSphere>& spheres, WorkerPool& pool) {
+Tree build_sphere_tree(std::span<const PackedSphere> spheres, WorkerPool& pool) {
   return build(spheres, pool);
 }
 
-Tree build_triangle_tree(const std::vector<PackedTriangle>& triangles, WorkerPool& pool) {
+Tree build_triangle_tree(std::span<const PackedTriangle> triangles, WorkerPool& pool) {
   return build(triangles, pool);
 }
 

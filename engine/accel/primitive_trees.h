@@ -1,6 +1,7 @@
 // Trees over a scene's spheres and over its triangles.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/accel/tree.h"
@@ -9,7 +10,7 @@
 
 namespace raytracer {
 
-Tree build_sphere_tree(const std::vector<PackedSphere>& spheres, WorkerPool& pool);
-Tree build_triangle_tree(const std::vector<PackedTriangle>& triangles, WorkerPool& pool);
+Tree build_sphere_tree(std::span<const PackedSphere> spheres, WorkerPool& pool);
+Tree build_triangle_tree(std::span<const PackedTriangle> triangles, WorkerPool& pool);
 
 }  // namespace raytracer

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "engine/accel/box.h"
@@ -135,7 +136,7 @@ void bin_triangles(const View& view, std::span<const PackedTriangle> triangles, 
 
 }  // namespace
 
-ScreenBins build_screen_bins(const View& view, const std::vector<PackedSphere>& spheres,
+ScreenBins build_screen_bins(const View& view, std::span<const PackedSphere> spheres,
                              const std::vector<PackedSquare>& squares,
                              std::span<const PackedTriangle> triangles, int block_side,
                              WorkerPool& pool) {

@@ -53,7 +53,7 @@ struct ScreenBins {
 };
 
 /// Uses the pool's threads. `block_side` is in pixels, a multiple of 4.
-ScreenBins build_screen_bins(const View& view, const std::vector<PackedSphere>& spheres,
+ScreenBins build_screen_bins(const View& view, std::span<const PackedSphere> spheres,
                              const std::vector<PackedSquare>& squares,
                              std::span<const PackedTriangle> triangles, int block_side,
                              WorkerPool& pool);

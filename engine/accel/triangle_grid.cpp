@@ -91,7 +91,7 @@ bool reaches(const TriangleOutline<T>& lines, T u, T v, T half) {
 /// Calls outline() for all triangles. In chunks of a fixed size, so that the sums do not depend on
 /// the number of threads.
 template <typename T>
-Spread outline_all(const std::vector<PackedTriangle>& triangles, TriangleGrid<T>& grid,
+Spread outline_all(std::span<const PackedTriangle> triangles, TriangleGrid<T>& grid,
                    LargeArray<Extent<T>>& extents, WorkerPool& pool) {
   constexpr std::size_t chunk_size = 4096;
   std::vector<Spread> spreads((triangles.size() + chunk_size - 1) / chunk_size);
@@ -119,8 +119,7 @@ Spread outline_all(const std::vector<PackedTriangle>& triangles, TriangleGrid<T>
 }  // namespace
 
 template <typename T>
-TriangleGrid<T> build_triangle_grid(const Vec3& towards,
-                                    const std::vector<PackedTriangle>& triangles,
+TriangleGrid<T> build_triangle_grid(const Vec3& towards, std::span<const PackedTriangle> triangles,
                                     WorkerPool& pool) {
   TriangleGrid<T> grid;
   if (triangles.empty()) return grid;
@@ -189,10 +188,10 @@ TriangleGrid<T> build_triangle_grid(const Vec3& towards,
 }
 
 template TriangleGrid<float> build_triangle_grid<float>(const Vec3&,
-                                                        const std::vector<PackedTriangle>&,
+                                                        std::span<const PackedTriangle>,
                                                         WorkerPool&);
 template TriangleGrid<double> build_triangle_grid<double>(const Vec3&,
-                                                          const std::vector<PackedTriangle>&,
+                                                          std::span<const PackedTriangle>,
                                                           WorkerPool&);
 
 }  // namespace raytracer

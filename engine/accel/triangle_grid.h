@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/accel/binning.h"
@@ -49,14 +50,14 @@ struct TriangleGrid {
 
 /// `towards` is a unit vector.
 template <typename T>
-TriangleGrid<T> build_triangle_grid(const Vec3& towards,
-                                    const std::vector<PackedTriangle>& triangles, WorkerPool& pool);
+TriangleGrid<T> build_triangle_grid(const Vec3& towards, std::span<const PackedTriangle> triangles,
+                                    WorkerPool& pool);
 
 extern template TriangleGrid<float> build_triangle_grid<float>(const Vec3&,
-                                                               const std::vector<PackedTriangle>&,
+                                                               std::span<const PackedTriangle>,
                                                                WorkerPool&);
 extern template TriangleGrid<double> build_triangle_grid<double>(const Vec3&,
-                                                                 const std::vector<PackedTriangle>&,
+                                                                 std::span<const PackedTriangle>,
                                                                  WorkerPool&);
 
 }  // namespace raytracer

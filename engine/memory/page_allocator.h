@@ -6,7 +6,7 @@
 
 #include <cstddef>
 #include <memory>
-#include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,8 +30,9 @@ struct PageAllocator {
   void deallocate(T* memory, std::size_t) { free_pages(memory); }
 
   template <typename U>
-  void construct(U* place) {
-    ::new (static_cast<void*>(place)) U;
+  void construct(U* /*place*/) {
+    // Its memory is enough to make one (C++20, implicit object creation).
+    static_assert(std::is_trivially_copyable_v<U> && std::is_trivially_destructible_v<U>);
   }
   template <typename U, typename... Arguments>
   void construct(U* place, Arguments&&... arguments) {

@@ -1,8 +1,11 @@
 #include "engine/pack/packed_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "engine/parallel/chunks.h"
 
 namespace raytracer {
 namespace {
@@ -10,21 +13,29 @@ namespace {
 /// Appends each object's primitives to the scene's arrays.
 struct Packer {
   const Frame& frame;
+  WorkerPool& pool;
   PackedScene& packed;
   std::uint32_t object;
 
   void operator()(const Sphere& s) const {
+    packed.numbers.add_object(1);
     packed.spheres.push_back(
         {frame.frame_from_scene(s.center), frame.frame_from_scene(s.radius), {object, 0}});
   }
 
   void operator()(const Spheres& s) const {
-    for (std::size_t i = 0; i < s.centers.size(); ++i)
-      packed.spheres.push_back(
-          {frame.frame_from_scene(s.centers[i]), frame.frame_from_scene(s.radius(i)), {object, i}});
+    packed.numbers.add_object(s.centers.size());
+    const std::size_t first = packed.spheres.size();
+    packed.spheres.resize(first + s.centers.size());
+    for_each_range(s.centers.size(), pool, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        packed.spheres[first + i] = {
+            frame.frame_from_scene(s.centers[i]), frame.frame_from_scene(s.radius(i)), {object, i}};
+    });
   }
 
   void operator()(const SphereSquare& s) const {
+    packed.numbers.add_object(1);
     static constexpr std::array<std::array<int, 3>, 3> axes{{{0, 2, 1}, {0, 1, 2}, {1, 2, 0}}};
     const auto& [first, second, across] = axes[static_cast<std::size_t>(s.axes)];
     packed.squares.push_back({frame.frame_from_scene(s.center), frame.frame_from_scene(s.radius),
@@ -32,22 +43,31 @@ struct Packer {
   }
 
   void operator()(const Plane& p) const {
+    packed.numbers.add_object(1);
     packed.planes.push_back({frame.frame_from_scene(p.point), unit(p.normal), {object, 0}});
   }
 
   void operator()(const Mesh& m) const {
-    std::vector<Vec3> vertices;
-    vertices.reserve(m.vertices.size());
-    for (const Vec3& vertex : m.vertices) vertices.push_back(frame.frame_from_scene(vertex));
-    packed.triangles.reserve(packed.triangles.size() + m.triangles.size());
-    for (std::size_t i = 0; i < m.triangles.size(); ++i) {
-      PackedTriangle triangle{.vertices = {}, .normal = {}, .id = {object, i}};
-      for (std::size_t corner = 0; corner < 3; ++corner)
-        triangle.vertices[corner] = vertices[m.triangles[i][corner]];
-      const auto& [a, b, c] = triangle.vertices;
-      triangle.normal = unit(cross(unit(b - a), unit(c - a)));
-      if (triangle.normal != Vec3{}) packed.triangles.push_back(triangle);
-    }
+    packed.numbers.add_object(m.triangles.size());
+    std::vector<Vec3> vertices(m.vertices.size());
+    for_each_range(m.vertices.size(), pool, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) vertices[i] = frame.frame_from_scene(m.vertices[i]);
+    });
+    const auto first = static_cast<std::ptrdiff_t>(packed.triangles.size());
+    packed.triangles.resize(packed.triangles.size() + m.triangles.size());
+    const auto begin_of_mesh = packed.triangles.begin() + first;
+    for_each_range(m.triangles.size(), pool, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto& [a, b, c] = m.triangles[i];
+        PackedTriangle triangle{{vertices[a], vertices[b], vertices[c]}, {}, {object, i}};
+        triangle.normal =
+            unit(cross(unit(vertices[b] - vertices[a]), unit(vertices[c] - vertices[a])));
+        begin_of_mesh[static_cast<std::ptrdiff_t>(i)] = triangle;
+      }
+    });
+    const auto has_no_area = [](const PackedTriangle& t) { return t.normal == Vec3{}; };
+    packed.triangles.erase(std::remove_if(begin_of_mesh, packed.triangles.end(), has_no_area),
+                           packed.triangles.end());
   }
 };
 
@@ -62,11 +82,11 @@ PackedLight pack_light(const Light& light, const Frame& frame) {
 
 }  // namespace
 
-PackedScene pack_scene(const Scene& scene, const Frame& frame) {
+PackedScene pack_scene(const Scene& scene, const Frame& frame, WorkerPool& pool) {
   PackedScene packed;
   packed.view = make_view(scene.camera);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    std::visit(Packer{frame, packed, static_cast<std::uint32_t>(i)}, scene.objects[i].shape);
+    std::visit(Packer{frame, pool, packed, static_cast<std::uint32_t>(i)}, scene.objects[i].shape);
     packed.material_of_object.push_back(scene.objects[i].material);
   }
   packed.materials = scene.materials;

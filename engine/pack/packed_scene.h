@@ -7,7 +7,10 @@
 
 #include "engine/math/ray.h"
 #include "engine/math/vec.h"
+#include "engine/memory/page_allocator.h"
+#include "engine/pack/numbering.h"
 #include "engine/pack/view.h"
+#include "engine/parallel/worker_pool.h"
 #include "engine/plan/frame.h"
 #include "engine/scene/scene.h"
 
@@ -51,10 +54,11 @@ struct PackedLight {
 /// Everything that a ray may need, and nothing of how the document said it.
 struct PackedScene {
   View view;
-  std::vector<PackedSphere> spheres;  ///< of all objects of type sphere and spheres
+  LargeArray<PackedSphere> spheres;  ///< of all objects of type sphere and spheres
   std::vector<PackedSquare> squares;
   std::vector<PackedPlane> planes;
-  std::vector<PackedTriangle> triangles;  ///< without those of no area
+  LargeArray<PackedTriangle> triangles;  ///< without those of no area
+  Numbering numbers;
   std::vector<MaterialIndex> material_of_object;
   std::vector<Material> materials;
   std::vector<PackedLight> lights;
@@ -64,6 +68,7 @@ struct PackedScene {
   int max_depth = 0;
 };
 
-PackedScene pack_scene(const Scene& scene, const Frame& frame);
+/// On the pool's threads where there is much to do.
+PackedScene pack_scene(const Scene& scene, const Frame& frame, WorkerPool& pool);
 
 }  // namespace raytracer

@@ -22,4 +22,16 @@ void for_each_chunk(std::size_t count, std::size_t chunk_count, WorkerPool& pool
       never);
 }
 
+/// Calls visit(begin, end) for ranges that together are 0 ... count, on the pool's threads if
+/// there are enough items to be worth waking them.
+template <typename Visit>
+void for_each_range(std::size_t count, WorkerPool& pool, const Visit& visit) {
+  constexpr std::size_t few = 4096;
+  if (count < few)
+    visit(std::size_t{0}, count);
+  else
+    for_each_chunk(count, pool.thread_count(), pool,
+                   [&](std::size_t, std::size_t begin, std::size_t end) { visit(begin, end); });
+}
+
 }  // namespace raytracer

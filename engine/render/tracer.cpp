@@ -51,7 +51,7 @@ void trace(const SimdTracer<T>& tracer, const std::vector<SamplePoint>& pattern,
 }  // namespace
 
 Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool) {
-  PackedScene packed = pack_scene(scene, plan.frame);
+  PackedScene packed = pack_scene(scene, plan.frame, pool);
   if (plan.kernel.value == Kernel::simd) {
     const std::int64_t target = plan.instruction_set.target;
     if (plan.precision.value == Precision::single_precision)

@@ -14,9 +14,9 @@ namespace {
 /// The reference kernel's image with a structure of type S.
 template <typename S>
 Image reference_image(const Scene& scene) {
-  auto packed = std::make_unique<const PackedScene>(pack_scene(scene, make_frame(scene)));
-  const PackedScene& kept = *packed;
   WorkerPool pool(1);
+  auto packed = std::make_unique<const PackedScene>(pack_scene(scene, make_frame(scene), pool));
+  const PackedScene& kept = *packed;
   const auto structure = [&] {
     if constexpr (std::is_same_v<S, Bvh>)
       return Bvh::build(kept, pool);

@@ -185,8 +185,8 @@ std::vector<NamedScene> scenes() {
 
 /// The reference: one ray at a time, in double.
 Image reference_image(const Scene& scene) {
-  const PackedScene packed = pack_scene(scene, make_frame(scene));
   WorkerPool pool(1);
+  const PackedScene packed = pack_scene(scene, make_frame(scene), pool);
   const Bvh structure = Bvh::build(packed, pool);
   Image image(scene.camera.width, scene.camera.height);
   for (int y = 0; y < image.height; ++y) {
@@ -276,8 +276,8 @@ TEST(Variants, findsTrianglesAlikeByEveryStructure) {
 
 TEST(Variants, runsOnTheInstructionSetThatIsAskedFor) {
   const Scene scene = with_objects(random_spheres(3, 1, "{}"), distant_lights);
-  const PackedScene packed = pack_scene(scene, make_frame(scene));
   WorkerPool pool(1);
+  const PackedScene packed = pack_scene(scene, make_frame(scene), pool);
   const auto single = make_simd_scene<float>(packed, {}, pool);
   const auto twice = make_simd_scene<double>(packed, {}, pool);
   const auto sets = supported_instruction_sets();

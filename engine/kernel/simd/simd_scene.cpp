@@ -107,57 +107,36 @@ MaterialTable<T> pack_materials(const PackedScene& scene) {
   return table;
 }
 
-/// Numbers primitives in the document's order, and notes what a hit needs of each.
+/// Notes what a hit needs of each primitive, by their numbers.
 template <typename T>
-class SurfaceNumbering {
+class SurfaceNotes {
  public:
-  SurfaceNumbering(const PackedScene& scene, SurfaceTable<T>& table)
-      : scene_(scene), table_(table) {}
-
-  std::int32_t add_sphere(const PackedSphere& s) {
-    return add(s.id.object, s.center, 1 / s.radius);
+  SurfaceNotes(const PackedScene& scene, SurfaceTable<T>& table) : scene_(scene), table_(table) {
+    for (Column<T>* column : {&table.x, &table.y, &table.z, &table.curvature, &table.material})
+      column->resize(scene.numbers.count());
   }
-  std::int32_t add_plane(const PackedPlane& p) { return add(p.id.object, -p.normal, 0); }
-  std::int32_t add_triangle(const PackedTriangle& t) { return add(t.id.object, -t.normal, 0); }
-  std::int32_t add_square(const PackedSquare& s) { return add(s.object, s.center, 1 / s.radius); }
+
+  std::int32_t note(const PackedSphere& s) { return note(s.id, s.center, 1 / s.radius); }
+  std::int32_t note(const PackedPlane& p) { return note(p.id, -p.normal, 0); }
+  std::int32_t note(const PackedTriangle& t) { return note(t.id, -t.normal, 0); }
+  std::int32_t note(const PackedSquare& s) { return note({s.object, 0}, s.center, 1 / s.radius); }
 
  private:
-  std::int32_t add(std::uint32_t object, const Vec3& place, double curvature) {
-    push(table_.x, place.x);
-    push(table_.y, place.y);
-    push(table_.z, place.z);
-    push(table_.curvature, curvature);
-    push(table_.material, static_cast<double>(scene_.material_of_object[object]));
-    return static_cast<std::int32_t>(table_.x.size() - 1);
+  std::int32_t note(const PrimitiveId& id, const Vec3& place, double curvature) {
+    const std::int32_t number = scene_.numbers(id);
+    const auto row = static_cast<std::size_t>(number);
+    table_.x[row] = static_cast<T>(place.x);
+    table_.y[row] = static_cast<T>(place.y);
+    table_.z[row] = static_cast<T>(place.z);
+    table_.curvature[row] =
+        static_cast<T>(std::min<double>(curvature, std::numeric_limits<T>::max()));
+    table_.material[row] = static_cast<T>(scene_.material_of_object[id.object]);
+    return number;
   }
 
   const PackedScene& scene_;
   SurfaceTable<T>& table_;
 };
-
-/// The primitives of all kinds in the document's order; returns the triangles' numbers.
-template <typename T>
-std::vector<std::int32_t> pack_primitives(const PackedScene& scene, SimdScene<T>& packed) {
-  std::vector<std::int32_t> triangle_ids;
-  triangle_ids.reserve(scene.triangles.size());
-  SurfaceNumbering<T> numbering(scene, packed.surfaces);
-  auto sphere = scene.spheres.begin();
-  auto square = scene.squares.begin();
-  auto plane = scene.planes.begin();
-  auto triangle = scene.triangles.begin();
-  for (std::uint32_t object = 0; object < scene.material_of_object.size(); ++object) {
-    for (; sphere != scene.spheres.end() && sphere->id.object == object; ++sphere)
-      packed.spheres.push_back(pack<T>(*sphere, numbering.add_sphere(*sphere)));
-    for (; square != scene.squares.end() && square->object == object; ++square)
-      packed.squares.push_back(pack<T>(*square, numbering.add_square(*square)));
-    for (; plane != scene.planes.end() && plane->id.object == object; ++plane)
-      packed.planes.push_back(
-          pack_plane<T>(plane->normal, plane->point, numbering.add_plane(*plane)));
-    for (; triangle != scene.triangles.end() && triangle->id.object == object; ++triangle)
-      triangle_ids.push_back(numbering.add_triangle(*triangle));
-  }
-  return triangle_ids;
-}
 
 template <typename T>
 SimdTriangle<T> pack_triangle(const PackedTriangle& triangle, std::int32_t id) {
@@ -175,13 +154,31 @@ TriangleCone<T> eye_cone(const PackedTriangle& triangle) {
           narrowed<T>(sign * unit(cross(c, a)))};
 }
 
-/// The spheres' numbers among the primitives.
 template <typename T>
-std::vector<std::int32_t> ids(const SimdScene<T>& scene) {
-  std::vector<std::int32_t> ids;
-  ids.reserve(scene.spheres.size());
-  for (const SimdSphere<T>& sphere : scene.spheres) ids.push_back(sphere.id);
-  return ids;
+void pack_primitives(const PackedScene& scene, const Structures& structures, WorkerPool& pool,
+                     SimdScene<T>& packed) {
+  SurfaceNotes<T> notes(scene, packed.surfaces);
+  packed.spheres.resize(scene.spheres.size());
+  for_each_range(scene.spheres.size(), pool, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      packed.spheres[i] = pack<T>(scene.spheres[i], notes.note(scene.spheres[i]));
+  });
+  for (const PackedSquare& square : scene.squares)
+    packed.squares.push_back(pack<T>(square, notes.note(square)));
+  for (const PackedPlane& plane : scene.planes)
+    packed.planes.push_back(pack_plane<T>(plane.normal, plane.point, notes.note(plane)));
+
+  const bool finds_triangles = structures.triangle_bins || structures.triangle_grids;
+  if (finds_triangles) packed.triangles.resize(scene.triangles.size());
+  if (structures.triangle_bins) packed.eye_cones.resize(scene.triangles.size());
+  for_each_range(scene.triangles.size(), pool, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const PackedTriangle& triangle = scene.triangles[i];
+      const std::int32_t number = notes.note(triangle);
+      if (finds_triangles) packed.triangles[i] = pack_triangle<T>(triangle, number);
+      if (structures.triangle_bins) packed.eye_cones[i] = eye_cone<T>(triangle);
+    }
+  });
 }
 
 /// The exponent that all materials share, if it is a small integer; else -1.
@@ -205,7 +202,7 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Structures& structu
   packed.forward = narrowed<T>(scene.view.forward);
   packed.right = narrowed<T>(scene.view.right);
   packed.up = narrowed<T>(scene.view.up);
-  const std::vector<std::int32_t> triangle_ids = pack_primitives(scene, packed);
+  pack_primitives(scene, structures, pool, packed);
   packed.has_triangles = !scene.triangles.empty();
   packed.bins = build_screen_bins(
       scene.view, scene.spheres, scene.squares,
@@ -213,27 +210,15 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Structures& structu
       block_side, pool);
   packed.has_light_grids = structures.light_grids;
   if (structures.sphere_tree)
-    packed.sphere_tree = make_sphere_tree<T>(scene.spheres, ids(packed), pool);
+    packed.sphere_tree = make_sphere_tree<T>(scene.spheres, scene.numbers, pool);
   if (structures.triangle_tree)
-    packed.triangle_tree = make_triangle_tree<T>(scene.triangles, triangle_ids, pool);
+    packed.triangle_tree = make_triangle_tree<T>(scene.triangles, scene.numbers, pool);
   packed.has_triangle_bins = structures.triangle_bins;
-  if (structures.triangle_bins || structures.triangle_grids) {
-    packed.triangles.resize(scene.triangles.size());
-    if (structures.triangle_bins) packed.eye_cones.resize(scene.triangles.size());
-    for_each_chunk(scene.triangles.size(), pool.thread_count(), pool,
-                   [&](std::size_t, std::size_t begin, std::size_t end) {
-                     for (std::size_t i = begin; i < end; ++i) {
-                       packed.triangles[i] = pack_triangle<T>(scene.triangles[i], triangle_ids[i]);
-                       if (structures.triangle_bins)
-                         packed.eye_cones[i] = eye_cone<T>(scene.triangles[i]);
-                     }
-                   });
-  }
   for (const PackedLight& light : scene.lights) {
     SimdLight<T> simd{
         light.is_distant, narrowed<T>(light.place), saturated<T>(light.emission), {}, {}, {}};
     if (structures.light_grids)
-      simd.grid = build_distant_grid<T>(light.place, scene.spheres, ids(packed), pool);
+      simd.grid = build_distant_grid<T>(light.place, scene.spheres, scene.numbers, pool);
     if (structures.triangle_grids && light.is_distant)
       simd.triangle_grid = build_triangle_grid<T>(light.place, scene.triangles, pool);
     for (const PackedSquare& square : scene.squares)

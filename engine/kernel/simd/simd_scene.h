@@ -105,7 +105,7 @@ struct SimdLight {
 
 /// A column of values that SIMD code gathers from.
 template <typename T>
-using Column = std::vector<T>;
+using Column = LargeArray<T>;
 
 /// What is needed of each primitive once it was hit, in columns by id.
 template <typename T>
@@ -131,7 +131,7 @@ struct SimdScene {
   Triple<T> forward;  ///< the view's basis, in T
   Triple<T> right;
   Triple<T> up;
-  std::vector<SimdSphere<T>> spheres;
+  LargeArray<SimdSphere<T>> spheres;
   ScreenBins bins;       ///< of the spheres, for rays from the eye
   bool has_light_grids;  ///< for shadows of spheres; else their tree, or every sphere
   std::vector<SimdSquare<T>> squares;

@@ -1,6 +1,7 @@
 #include "engine/kernel/simd/simd_tree.h"
 
 #include <cstddef>
+#include <span>
 #include <utility>
 
 #include "engine/accel/primitive_trees.h"
@@ -47,8 +48,8 @@ TriangleBlock<T> empty(const TriangleBlock<T>& /*like*/) {
 }
 
 template <typename Block, typename Primitive>
-SimdTree<Block> make(Tree tree, const std::vector<Primitive>& primitives,
-                     const std::vector<std::int32_t>& ids, WorkerPool& pool) {
+SimdTree<Block> make(Tree tree, std::span<const Primitive> primitives, const Numbering& numbers,
+                     WorkerPool& pool) {
   SimdTree<Block> packed;
   packed.nodes = std::move(tree.nodes);
   if (packed.nodes.empty()) return packed;
@@ -62,7 +63,7 @@ SimdTree<Block> make(Tree tree, const std::vector<Primitive>& primitives,
                      block.count = tree.leaf_begins[leaf + 1] - first;
                      for (std::uint32_t i = 0; i < block.count; ++i) {
                        const std::uint32_t primitive = tree.order[first + i];
-                       pack(primitives[primitive], ids[primitive], i, block);
+                       pack(primitives[primitive], numbers(primitives[primitive].id), i, block);
                      }
                      packed.leaves[leaf] = block;
                    }
@@ -73,27 +74,24 @@ SimdTree<Block> make(Tree tree, const std::vector<Primitive>& primitives,
 }  // namespace
 
 template <typename T>
-SimdTree<SphereBlock<T>> make_sphere_tree(const std::vector<PackedSphere>& spheres,
-                                          const std::vector<std::int32_t>& ids, WorkerPool& pool) {
-  return make<SphereBlock<T>>(build_sphere_tree(spheres, pool), spheres, ids, pool);
+SimdTree<SphereBlock<T>> make_sphere_tree(std::span<const PackedSphere> spheres,
+                                          const Numbering& numbers, WorkerPool& pool) {
+  return make<SphereBlock<T>>(build_sphere_tree(spheres, pool), spheres, numbers, pool);
 }
 
 template <typename T>
-SimdTree<TriangleBlock<T>> make_triangle_tree(const std::vector<PackedTriangle>& triangles,
-                                              const std::vector<std::int32_t>& ids,
-                                              WorkerPool& pool) {
-  return make<TriangleBlock<T>>(build_triangle_tree(triangles, pool), triangles, ids, pool);
+SimdTree<TriangleBlock<T>> make_triangle_tree(std::span<const PackedTriangle> triangles,
+                                              const Numbering& numbers, WorkerPool& pool) {
+  return make<TriangleBlock<T>>(build_triangle_tree(triangles, pool), triangles, numbers, pool);
 }
 
-template SimdTree<SphereBlock<float>> make_sphere_tree<float>(const std::vector<PackedSphere>&,
-                                                              const std::vector<std::int32_t>&,
-                                                              WorkerPool&);
-template SimdTree<SphereBlock<double>> make_sphere_tree<double>(const std::vector<PackedSphere>&,
-                                                                const std::vector<std::int32_t>&,
-                                                                WorkerPool&);
-template SimdTree<TriangleBlock<float>> make_triangle_tree<float>(
-    const std::vector<PackedTriangle>&, const std::vector<std::int32_t>&, WorkerPool&);
-template SimdTree<TriangleBlock<double>> make_triangle_tree<double>(
-    const std::vector<PackedTriangle>&, const std::vector<std::int32_t>&, WorkerPool&);
+template SimdTree<SphereBlock<float>> make_sphere_tree<float>(std::span<const PackedSphere>,
+                                                              const Numbering&, WorkerPool&);
+template SimdTree<SphereBlock<double>> make_sphere_tree<double>(std::span<const PackedSphere>,
+                                                                const Numbering&, WorkerPool&);
+template SimdTree<TriangleBlock<float>> make_triangle_tree<float>(std::span<const PackedTriangle>,
+                                                                  const Numbering&, WorkerPool&);
+template SimdTree<TriangleBlock<double>> make_triangle_tree<double>(std::span<const PackedTriangle>,
+                                                                    const Numbering&, WorkerPool&);
 
 }  // namespace raytracer

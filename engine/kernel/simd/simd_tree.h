@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/accel/tree.h"
@@ -42,22 +43,21 @@ struct SimdTree {
   bool is_empty() const { return nodes.empty(); }
 };
 
-/// `ids[i]` numbers primitive i among the scene's. On the pool's threads.
+/// `numbers` are those of the scene. On the pool's threads.
 template <typename T>
-SimdTree<SphereBlock<T>> make_sphere_tree(const std::vector<PackedSphere>& spheres,
-                                          const std::vector<std::int32_t>& ids, WorkerPool& pool);
+SimdTree<SphereBlock<T>> make_sphere_tree(std::span<const PackedSphere> spheres,
+                                          const Numbering& numbers, WorkerPool& pool);
 template <typename T>
-SimdTree<TriangleBlock<T>> make_triangle_tree(const std::vector<PackedTriangle>& triangles,
-                                              const std::vector<std::int32_t>& ids,
-                                              WorkerPool& pool);
+SimdTree<TriangleBlock<T>> make_triangle_tree(std::span<const PackedTriangle> triangles,
+                                              const Numbering& numbers, WorkerPool& pool);
 
-extern template SimdTree<SphereBlock<float>> make_sphere_tree<float>(
-    const std::vector<PackedSphere>&, const std::vector<std::int32_t>&, WorkerPool&);
+extern template SimdTree<SphereBlock<float>> make_sphere_tree<float>(std::span<const PackedSphere>,
+                                                                     const Numbering&, WorkerPool&);
 extern template SimdTree<SphereBlock<double>> make_sphere_tree<double>(
-    const std::vector<PackedSphere>&, const std::vector<std::int32_t>&, WorkerPool&);
+    std::span<const PackedSphere>, const Numbering&, WorkerPool&);
 extern template SimdTree<TriangleBlock<float>> make_triangle_tree<float>(
-    const std::vector<PackedTriangle>&, const std::vector<std::int32_t>&, WorkerPool&);
+    std::span<const PackedTriangle>, const Numbering&, WorkerPool&);
 extern template SimdTree<TriangleBlock<double>> make_triangle_tree<double>(
-    const std::vector<PackedTriangle>&, const std::vector<std::int32_t>&, WorkerPool&);
+    std::span<const PackedTriangle>, const Numbering&, WorkerPool&);
 
 }  // namespace raytracer
