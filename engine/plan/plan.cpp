@@ -34,9 +34,8 @@ Structures choose_structures(const Census& census, bool has_shadows) {
   const bool has_triangles = census.triangles > 0;
   const bool needs_directions = census.reflects || (census.has_point_lights && has_shadows);
   Structures structures;
-  structures.light_grids =
-      has_shadows && census.spheres > few_for_shadows && !census.has_point_lights;
-  structures.sphere_tree = census.spheres > few_for_reflections && needs_directions;
+  structures.light_grids = has_shadows && census.spheres > few_for_shadows;
+  structures.sphere_tree = census.spheres > few_for_reflections && census.reflects;
   structures.triangle_bins =
       has_triangles && census.triangle_blocks <= most_blocks(census.triangles);
   structures.triangle_grids = has_triangles && has_shadows;

@@ -4,7 +4,7 @@
 namespace raytracer {
 
 struct Structures {
-  bool light_grids = false;  ///< over the spheres, for each light: all must be distant
+  bool light_grids = false;  ///< over the spheres, for each light
   bool sphere_tree = false;
   bool triangle_bins = false;   ///< on the screen, for rays from the eye; else by the tree
   bool triangle_grids = false;  ///< for each distant light; else by the tree

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "engine/kernel/simd/grid-inl.h"
+#include "engine/kernel/simd/point_grid-inl.h"
 #include "engine/kernel/simd/square-inl.h"
 #include "engine/kernel/simd/tree-inl.h"
 #include "engine/kernel/simd/triangle-inl.h"
@@ -17,6 +18,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
+
+/// What stands nearer than this share of a point light's distance hides the light.
+template <typename T>
+inline constexpr T nearer_than_light = 1 - 4096 * std::numeric_limits<T>::epsilon();
 
 /// The packet against the planes.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
@@ -37,7 +42,9 @@ HWY_INLINE M occluded(D d, const SimdScene<T>& scene, const SimdLight<T>& light,
                       const Start<V>& from, const V3<V>& towards, V distance, V incidence, M lit) {
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
   if (scene.has_light_grids)
-    dark = occluded_in_grid(d, light.grid, from, lit);
+    dark = light.is_distant ? occluded_in_grid(d, light.grid, from, lit)
+                            : occluded_in_point_grid(d, light.point_grid, light.place, from,
+                                                     towards, nearer_than_light<T>, lit);
   else if (!scene.sphere_tree.is_empty())
     dark = occluded_in_tree(d, scene.sphere_tree, from, towards, distance, lit);
   else

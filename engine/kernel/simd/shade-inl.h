@@ -19,10 +19,6 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
-/// What stands nearer than this share of a point light's distance hides the light.
-template <typename T>
-inline constexpr T nearer_than_light = 1 - 4096 * std::numeric_limits<T>::epsilon();
-
 /// x^exponent for x in [0, 1], by squaring; 0^0 = 1.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V integer_power(D d, V x, std::int32_t exponent) {

@@ -215,10 +215,14 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Structures& structu
     packed.triangle_tree = make_triangle_tree<T>(scene.triangles, scene.numbers, pool);
   packed.has_triangle_bins = structures.triangle_bins;
   for (const PackedLight& light : scene.lights) {
-    SimdLight<T> simd{
-        light.is_distant, narrowed<T>(light.place), saturated<T>(light.emission), {}, {}, {}};
-    if (structures.light_grids)
+    SimdLight<T> simd{};
+    simd.is_distant = light.is_distant;
+    simd.place = narrowed<T>(light.place);
+    simd.emission = saturated<T>(light.emission);
+    if (structures.light_grids && light.is_distant)
       simd.grid = build_distant_grid<T>(light.place, scene.spheres, scene.numbers, pool);
+    if (structures.light_grids && !light.is_distant)
+      simd.point_grid = build_point_grid<T>(light.place, scene.spheres, scene.numbers, pool);
     if (structures.triangle_grids && light.is_distant)
       simd.triangle_grid = build_triangle_grid<T>(light.place, scene.triangles, pool);
     for (const PackedSquare& square : scene.squares)

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "engine/accel/light_grid.h"
+#include "engine/accel/point_grid.h"
 #include "engine/accel/screen_bins.h"
 #include "engine/accel/triangle_grid.h"
 #include "engine/kernel/simd/simd_tree.h"
@@ -99,7 +100,8 @@ struct SimdLight {
   Triple<T> place;                   ///< distant: unit, towards the light; point: its position
   Triple<T> emission;                ///< saturated, so that sums stay finite
   std::vector<Stencil<T>> stencils;  ///< distant: one for each square
-  DistantGrid<T> grid;               ///< over the spheres, where there are many
+  DistantGrid<T> grid;               ///< distant: over the spheres, where there are many
+  PointGrid<T> point_grid;           ///< point: likewise
   TriangleGrid<T> triangle_grid;     ///< distant, if its rays do not go through the tree
 };
 

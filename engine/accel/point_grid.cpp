@@ -1,0 +1,134 @@
+#include "engine/accel/point_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/accel/binning.h"
+#include "engine/accel/projection.h"
+#include "engine/pack/view.h"
+
+namespace raytracer {
+namespace {
+
+constexpr int faces = 6;
+
+/// Longer than any packet.
+constexpr std::size_t padding = 64;
+
+/// A view from the light through a face, a cell to a pixel.
+View view_of_face(int face, int side) {
+  const std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  const auto axis = static_cast<std::size_t>(face / 2);
+  const Vec3 forward = face % 2 == 0 ? axes[axis] : -axes[axis];
+  // A view's rows run downwards.
+  return {forward, axes[(axis + 1) % 3], -axes[(axis + 2) % 3], side, side};
+}
+
+/// Whether a sphere around `center`, relative to the light, may reach into a face's pyramid.
+bool may_reach(const Vec3& center, double radius, int face) {
+  constexpr double root_two = 1.42;
+  const std::array<double, 3> place{center.x, center.y, center.z};
+  const auto axis = static_cast<std::size_t>(face / 2);
+  const double along = face % 2 == 0 ? place[axis] : -place[axis];
+  return along + root_two * radius >=
+         std::max(std::abs(place[(axis + 1) % 3]), std::abs(place[(axis + 2) % 3]));
+}
+
+/// Cells about as many as spheres, which may all stand on one face, but none narrower than four
+/// times the mean radius as the light sees it.
+int cells_across(const Vec3& light, std::span<const PackedSphere> spheres) {
+  constexpr double most = 1024;
+  const double count = static_cast<double>(spheres.size());
+  double angle2_sum = 0;
+  for (const PackedSphere& s : spheres) {
+    const Vec3 path = s.center - light;
+    angle2_sum += std::min(s.radius * s.radius / std::max(dot(path, path), 1e-300), 1.0);
+  }
+  const double widest = 2 / (4 * std::sqrt(angle2_sum / count) + 1e-300);
+  return static_cast<int>(std::clamp(std::min(std::sqrt(count / faces), widest), 1.0, most));
+}
+
+}  // namespace
+
+template <typename T>
+PointGrid<T> build_point_grid(const Vec3& light, std::span<const PackedSphere> spheres,
+                              const Numbering& numbers, WorkerPool& pool) {
+  PointGrid<T> grid;
+  grid.side = cells_across(light, spheres);
+  std::vector<Projection> projections;
+  for (int face = 0; face < faces; ++face) projections.emplace_back(view_of_face(face, grid.side));
+
+  // A point finds its cell in precision T: spheres are entered a little beyond their rims.
+  const double margin =
+      64 * static_cast<double>(std::numeric_limits<T>::epsilon()) * static_cast<double>(grid.side);
+  const double side = static_cast<double>(grid.side);
+  const auto cells_of = [&](std::size_t item) {
+    const auto face = static_cast<int>(item % faces);
+    const PackedSphere& s = spheres[item / faces];
+    const Vec3 center = s.center - light;
+    if (!may_reach(center, s.radius, face)) return CellRectangle{};
+    const PixelRectangle seen =
+        projections[static_cast<std::size_t>(face)].of_sphere(center, s.radius);
+    if (!(seen.x_begin < seen.x_end && seen.y_begin < seen.y_end)) return CellRectangle{};
+    const auto index = [&](double place) {
+      return static_cast<std::uint16_t>(std::clamp(place, 0.0, side));
+    };
+    const auto row = static_cast<std::uint16_t>(face * grid.side);
+    CellRectangle cells{index(seen.x_begin - margin), index(seen.y_begin - margin),
+                        index(seen.x_end + margin + 1), index(seen.y_end + margin + 1)};
+    if (cells.empty()) return cells;
+    cells.y_begin = static_cast<std::uint16_t>(cells.y_begin + row);
+    cells.y_end = static_cast<std::uint16_t>(cells.y_end + row);
+    return cells;
+  };
+
+  struct Entry {
+    T x;
+    T y;
+    T z;
+    T radius2;
+    T nearest;
+    T id;
+  };
+  const auto entry_of = [&](std::size_t item) {
+    const std::size_t i = item / faces;
+    const PackedSphere& s = spheres[i];
+    const Vec3 c = s.center - light;
+    const double nearest = std::max(length(c) - s.radius, 0.0) * (1 - 1e-6);
+    return Entry{static_cast<T>(c.x),     static_cast<T>(c.y),
+                 static_cast<T>(c.z),     static_cast<T>(s.radius * s.radius),
+                 static_cast<T>(nearest), static_cast<T>(numbers(spheres[i].id))};
+  };
+  const auto entry_in = [](const Entry& entry, const CellRectangle&, int, int) { return entry; };
+  const auto arrange = [](std::span<Entry> entries) {
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& a, const Entry& b) { return a.nearest < b.nearest; });
+  };
+  grid.begins = sort_into_bins(
+      faces * spheres.size(), BinGrid{grid.side, faces * grid.side, 0}, pool,
+      make_binning<Entry>(cells_of, entry_of, entry_in, arrange),
+      [&](std::size_t count) {
+        for (LargeArray<T>* column :
+             {&grid.x, &grid.y, &grid.z, &grid.radius2, &grid.nearest, &grid.id})
+          column->resize(count + padding);
+      },
+      [&](std::size_t first, std::span<const Entry> entries) {
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+          grid.x[first + i] = entries[i].x;
+          grid.y[first + i] = entries[i].y;
+          grid.z[first + i] = entries[i].z;
+          grid.radius2[first + i] = entries[i].radius2;
+          grid.nearest[first + i] = entries[i].nearest;
+          grid.id[first + i] = entries[i].id;
+        }
+      });
+  return grid;
+}
+
+template PointGrid<float> build_point_grid<float>(const Vec3&, std::span<const PackedSphere>,
+                                                  const Numbering&, WorkerPool&);
+template PointGrid<double> build_point_grid<double>(const Vec3&, std::span<const PackedSphere>,
+                                                    const Numbering&, WorkerPool&);
+
+}  // namespace raytracer

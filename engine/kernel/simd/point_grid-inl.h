@@ -1,0 +1,121 @@
+// A packet's shadow rays to a point light, by the cube of grids around the light.
+
+#if defined(RAYTRACER_KERNEL_SIMD_POINT_GRID_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_KERNEL_SIMD_POINT_GRID_INL_H_
+#undef RAYTRACER_KERNEL_SIMD_POINT_GRID_INL_H_
+#else
+#define RAYTRACER_KERNEL_SIMD_POINT_GRID_INL_H_
+#endif
+
+#include "engine/accel/point_grid.h"
+#include "engine/kernel/simd/grid-inl.h"
+#include "engine/kernel/simd/hit-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// The cells in which the directions `out` from the light leave its cube.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V cube_cells(D d, const PointGrid<T>& grid, const V3<V>& out) {
+  const V3<V> size{hn::Abs(out.x), hn::Abs(out.y), hn::Abs(out.z)};
+  const M is_x = hn::And(hn::Ge(size.x, size.y), hn::Ge(size.x, size.z));
+  const M is_y = hn::Ge(size.y, size.z);
+  const auto pick = [&](V x, V y, V z)
+                        HWY_ATTR { return hn::IfThenElse(is_x, x, hn::IfThenElse(is_y, y, z)); };
+  const V along = pick(out.x, out.y, out.z);
+  const V scale = hn::Div(hn::Set(d, T(0.5)), hn::Abs(along));
+  const V side = hn::Set(d, static_cast<T>(grid.side));
+  const V last = hn::Set(d, static_cast<T>(grid.side - 1));
+  const auto place = [&](V across) HWY_ATTR {
+    const V share = hn::MulAdd(across, scale, hn::Set(d, T(0.5)));
+    return hn::Min(hn::Max(hn::Floor(hn::Mul(share, side)), hn::Zero(d)), last);
+  };
+  const V column = place(pick(out.y, out.z, out.x));
+  const V row = place(pick(out.z, out.x, out.y));
+  const V axis = pick(hn::Zero(d), hn::Set(d, T(2)), hn::Set(d, T(4)));
+  const V face = hn::IfThenElse(hn::Lt(along, hn::Zero(d)), hn::Add(axis, hn::Set(d, T(1))), axis);
+  return hn::MulAdd(hn::MulAdd(face, side, row), side, column);
+}
+
+/// Lanes whose ray to the light meets a sphere before it. Lanes hold points, spheres or both.
+/// `towards` is a unit vector to the light, `path` the point's distance from it, of which the ray
+/// keeps the share `kept`; the centre is relative to the light. No point is inside a sphere.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M stands_before_light(D d, const V3<V>& center, V radius2, const V3<V>& towards, V path,
+                                 T kept) {
+  const V b = hn::Neg(dot(center, towards));
+  const V3<V> l = mul_add(towards, b, center);
+  const V rest = hn::Sub(radius2, dot(l, l));
+  const V far = hn::Add(b, hn::Sqrt(hn::Max(rest, hn::Zero(d))));
+  return hn::And(hn::And(hn::Ge(rest, hn::Zero(d)), hn::Lt(b, path)),
+                 hn::Gt(far, hn::Mul(path, hn::Set(d, T(1) - kept))));
+}
+
+/// Lanes of `lit` from which a sphere of the grid stands before the light at `place`.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_in_point_grid(D d, const PointGrid<T>& grid, const Triple<T>& place,
+                                    const Start<V>& from, const V3<V>& towards, T kept, M lit) {
+  const V3<V> out = sub(from.point, broadcast(d, place));
+  const V path = hn::Sqrt(dot(out, out));
+  const V cell = cube_cells(d, grid, out);
+  constexpr std::size_t most_lanes = hn::MaxLanes(D());
+  HWY_ALIGN T cells[most_lanes];
+  HWY_ALIGN T paths[most_lanes];
+  HWY_ALIGN T ids[most_lanes];
+  HWY_ALIGN T towards_x[most_lanes];
+  HWY_ALIGN T towards_y[most_lanes];
+  HWY_ALIGN T towards_z[most_lanes];
+  hn::Store(cell, d, cells);
+  hn::Store(path, d, paths);
+  hn::Store(from.id, d, ids);
+  hn::Store(towards.x, d, towards_x);
+  hn::Store(towards.y, d, towards_y);
+  hn::Store(towards.z, d, towards_z);
+
+  M dark = hn::Lt(path, hn::Zero(d));
+  M rest = lit;
+  while (!hn::AllFalse(d, rest)) {
+    const auto lane = static_cast<std::size_t>(hn::FindFirstTrue(d, rest));
+    const auto index = static_cast<std::size_t>(cells[lane]);
+    const std::size_t begin = grid.begins[index];
+    const std::size_t end = grid.begins[index + 1];
+    const M together = hn::And(rest, hn::Eq(cell, hn::Set(d, cells[lane])));
+    if (suits_packet(end - begin, hn::CountTrue(d, together), most_lanes)) {
+      rest = hn::AndNot(together, rest);
+      for (std::size_t i = begin; i < end; ++i) {
+        const V3<V> center = broadcast(d, Triple<T>{grid.x[i], grid.y[i], grid.z[i]});
+        const M meets =
+            stands_before_light(d, center, hn::Set(d, grid.radius2[i]), towards, path, kept);
+        const M other = hn::Ne(hn::Set(d, grid.id[i]), from.id);
+        dark = hn::Or(dark, hn::And(together, hn::And(meets, other)));
+      }
+      continue;
+    }
+    const M alone = hn::Eq(hn::Iota(d, T(0)), hn::Set(d, static_cast<T>(lane)));
+    rest = hn::AndNot(alone, rest);
+    const V3<V> own_towards =
+        broadcast(d, Triple<T>{towards_x[lane], towards_y[lane], towards_z[lane]});
+    const V own_path = hn::Set(d, paths[lane]);
+    const V own_id = hn::Set(d, ids[lane]);
+    for (std::size_t i = begin; i < end; i += most_lanes) {
+      if (grid.nearest[i] > paths[lane]) break;  // this one and all behind it are beyond the point
+      const V3<V> centers{hn::LoadU(d, &grid.x[i]), hn::LoadU(d, &grid.y[i]),
+                          hn::LoadU(d, &grid.z[i])};
+      const M meets = stands_before_light(d, centers, hn::LoadU(d, &grid.radius2[i]), own_towards,
+                                          own_path, kept);
+      const M other = hn::And(hn::FirstN(d, end - i), hn::Ne(hn::LoadU(d, &grid.id[i]), own_id));
+      if (!hn::AllFalse(d, hn::And(meets, other))) {
+        dark = hn::Or(dark, alone);
+        break;
+      }
+    }
+  }
+  return dark;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target
