@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/plan/features.h"
+
 namespace raytracer {
 namespace {
 
@@ -70,7 +72,7 @@ PackedScene pack_scene(const Scene& scene, const Frame& frame) {
     packed.material_of_object.push_back(scene.objects[i].material);
   }
   packed.materials = scene.materials;
-  for (const Light& light : scene.lights) packed.lights.push_back(pack_light(light, frame));
+  for (const Light& light : lights_in_use(scene)) packed.lights.push_back(pack_light(light, frame));
   packed.background = scene.background;
   packed.ambient = scene.ambient;
   packed.shadows = scene.shadows;
