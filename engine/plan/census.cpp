@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <variant>
 #include <vector>
 
@@ -74,13 +76,11 @@ class Counter {
     census_.nearest = std::min(census_.nearest, std::max(distance_to_square(s, center, r), 0.0));
     census_.farthest = std::max(census_.farthest, reach);
     census_.distance_in_radii = std::max(census_.distance_in_radii, reach / r);
-    ++census_.squares;
   }
 
   void operator()(const Plane& p) {
     const double height = std::abs(dot(unit(p.normal), frame_.frame_from_scene(p.point)));
     census_.nearest = std::min(census_.nearest, height);
-    ++census_.planes;
   }
 
   void operator()(const Mesh& m) {
@@ -96,7 +96,6 @@ class Counter {
       const double blocks = 2 * ball.reach / ball.distance * blocks_per_radian_ + 1;
       census_.triangle_blocks += std::min(blocks, block_columns_) * std::min(blocks, block_rows_);
     }
-    census_.triangles += m.triangles.size();
   }
 
   double farthest_but_squares() const { return farthest_but_squares_; }
@@ -113,7 +112,6 @@ class Counter {
     const double r = frame_.frame_from_scene(scene_radius);
     add(distance - r, distance + r);
     census_.distance_in_radii = std::max(census_.distance_in_radii, (distance + r) / r);
-    ++census_.spheres;
   }
 
   static constexpr double block_side_px = 16;
@@ -172,33 +170,70 @@ double shadow_path(const Scene& scene, const Frame& frame, double farthest,
   return longest;
 }
 
-/// The smallest sphere that mirrors, in frame coordinates; infinite if none does.
-double smallest_mirror(const Scene& scene, const Frame& frame) {
-  double smallest = std::numeric_limits<double>::infinity();
+/// The spheres that mirror, in frame coordinates.
+struct Mirrors {
+  double count = 0;
+  double smallest = std::numeric_limits<double>::infinity();  ///< radius
+  double radius_sum = 0;
+  double low = std::numeric_limits<double>::infinity();    ///< of all coordinates, so that high
+  double high = -std::numeric_limits<double>::infinity();  ///< - low is the space they stand in
+
+  void include(const Vec3& center, double radius, double number, double reach) {
+    count += number;
+    smallest = std::min(smallest, radius);
+    radius_sum += number * radius;
+    for (const double place : {center.x, center.y, center.z}) {
+      low = std::min(low, place - reach);
+      high = std::max(high, place + reach);
+    }
+  }
+};
+
+Mirrors find_mirrors(const Scene& scene, const Frame& frame) {
+  Mirrors mirrors;
   for (const Object& object : scene.objects) {
     if (!(scene.materials[object.material].reflectivity > 0)) continue;
-    if (const auto* sphere = std::get_if<Sphere>(&object.shape))
-      smallest = std::min(smallest, sphere->radius);
-    else if (const auto* square = std::get_if<SphereSquare>(&object.shape))
-      smallest = std::min(smallest, square->radius);
-    else if (const auto* spheres = std::get_if<Spheres>(&object.shape))
-      for (const double radius : spheres->radii) smallest = std::min(smallest, radius);
+    const auto add = [&](const Vec3& center, double radius, double number, double reach) {
+      mirrors.include(frame.frame_from_scene(center), frame.frame_from_scene(radius), number,
+                      frame.frame_from_scene(reach));
+    };
+    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+      add(sphere->center, sphere->radius, 1, sphere->radius);
+    } else if (const auto* square = std::get_if<SphereSquare>(&object.shape)) {
+      const double side = 2 * static_cast<double>(square->n);
+      add(square->center, square->radius, side * side, std::min(side * square->radius, 1e308));
+    } else if (const auto* spheres = std::get_if<Spheres>(&object.shape)) {
+      for (std::size_t i = 0; i < spheres->centers.size(); ++i)
+        add(spheres->centers[i], spheres->radius(i), 1, spheres->radius(i));
+    }
   }
-  return frame.frame_from_scene(smallest);
+  return mirrors;
 }
 
-/// Each reflection spreads an error and fades what it displaces.
-double magnification(const Scene& scene, const Frame& frame, const Census& census) {
-  double reflectivity = 0;
-  for (const Material& material : scene.materials)
-    reflectivity = std::max(reflectivity, material.reflectivity);
-  const double growth = reflectivity * 2 * census.farthest / smallest_mirror(scene, frame);
-  return growth > 1 ? std::pow(growth, scene.render.max_depth) : 1;
+/// A first reflection shows anything up to the farthest. What follows happens between mirrors: on
+/// its way through the space that holds N of radius r, of width R, a ray has a mean free path of
+/// l = R^3 / (N pi r^2), meets another after d = min(l, R) with the probability d / l, and each
+/// time its error grows by 2 d / r.
+double magnification(const Scene& scene, const Frame& frame, const Features& features,
+                     const Census& census) {
+  const Mirrors mirrors = find_mirrors(scene, frame);
+  if (mirrors.count == 0) return 1;
+  const double first = features.reflectivity * 2 * census.farthest / mirrors.smallest;
+  double further = 0;
+  if (mirrors.count > 1) {
+    const double width = mirrors.high - mirrors.low;
+    const double radius = mirrors.radius_sum / mirrors.count;
+    const double free_path =
+        width / (mirrors.count - 1) * (width / radius) * (width / radius) / std::numbers::pi;
+    const double step = std::min(free_path, width);
+    further = features.reflectivity * step / free_path * 2 * step / radius;
+  }
+  return std::max(first, 1.0) * std::pow(std::max(further, 1.0), features.max_depth - 1);
 }
 
 }  // namespace
 
-Census take_census(const Scene& scene, const Frame& frame) {
+Census take_census(const Scene& scene, const Frame& frame, const Features& features) {
   Census census;
   Counter counter(frame, scene.camera, census);
   for (const Object& object : scene.objects)
@@ -206,7 +241,6 @@ Census take_census(const Scene& scene, const Frame& frame) {
   for (const Light& light : scene.lights) {
     const auto* point = std::get_if<PointLight>(&light.source);
     if (point == nullptr) continue;
-    census.has_point_lights = true;
     census.farthest = std::max(census.farthest, length(frame.frame_from_scene(point->position)));
   }
   // What the eye's distances are to the eye, a light's are to the light.
@@ -221,12 +255,8 @@ Census take_census(const Scene& scene, const Frame& frame) {
     census.light_clearance =
         std::min(census.light_clearance, around_light.nearest / census.farthest);
   }
-  for (const Material& material : scene.materials) {
-    census.shininess = std::max(census.shininess, material.shininess);
-    census.reflects = census.reflects || material.reflectivity > 0;
-  }
   census.shadow_path = shadow_path(scene, frame, census.farthest, counter.farthest_but_squares());
-  if (census.reflects) census.magnification = magnification(scene, frame, census);
+  if (features.reflects) census.magnification = magnification(scene, frame, features, census);
   census.pixel_angle = pixel_angle(scene.camera);
   return census;
 }

@@ -250,7 +250,7 @@ TEST(Variants, singleIsNearTheReferenceWhereThePlanChoosesIt) {
     for (const InstructionSet& set : supported_instruction_sets())
       EXPECT_LE(count_wrong(image_on(set, Precision::single_precision, named.scene), expected),
                 most)
-          << named.name << " on " << set.name;
+          << named.name << " on " << set.name << ": " << plan.precision.reason;
   }
   EXPECT_GE(chosen, 8) << "single precision is hardly ever chosen";
 }
@@ -260,7 +260,7 @@ TEST(Variants, findsTrianglesAlikeByEveryStructure) {
     Scene scene = named.scene;
     scene.render.precision = Precision::double_precision;
     Plan plan = make_plan(scene, this_machine());
-    if (plan.census.triangles == 0) continue;
+    if (plan.features.triangles == 0) continue;
     const Image expected = reference_image(scene);
     for (const bool by_bins : {false, true}) {
       for (const bool by_grids : {false, true}) {
