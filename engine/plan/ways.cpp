@@ -42,6 +42,12 @@ constexpr const char* one_point =
     "holds all that they can meet";
 constexpr const char* parallel =
     "all rays to a distant light are parallel, so one look-up finds the few that can be in the way";
+constexpr const char* one_end =
+    "all rays to a point light end there, so one look-up in a grid on a cube around it finds the "
+    "few that can be in the way";
+constexpr const char* either =
+    "all rays to a distant light are parallel, all to a point light end there, so one look-up "
+    "finds the few that can be in the way";
 constexpr const char* of_any_direction = "reflected rays share neither an origin nor a direction";
 
 class Explainer {
@@ -75,18 +81,15 @@ class Explainer {
     const std::string spheres = counted(features_.spheres, "sphere");
     add(spheres, "from the eye", "screen bins", one_point);
     if (features_.casts_shadows) {
-      if (structures_.light_grids) {
-        if (features_.distant_lights > 0)
-          add(spheres, "to the distant lights", "light grids", parallel);
-        if (features_.point_lights > 0)
-          add(spheres, "to the point lights", "light grids",
-              "all rays to a point light end there, so one look-up on a cube around it finds the "
-              "few spheres that can be in the way");
-      } else {
+      if (structures_.light_grids)
+        add(spheres, "to the lights", "light grids",
+            features_.point_lights == 0     ? parallel
+            : features_.distant_lights == 0 ? one_end
+                                            : either);
+      else
         add(spheres, "to the lights", "one by one",
             fmt::format("trying {} is cheaper than looking any up",
                         features_.spheres == 1 ? "the one sphere" : "all " + spheres));
-      }
     }
     if (features_.reflects) {
       if (structures_.sphere_tree)

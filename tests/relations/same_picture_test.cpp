@@ -130,6 +130,7 @@ TEST(Picture, OfASquareIsThatOfItsSpheres) {
   // Offsets (2i + 1 - 2n) r are exact here, so every pixel is the same, reflections included.
   for (const char* axes : {"xz", "xy", "yz"}) {
     json text = varied_scene();
+    text["render"]["precision"] = "double";
     json& square = text["objects"][3];
     square["axes"] = axes;
     const Image image = image_of(text);

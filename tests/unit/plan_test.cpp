@@ -52,13 +52,13 @@ TEST(Plan, IsTheSameForTheSameSceneAndMachine) {
 TEST(Plan, BuildsNothingThatNoRayAsks) {
   Scene scene = scene_with({{many_spheres(1000), 0}});
   EXPECT_TRUE(make_plan(scene, machine).structures.light_grids);
-  EXPECT_FALSE(make_plan(scene, machine).structures.tree);
+  EXPECT_FALSE(make_plan(scene, machine).structures.sphere_tree);
   scene.shadows = Shadows::off;
   EXPECT_FALSE(make_plan(scene, machine).structures.light_grids);
   scene.objects[0].material = 1;
-  EXPECT_TRUE(make_plan(scene, machine).structures.tree);
+  EXPECT_TRUE(make_plan(scene, machine).structures.sphere_tree);
   scene.render.max_depth = 0;
-  EXPECT_FALSE(make_plan(scene, machine).structures.tree);
+  EXPECT_FALSE(make_plan(scene, machine).structures.sphere_tree);
 }
 
 TEST(Plan, TriesFewSpheresOneByOne) {
