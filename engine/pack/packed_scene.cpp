@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/parallel/chunks.h"
+#include "engine/plan/features.h"
 
 namespace raytracer {
 namespace {
@@ -90,7 +91,7 @@ PackedScene pack_scene(const Scene& scene, const Frame& frame, WorkerPool& pool)
     packed.material_of_object.push_back(scene.objects[i].material);
   }
   packed.materials = scene.materials;
-  for (const Light& light : scene.lights) packed.lights.push_back(pack_light(light, frame));
+  for (const Light& light : lights_in_use(scene)) packed.lights.push_back(pack_light(light, frame));
   packed.background = scene.background;
   packed.ambient = scene.ambient;
   packed.shadows = scene.shadows;

@@ -61,7 +61,7 @@ struct PackedScene {
   Numbering numbers;
   std::vector<MaterialIndex> material_of_object;
   std::vector<Material> materials;
-  std::vector<PackedLight> lights;
+  std::vector<PackedLight> lights;  ///< that can change a colour
   Rgb background;
   double ambient = 0;
   Shadows shadows = Shadows::black;

@@ -74,13 +74,11 @@ class Counter {
     census_.nearest = std::min(census_.nearest, std::max(distance_to_square(s, center, r), 0.0));
     census_.farthest = std::max(census_.farthest, reach);
     census_.distance_in_radii = std::max(census_.distance_in_radii, reach / r);
-    ++census_.squares;
   }
 
   void operator()(const Plane& p) {
     const double height = std::abs(dot(unit(p.normal), frame_.frame_from_scene(p.point)));
     census_.nearest = std::min(census_.nearest, height);
-    ++census_.planes;
   }
 
   void operator()(const Mesh& m) {
@@ -96,7 +94,6 @@ class Counter {
       const double blocks = 2 * ball.reach / ball.distance * blocks_per_radian_ + 1;
       census_.triangle_blocks += std::min(blocks, block_columns_) * std::min(blocks, block_rows_);
     }
-    census_.triangles += m.triangles.size();
   }
 
   double farthest_but_squares() const { return farthest_but_squares_; }
@@ -113,7 +110,6 @@ class Counter {
     const double r = frame_.frame_from_scene(scene_radius);
     add(distance - r, distance + r);
     census_.distance_in_radii = std::max(census_.distance_in_radii, (distance + r) / r);
-    ++census_.spheres;
   }
 
   static constexpr double block_side_px = 16;
@@ -188,17 +184,15 @@ double smallest_mirror(const Scene& scene, const Frame& frame) {
 }
 
 /// Each reflection spreads an error and fades what it displaces.
-double magnification(const Scene& scene, const Frame& frame, const Census& census) {
-  double reflectivity = 0;
-  for (const Material& material : scene.materials)
-    reflectivity = std::max(reflectivity, material.reflectivity);
-  const double growth = reflectivity * 2 * census.farthest / smallest_mirror(scene, frame);
-  return growth > 1 ? std::pow(growth, scene.render.max_depth) : 1;
+double magnification(const Scene& scene, const Frame& frame, const Features& features,
+                     const Census& census) {
+  const double growth = features.reflectivity * 2 * census.farthest / smallest_mirror(scene, frame);
+  return growth > 1 ? std::pow(growth, features.max_depth) : 1;
 }
 
 }  // namespace
 
-Census take_census(const Scene& scene, const Frame& frame) {
+Census take_census(const Scene& scene, const Frame& frame, const Features& features) {
   Census census;
   Counter counter(frame, scene.camera, census);
   for (const Object& object : scene.objects)
@@ -206,7 +200,6 @@ Census take_census(const Scene& scene, const Frame& frame) {
   for (const Light& light : scene.lights) {
     const auto* point = std::get_if<PointLight>(&light.source);
     if (point == nullptr) continue;
-    census.has_point_lights = true;
     census.farthest = std::max(census.farthest, length(frame.frame_from_scene(point->position)));
   }
   // What the eye's distances are to the eye, a light's are to the light.
@@ -221,12 +214,8 @@ Census take_census(const Scene& scene, const Frame& frame) {
     census.light_clearance =
         std::min(census.light_clearance, around_light.nearest / census.farthest);
   }
-  for (const Material& material : scene.materials) {
-    census.shininess = std::max(census.shininess, material.shininess);
-    census.reflects = census.reflects || material.reflectivity > 0;
-  }
   census.shadow_path = shadow_path(scene, frame, census.farthest, counter.farthest_but_squares());
-  if (census.reflects) census.magnification = magnification(scene, frame, census);
+  if (features.reflects) census.magnification = magnification(scene, frame, features, census);
   census.pixel_angle = pixel_angle(scene.camera);
   return census;
 }

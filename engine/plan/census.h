@@ -1,9 +1,9 @@
-// What a scene contains, counted and measured once: the facts that the plan's choices rest on.
+// How near, far and large the things of a scene are: what the choice of precision rests on.
 #pragma once
 
-#include <cstddef>
 #include <limits>
 
+#include "engine/plan/features.h"
 #include "engine/plan/frame.h"
 #include "engine/scene/scene.h"
 
@@ -11,21 +11,14 @@ namespace raytracer {
 
 /// Lengths are in frame coordinates, distances from the eye.
 struct Census {
-  std::size_t spheres = 0;  ///< of types sphere and spheres
-  std::size_t squares = 0;
-  std::size_t planes = 0;
-  std::size_t triangles = 0;
   /// About how many blocks of 16 x 16 pixels the triangles touch, in sum.
   double triangle_blocks = 0;
   double nearest = std::numeric_limits<double>::infinity();  ///< surface; 0 inside a sphere
   double farthest = 0;           ///< point of a sphere, square or mesh, and point light
   double distance_in_radii = 0;  ///< the largest of farthest distance / radius
   double shadow_path = 0;        ///< no occluder stands farther than this from what it shadows
-  double shininess = 0;          ///< the largest in use
   /// The least distance of a point light to a surface, as a share of the farthest extent.
   double light_clearance = std::numeric_limits<double>::infinity();
-  bool has_point_lights = false;
-  bool reflects = false;
   /// By how much reflections can magnify an error of direction, in what it changes of a pixel: a
   /// mirroring sphere of radius r spreads neighbouring rays 2 d / r times as far at a distance d,
   /// and shows what it mirrors only as bright as its reflectivity.
@@ -33,6 +26,6 @@ struct Census {
   double pixel_angle = 0;  ///< radians, at the image's centre
 };
 
-Census take_census(const Scene& scene, const Frame& frame);
+Census take_census(const Scene& scene, const Frame& frame, const Features& features);
 
 }  // namespace raytracer

@@ -2,33 +2,33 @@
 // decides it again.
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include "engine/plan/census.h"
+#include "engine/plan/choice.h"
+#include "engine/plan/features.h"
 #include "engine/plan/frame.h"
 #include "engine/plan/machine.h"
 #include "engine/plan/precision.h"
+#include "engine/plan/sampling.h"
 #include "engine/plan/structures.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {
 
-/// Which code traces the scene.
-enum class Kernel {
-  simd,         ///< packets of rays; few spheres and planes, squares of any size
-  brute_force,  ///< the reference: one ray at a time against everything
-  bvh,          ///< the reference's arithmetic with a tree over spheres and triangles
-};
-
 struct Plan {
-  Census census;
+  Features features;
   Frame frame;
+  Census census;
   Choice<Kernel> kernel;
   Choice<Precision> precision;  ///< never automatic
   Structures structures;
+  Choice<Sampling> sampling;
   InstructionSet instruction_set;
+  Choice<int> tile_side_px;  ///< of the tiles that threads take, in the first pass
 };
 
+/// A pure function: the same scene and machine give the same plan.
 Plan make_plan(const Scene& scene, const Machine& machine);
 
 }  // namespace raytracer

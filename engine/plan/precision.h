@@ -1,22 +1,15 @@
 // Whether single precision suffices for a scene, by the error that it would make.
 #pragma once
 
-#include <string>
-
 #include "engine/plan/census.h"
+#include "engine/plan/choice.h"
+#include "engine/plan/features.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {
 
-/// A decision, and why it was made in words and numbers.
-template <typename T>
-struct Choice {
-  T value;
-  std::string reason;
-};
-
 /// Single where its errors stay below 1/256 pixel and half a level of shading, else double.
 /// `wish` other than automatic is granted.
-Choice<Precision> choose_precision(Precision wish, const Census& census);
+Choice<Precision> choose_precision(Precision wish, const Features& features, const Census& census);
 
 }  // namespace raytracer

@@ -7,28 +7,13 @@
 #include "engine/image/tile.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/plan/plan.h"
+#include "engine/plan/tiles.h"
 #include "engine/render/tracer.h"
 #include "engine/sample/contract.h"
 #include "engine/sample/pattern.h"
 
 namespace raytracer {
 namespace {
-
-/// As large as leaves each thread enough tiles to share the work evenly, because a tile costs a
-/// lock; but no more samples than others, whose turn comes after a tile, may be made to wait for.
-int tile_side_px(int width, int height, int samples, std::size_t thread_count) {
-  constexpr double tiles_per_thread = 16;
-  constexpr double most_samples = 1 << 14;
-  constexpr int largest = 64;
-  constexpr int smallest = 16;
-  const double pixels = static_cast<double>(width) * height;
-  int side = largest;
-  while (side > smallest &&
-         (pixels / (side * side) < tiles_per_thread * static_cast<double>(thread_count) ||
-          static_cast<double>(side) * side * samples > most_samples))
-    side /= 2;
-  return side;
-}
 
 /// What every pass over the image needs.
 struct Tracing {
@@ -85,12 +70,6 @@ struct Tracing {
   }
 };
 
-int most_samples(const Scene& scene, const Limits& limits) {
-  const std::int64_t pixels = std::int64_t{scene.camera.width} * scene.camera.height;
-  const std::int64_t most = std::min({limits.samples, limits.work / pixels, std::int64_t{1} << 30});
-  return static_cast<int>(std::max<std::int64_t>(most, 1));
-}
-
 /// Passes of ever more samples, until next_pass says that the contract is kept.
 void render_by_contract(const RenderSettings& settings, int most, Tracing& tracing,
                         Rendering& rendering) {
@@ -126,7 +105,7 @@ Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
   Rendering rendering;
 
   const Stopwatch plan_watch;
-  const Plan plan = make_plan(scene, this_machine());
+  const Plan plan = make_plan(scene, this_machine(pool.thread_count()));
   rendering.plan_ms = plan_watch.elapsed_ms();
   rendering.precision = plan.precision.value;
 
@@ -136,7 +115,7 @@ Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
 
   // From here on the scene is not looked at: kernels see packed arrays only.
   const RenderSettings& settings = scene.render;
-  const bool is_contract = settings.target_rmse || settings.budget_ms;
+  const bool is_contract = plan.sampling.value == Sampling::contract;
   Tracing tracing{tracer, scene.camera.width, scene.camera.height, settings.transfer,
                   pool,   progress,           settings.budget_ms,  is_contract};
   if (is_contract) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace raytracer {
 
@@ -20,6 +21,12 @@ std::optional<int> next_pass(const RenderSettings& settings, const PassReport& l
   }
   if (samples < least_growth * last.samples) return {};
   return static_cast<int>(samples);
+}
+
+int most_samples(const Scene& scene, const Limits& limits) {
+  const std::int64_t pixels = std::int64_t{scene.camera.width} * scene.camera.height;
+  const std::int64_t most = std::min({limits.samples, limits.work / pixels, std::int64_t{1} << 30});
+  return static_cast<int>(std::max<std::int64_t>(most, 1));
 }
 
 double estimate_error(const Image& earlier, const Image& later, double ratio) {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "engine/image/image.h"
+#include "engine/scene/limits.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {
@@ -28,6 +29,9 @@ inline constexpr int first_pass_samples = 1;
 /// `most_samples` bounds them.
 std::optional<int> next_pass(const RenderSettings& settings, const PassReport& last,
                              int most_samples);
+
+/// The most samples per pixel that the limits grant a contract on this scene; at least 1.
+int most_samples(const Scene& scene, const Limits& limits);
 
 /// The estimated error of `later`, which took `ratio` (above 1) times the samples of `earlier`.
 double estimate_error(const Image& earlier, const Image& later, double ratio);

@@ -260,7 +260,7 @@ TEST(Variants, findsTrianglesAlikeByEveryStructure) {
     Scene scene = named.scene;
     scene.render.precision = Precision::double_precision;
     Plan plan = make_plan(scene, this_machine());
-    if (plan.census.triangles == 0) continue;
+    if (plan.features.triangles == 0) continue;
     const Image expected = reference_image(scene);
     for (const bool by_bins : {false, true}) {
       for (const bool by_grids : {false, true}) {

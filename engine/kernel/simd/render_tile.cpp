@@ -201,7 +201,9 @@ std::vector<InstructionSet> supported_instruction_sets() {
   return sets;
 }
 
-Machine this_machine() { return {supported_instruction_sets().front()}; }
+Machine this_machine(std::size_t thread_count) {
+  return {supported_instruction_sets().front(), thread_count};
+}
 
 std::int64_t render_tile(const SimdScene<float>& scene, std::span<const SamplePoint> pattern,
                          Transfer transfer, const Tile& tile, std::int64_t target, Image& image) {

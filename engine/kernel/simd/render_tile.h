@@ -17,9 +17,6 @@ namespace raytracer {
 /// What this machine can run of what was compiled, best first.
 std::vector<InstructionSet> supported_instruction_sets();
 
-/// The machine that this process runs on.
-Machine this_machine();
-
 /// Traces one sample at each place of `pattern` in each of the tile's pixels, and stores the means
 /// of their clamped colours after `transfer`. The tile begins at multiples of `block_side`.
 /// Returns the target of the code that ran, which is the one asked for if that is supported.

@@ -65,12 +65,11 @@ SimdSquare<T> pack(const PackedSquare& square, std::int32_t id) {
 /// light: only they can stand between a point of that sphere and the light.
 template <typename T>
 Stencil<T> make_stencil(const Vec3& towards, const PackedSquare& square) {
-  constexpr double lowest_slope = 0.06;  // about 3.4 degrees; below, the list grows long
-  constexpr int most_cells = 17;         // 1 / lowest_slope
+  constexpr int most_cells = 17;  // 1 / lowest_stencil_slope
   const double first = component(towards, square.first_axis);
   const double second = component(towards, square.second_axis);
   const double across = std::abs(component(towards, square.across));
-  if (across < lowest_slope) return {{}, 0, false};
+  if (across < lowest_stencil_slope) return {{}, 0, false};
   Stencil<T> stencil{{}, 0, true};
   for (int i = -most_cells; i <= most_cells; ++i) {
     for (int k = -most_cells; k <= most_cells; ++k) {

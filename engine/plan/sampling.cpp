@@ -1,0 +1,42 @@
+#include "engine/plan/sampling.h"
+
+#include <fmt/format.h>
+
+#include "engine/plan/counted.h"
+
+namespace raytracer {
+namespace {
+
+std::string why_fixed(const RenderSettings& settings) {
+  const auto count = static_cast<std::uint64_t>(settings.samples.value_or(1));
+  const std::string where =
+      count == 1 ? "it is taken at the pixel's centre"
+                 : fmt::format(
+                       "they are spread so that each of {0} columns and each of {0} rows "
+                       "of a pixel has one",
+                       grouped(count));
+  if (!settings.samples)
+    return "one per pixel, because neither a number nor an error nor a time is asked for; " + where;
+  return fmt::format("{} per pixel {} asked for; {}", counted(count, "sample"),
+                     count == 1 ? "is" : "are", where);
+}
+
+}  // namespace
+
+Choice<Sampling> choose_sampling(const RenderSettings& settings) {
+  const std::string how =
+      "passes of ever more samples over the whole image, each compared with the one before";
+  if (settings.target_rmse && settings.budget_ms)
+    return {Sampling::contract,
+            fmt::format("{}, until the estimated error is at most {:g} or {:g} ms are over", how,
+                        *settings.target_rmse, *settings.budget_ms)};
+  if (settings.target_rmse)
+    return {Sampling::contract, fmt::format("{}, until the estimated error is at most {:g}", how,
+                                            *settings.target_rmse)};
+  if (settings.budget_ms)
+    return {Sampling::contract,
+            fmt::format("{}, as many as fit into {:g} ms", how, *settings.budget_ms)};
+  return {Sampling::fixed, why_fixed(settings)};
+}
+
+}  // namespace raytracer

@@ -1,0 +1,18 @@
+// How many samples a pixel gets, and who says so.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/plan/choice.h"
+#include "engine/scene/scene.h"
+
+namespace raytracer {
+
+enum class Sampling : std::uint8_t {
+  fixed,     ///< as many as the scene says, one without a word
+  contract,  ///< ever more, until target_rmse or budget_ms ends it
+};
+
+Choice<Sampling> choose_sampling(const RenderSettings& settings);
+
+}  // namespace raytracer

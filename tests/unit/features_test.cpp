@@ -1,0 +1,124 @@
+// What of shading and geometry a scene needs: what no pixel can show does not count.
+#include "engine/plan/features.h"
+
+#include <gtest/gtest.h>
+
+namespace raytracer::test {
+namespace {
+
+/// A sphere under a distant light; material 0 is matt and specular, 1 is a mirror that nothing
+/// wears.
+Scene lit_sphere() {
+  Scene scene;
+  scene.camera = {.origin = {0, 0, -5}, .look_at = {}, .fov = 1, .width = 8, .height = 8};
+  scene.lights = {{DistantLight{{0, -1, 1}}}};
+  scene.materials = {Material{}, Material{.shininess = 3.5, .reflectivity = 0.9}};
+  scene.objects = {{Sphere{{0, 0, 0}, 1}, 0}};
+  return scene;
+}
+
+TEST(Features, CountPrimitivesByKind) {
+  Scene scene = lit_sphere();
+  scene.objects.push_back({Spheres{{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {0.1}}, 0});
+  scene.objects.push_back({SphereSquare{{0, -3, 0}, 1, 1000, Axes::xz}, 0});
+  scene.objects.push_back({Plane{{0, -9, 0}, {0, 1, 0}}, 0});
+  scene.objects.push_back({Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, 0});
+  const Features features = find_features(scene);
+  EXPECT_EQ(features.spheres, 4U);
+  EXPECT_EQ(features.squares, 1U);
+  EXPECT_EQ(features.planes, 1U);
+  EXPECT_EQ(features.triangles, 2U);
+}
+
+TEST(Features, LeaveOutAMaterialThatNothingWears) {
+  const Features features = find_features(lit_sphere());
+  EXPECT_EQ(features.materials, 1U);
+  EXPECT_FALSE(features.reflects);
+  EXPECT_EQ(features.max_depth, 0);
+  EXPECT_EQ(features.reflectivity, 0);
+  EXPECT_EQ(features.uniform_shininess, 50) << "the mirror's 3.5 is nobody's";
+}
+
+TEST(Features, LeaveOutTheMaterialOfAnEmptySet) {
+  Scene scene = lit_sphere();
+  scene.objects.push_back({Spheres{{}, {1}}, 1});
+  scene.objects.push_back({Mesh{}, 1});
+  EXPECT_FALSE(find_features(scene).reflects);
+  EXPECT_EQ(find_features(scene).materials, 1U);
+}
+
+TEST(Features, CountAMirrorThatIsWorn) {
+  Scene scene = lit_sphere();
+  scene.objects[0].material = 1;
+  const Features features = find_features(scene);
+  EXPECT_TRUE(features.reflects);
+  EXPECT_EQ(features.max_depth, 5);
+  EXPECT_EQ(features.reflectivity, 0.9);
+  EXPECT_EQ(features.uniform_shininess, -1) << "3.5 is no integer";
+}
+
+TEST(Features, LeaveOutMirrorsWhenNoRayMayBeReflected) {
+  Scene scene = lit_sphere();
+  scene.objects[0].material = 1;
+  scene.render.max_depth = 0;
+  EXPECT_FALSE(find_features(scene).reflects);
+}
+
+TEST(Features, LeaveOutHighlightsWhereNothingShowsThem) {
+  Scene without_ks = lit_sphere();
+  without_ks.materials[0].ks = 0;
+  EXPECT_FALSE(find_features(without_ks).has_specular);
+  EXPECT_EQ(find_features(without_ks).shininess, 0);
+  EXPECT_TRUE(find_features(without_ks).has_diffuse);
+
+  Scene dark = lit_sphere();
+  dark.lights[0].intensity = 0;
+  EXPECT_FALSE(find_features(dark).has_specular);
+  EXPECT_FALSE(find_features(dark).has_diffuse);
+
+  Scene black = lit_sphere();
+  black.materials[0].color = {0, 0, 0};
+  EXPECT_FALSE(find_features(black).has_specular);
+}
+
+TEST(Features, AskOnlyTheSpecularForOneExponent) {
+  Scene scene = lit_sphere();
+  scene.objects.push_back({Sphere{{3, 0, 0}, 1}, 1});
+  EXPECT_EQ(find_features(scene).uniform_shininess, -1);
+  scene.materials[1].ks = 0;
+  EXPECT_EQ(find_features(scene).uniform_shininess, 50);
+}
+
+TEST(Features, LeaveOutALightThatChangesNoColour) {
+  Scene scene = lit_sphere();
+  scene.lights.push_back({PointLight{{0, 9, 0}}, {1, 1, 1}, 0});
+  scene.shadows = Shadows::ambient;
+  EXPECT_EQ(find_features(scene).point_lights, 0U);
+  scene.shadows = Shadows::black;
+  EXPECT_EQ(find_features(scene).point_lights, 1U) << "it brings the ambient part";
+  scene.ambient = 0;
+  EXPECT_EQ(find_features(scene).point_lights, 0U);
+  EXPECT_FALSE(find_features(scene).has_ambient);
+}
+
+TEST(Features, CastShadowsOnlyUnderLightsThatHaveSome) {
+  Scene scene = lit_sphere();
+  EXPECT_TRUE(find_features(scene).casts_shadows);
+  scene.shadows = Shadows::off;
+  EXPECT_FALSE(find_features(scene).casts_shadows);
+  scene.shadows = Shadows::black;
+  scene.lights.clear();
+  EXPECT_FALSE(find_features(scene).casts_shadows);
+  EXPECT_FALSE(find_features(scene).has_ambient) << "what no light reaches is black";
+}
+
+TEST(Features, OfNothingAreNone) {
+  const Features features = find_features(Scene{});
+  EXPECT_EQ(features.materials, 0U);
+  EXPECT_EQ(features.lights(), 0U);
+  EXPECT_FALSE(features.casts_shadows || features.has_ambient || features.has_diffuse ||
+               features.has_specular || features.reflects);
+}
+
+}  // namespace
+}  // namespace raytracer::test
