@@ -10,15 +10,19 @@
 // Scene exists nothing is expected to fail, and a broken invariant throws std::logic_error.
 #pragma once
 
-#include "engine/build_id.h"              // IWYU pragma: export
-#include "engine/image/encode.h"          // IWYU pragma: export
-#include "engine/image/image.h"           // IWYU pragma: export
-#include "engine/parallel/worker_pool.h"  // IWYU pragma: export
-#include "engine/render/progress.h"       // IWYU pragma: export
-#include "engine/render/render.h"         // IWYU pragma: export
-#include "engine/scene/canonical.h"       // IWYU pragma: export
-#include "engine/scene/limits.h"          // IWYU pragma: export
-#include "engine/scene/nearest_key.h"     // IWYU pragma: export
-#include "engine/scene/read_scene.h"      // IWYU pragma: export
-#include "engine/scene/result.h"          // IWYU pragma: export
-#include "engine/scene/scene.h"           // IWYU pragma: export
+#include "engine/build_id.h"                // IWYU pragma: export
+#include "engine/forecast/forecast.h"       // IWYU pragma: export
+#include "engine/forecast/machine_costs.h"  // IWYU pragma: export
+#include "engine/image/encode.h"            // IWYU pragma: export
+#include "engine/image/image.h"             // IWYU pragma: export
+#include "engine/parallel/worker_pool.h"    // IWYU pragma: export
+#include "engine/plan/explain.h"            // IWYU pragma: export
+#include "engine/plan/machine.h"            // IWYU pragma: export
+#include "engine/render/progress.h"         // IWYU pragma: export
+#include "engine/render/render.h"           // IWYU pragma: export
+#include "engine/scene/canonical.h"         // IWYU pragma: export
+#include "engine/scene/limits.h"            // IWYU pragma: export
+#include "engine/scene/nearest_key.h"       // IWYU pragma: export
+#include "engine/scene/read_scene.h"        // IWYU pragma: export
+#include "engine/scene/result.h"            // IWYU pragma: export
+#include "engine/scene/scene.h"             // IWYU pragma: export

@@ -24,6 +24,7 @@ void expect_users(std::string_view header, const std::function<bool(const std::s
 TEST(Libraries, json_is_where_json_is_read_or_written) {
   expect_users("nlohmann/", [](const std::string& path) {
     return path == "engine/scene/document.cpp" ||        // reads scenes
+           path == "engine/plan/explain.cpp" ||          // writes plans
            path == "server/answer.h" ||                  // writes answers (forward declarations)
            path == "server/answer.cpp" ||                //
            path == "server/problem.cpp" ||               // writes problems
@@ -32,6 +33,7 @@ TEST(Libraries, json_is_where_json_is_read_or_written) {
            path == "server/catalog.cpp" ||               // reads the shipped scenes' descriptions
            path == "server/query.cpp" ||                 // reads numbers as JSON writes them
            path == "client/api.cpp" ||                   // reads answers
+           path == "client/plan_text.cpp" ||             // reads plans
            path == "client/pointer_position.cpp";        // finds places in scenes
   });
 }

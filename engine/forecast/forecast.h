@@ -1,0 +1,32 @@
+// A render foreseen: its plan, and what it will take and give.
+//
+//   time of a pass = start + (pixels * memory for one + tiles * time of one) / threads
+//
+// What a start and memory cost belongs to the machine and is measured once; what a tile takes
+// belongs to the scene and comes from a rehearsal.
+#pragma once
+
+#include <optional>
+
+#include "engine/forecast/machine_costs.h"
+#include "engine/parallel/worker_pool.h"
+#include "engine/plan/plan.h"
+#include "engine/plan/prediction.h"
+#include "engine/render/progress.h"
+#include "engine/scene/limits.h"
+#include "engine/scene/scene.h"
+
+namespace raytracer {
+
+struct Forecast {
+  Plan plan;
+  Prediction prediction;
+};
+
+/// Builds what the render would build and traces a part of it, on the pool's threads. Nothing if
+/// `progress.stop` ended it. `limits` bounds the samples that a contract may spend.
+std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
+                                 const MachineCosts& costs, WorkerPool& pool,
+                                 const RenderProgress& progress);
+
+}  // namespace raytracer

@@ -1,0 +1,16 @@
+// What a render costs on this machine beyond tracing: measured once.
+#pragma once
+
+#include "engine/parallel/worker_pool.h"
+
+namespace raytracer {
+
+struct MachineCosts {
+  double start_ms = 0;  ///< of each pass over an image: until all threads have begun and ended
+  double pixel_ms = 0;  ///< of one thread, to write a pixel into memory that is new
+};
+
+/// Takes about a millisecond, on the pool's threads and this one.
+MachineCosts measure_machine_costs(WorkerPool& pool);
+
+}  // namespace raytracer

@@ -1,0 +1,187 @@
+#include "engine/forecast/rehearsal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "engine/measure/stopwatch.h"
+#include "engine/measure/thread_stopwatch.h"
+
+namespace raytracer {
+namespace {
+
+constexpr std::size_t most_timed = 64;
+constexpr double timing_limit_ms = 30;
+constexpr double comparing_limit_ms = 20;
+constexpr int few_samples = 4;
+constexpr int many_samples = 16;
+
+/// `count` of the tiles, of which every first part is spread over the image: by the fractional
+/// parts of multiples of two irrational numbers, one for each direction (Roberts: "The
+/// Unreasonable Effectiveness of Quasirandom Sequences", 2018).
+std::vector<Tile> spread_tiles(const std::vector<Tile>& tiles, std::size_t columns,
+                               std::size_t count) {
+  constexpr double plastic = 1.32471795724474602596;  // x^3 = x + 1
+  const std::size_t rows = tiles.size() / columns;
+  std::vector<Tile> chosen;
+  std::vector<bool> is_chosen(tiles.size(), false);
+  for (std::size_t i = 1; chosen.size() < count; ++i) {
+    const auto along = [&](double step, std::size_t cells) {
+      const double place = static_cast<double>(i) * step;
+      return static_cast<std::size_t>((place - std::floor(place)) * static_cast<double>(cells));
+    };
+    std::size_t index =
+        along(1 / (plastic * plastic), rows) * columns + along(1 / plastic, columns);
+    while (is_chosen[index]) index = (index + 1) % tiles.size();
+    is_chosen[index] = true;
+    chosen.push_back(tiles[index]);
+  }
+  return chosen;
+}
+
+using TileValues = std::vector<float>;
+
+TileValues values_of(const Tile& tile, Image& image) {
+  TileValues values;
+  for (int y = tile.y_begin; y < tile.y_end; ++y)
+    values.insert(values.end(), image.pixel(tile.x_begin, y),
+                  image.pixel(tile.x_begin, y) + std::ptrdiff_t{3} * (tile.x_end - tile.x_begin));
+  return values;
+}
+
+double squared_difference(const TileValues& a, const TileValues& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+/// An image's memory is made when it is first written, in pieces larger than the tile whose turn it
+/// is: that belongs to the image and not to this tile.
+void touch(const Tile& tile, Image& image) {
+  for (int y = tile.y_begin; y < tile.y_end; ++y)
+    std::fill_n(image.pixel(tile.x_begin, y), std::ptrdiff_t{3} * (tile.x_end - tile.x_begin),
+                0.0F);
+}
+
+/// What it takes to ask a thread for its time twice: as long as a tile of background.
+double asking_ms() {
+  constexpr int tries = 8;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < tries; ++i) {
+    const ThreadStopwatch watch;
+    least = std::min(least, watch.elapsed_ms());
+  }
+  return least;
+}
+
+/// What one tile has told.
+struct TileReport {
+  double one_ms = -1;     ///< negative: not traced
+  double many_ms = -1;    ///< negative: not compared
+  double one_error2 = 0;  ///< sums of squares over values, against many samples
+  double few_error2 = 0;
+  std::size_t value_count = 0;
+};
+
+/// The rms error of `samples` per pixel, from its difference to many samples, which have an error
+/// of their own: both fall about as n^(-3/4) where edges cross pixels.
+double error_from_difference(double sum_of_squares, double count, double samples) {
+  const double own_share = std::pow(samples / many_samples, 1.5);
+  return std::sqrt(sum_of_squares / count / (1 + own_share));
+}
+
+Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_count) {
+  Rehearsal rehearsal{.tile_count = tile_count};
+  double one_ms = 0;
+  double compared_one_ms = 0;
+  double many_ms = 0;
+  double one_error2 = 0;
+  double few_error2 = 0;
+  double value_count = 0;
+  for (const TileReport& report : reports) {
+    if (report.one_ms < 0) continue;
+    ++rehearsal.timed;
+    one_ms += report.one_ms;
+    if (report.many_ms < 0) continue;
+    ++rehearsal.compared;
+    compared_one_ms += report.one_ms;
+    many_ms += report.many_ms;
+    one_error2 += report.one_error2;
+    few_error2 += report.few_error2;
+    value_count += static_cast<double>(report.value_count);
+  }
+  if (rehearsal.compared == 0) return rehearsal;
+  rehearsal.tile_ms = one_ms / static_cast<double>(rehearsal.timed);
+  // As many times longer as in the tiles that were traced with both.
+  const double growth = std::max(many_ms / compared_one_ms, 1.0);
+  rehearsal.sample_ms = rehearsal.tile_ms * (growth - 1) / (many_samples - 1);
+
+  rehearsal.error = error_from_difference(one_error2, value_count, 1);
+  const double few_error = error_from_difference(few_error2, value_count, few_samples);
+  constexpr double slowest = 0.5;  // as of random samples
+  constexpr double fastest = 1;
+  const double measured = few_error > 0 ? std::log(rehearsal.error / few_error) /
+                                              std::log(static_cast<double>(few_samples))
+                                        : fastest;
+  rehearsal.error_exponent = std::clamp(measured, slowest, fastest);
+  return rehearsal;
+}
+
+}  // namespace
+
+double Rehearsal::error_of(double samples) const {
+  return error * std::pow(samples, -error_exponent);
+}
+
+Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
+                   const RenderProgress& progress) {
+  constexpr int side = 32;  // most of a render's tiles are larger: more but smaller ones vary less
+  const std::vector<Tile> all = split_into_tiles(scene.camera.width, scene.camera.height, side);
+  const auto columns = static_cast<std::size_t>((scene.camera.width + side - 1) / side);
+  const std::vector<Tile> tiles = spread_tiles(all, columns, std::min(all.size(), most_timed));
+  const std::vector<SamplePoint> one = sample_pattern(1);
+  const std::vector<SamplePoint> few = sample_pattern(few_samples);
+  const std::vector<SamplePoint> many = sample_pattern(many_samples);
+  Image image(scene.camera.width, scene.camera.height);
+  std::vector<TileReport> reports(tiles.size());
+  const double asked_ms = asking_ms();
+  const auto trace_ms = [&](const std::vector<SamplePoint>& pattern, const Tile& tile) {
+    const ThreadStopwatch watch;
+    render_tile(tracer, pattern, scene.render.transfer, tile, image);
+    return std::max(watch.elapsed_ms() - asked_ms, 0.0);
+  };
+
+  const Stopwatch timing;
+  pool.run(
+      tiles.size(),
+      [&](std::size_t i) {
+        if (i > 0 && timing.elapsed_ms() > timing_limit_ms) return;
+        touch(tiles[i], image);
+        reports[i].one_ms = trace_ms(one, tiles[i]);
+      },
+      progress.stop);
+  const Stopwatch comparing;
+  pool.run(
+      tiles.size(),
+      [&](std::size_t i) {
+        TileReport& report = reports[i];
+        const bool is_late = i > 0 && comparing.elapsed_ms() > comparing_limit_ms;
+        if (report.one_ms < 0 || is_late) return;
+        const TileValues with_one = values_of(tiles[i], image);
+        trace_ms(few, tiles[i]);
+        const TileValues with_few = values_of(tiles[i], image);
+        report.many_ms = trace_ms(many, tiles[i]);
+        const TileValues with_many = values_of(tiles[i], image);
+        report.one_error2 = squared_difference(with_one, with_many);
+        report.few_error2 = squared_difference(with_few, with_many);
+        report.value_count = with_many.size();
+      },
+      progress.stop);
+  return summarize(reports, all.size());
+}
+
+}  // namespace raytracer

@@ -1,0 +1,17 @@
+// A plan and its prediction as JSON: for people who look, and for programs.
+#pragma once
+
+#include <string>
+
+#include "engine/plan/plan.h"
+#include "engine/plan/prediction.h"
+#include "engine/scene/scene.h"
+
+namespace raytracer {
+
+/// An object with `features`, `instruction_set`, `kernel`, `precision`, `geometry`, `sampling`,
+/// `tiles`, `frame` and `prediction`; choices as {"choice": ..., "reason": "..."}. `plan` and
+/// `prediction` are the scene's.
+std::string explain(const Scene& scene, const Plan& plan, const Prediction& prediction);
+
+}  // namespace raytracer

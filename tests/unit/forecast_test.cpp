@@ -1,0 +1,136 @@
+// Forecasts, as far as a busy machine cannot change them: more work is foreseen to take longer, and
+// the error is near the one that a render has. How near the times are, the bench shows.
+#include "engine/forecast/forecast.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/support/scenes.h"
+
+namespace raytracer::test {
+namespace {
+
+Prediction foresee(const Scene& scene, std::size_t threads = 2) {
+  WorkerPool pool(threads);
+  const RenderProgress progress;
+  return forecast(scene, Limits{}, MachineCosts{0.01, 1e-6}, pool, progress).value().prediction;
+}
+
+/// Spheres of radius 1 in a row before the eye, under a light.
+Scene row_of_spheres(int count) {
+  Scene scene;
+  scene.camera = {.origin = {0, 0, -20}, .look_at = {}, .fov = 0.8, .width = 320, .height = 240};
+  scene.lights = {{DistantLight{{-1, -1, 2}}}};
+  scene.materials = {Material{}};
+  for (int i = 0; i < count; ++i)
+    scene.objects.push_back({Sphere{{2.5 * (i - (count - 1) / 2.0), 0, 0}, 1}, 0});
+  return scene;
+}
+
+double rms_difference(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    const double difference = static_cast<double>(a.values[i]) - static_cast<double>(b.values[i]);
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / static_cast<double>(a.values.size()));
+}
+
+TEST(Forecast, MoreSamplesTakeLongerAndErrLess) {
+  Scene scene = row_of_spheres(5);
+  const Prediction one = foresee(scene);
+  scene.render.samples = 64;
+  const Prediction many = foresee(scene);
+  EXPECT_EQ(one.samples, 1);
+  EXPECT_EQ(many.samples, 64);
+  EXPECT_GT(many.trace_ms, 4 * one.trace_ms);
+  EXPECT_LT(many.error, one.error / 4);
+  EXPECT_GT(many.error, 0);
+}
+
+TEST(Forecast, MorePixelsTakeLonger) {
+  Scene scene = row_of_spheres(5);
+  const double small_ms = foresee(scene).trace_ms;
+  scene.camera.width *= 4;
+  scene.camera.height *= 4;
+  EXPECT_GT(foresee(scene).trace_ms, 4 * small_ms);
+}
+
+TEST(Forecast, MoreThreadsTakeLessTime) {
+  Scene scene = row_of_spheres(5);
+  scene.render.samples = 256;
+  const Prediction one = foresee(scene, 1);
+  const Prediction four = foresee(scene, 4);
+  EXPECT_EQ(four.thread_count, 4U);
+  EXPECT_LT(four.trace_ms, one.trace_ms);
+}
+
+TEST(Forecast, ErrorIsNearTheMeasuredOne) {
+  Scene scene = row_of_spheres(5);
+  const Prediction one = foresee(scene);
+  scene.render.samples = 4;
+  const Prediction four = foresee(scene);
+  const Image image_of_four = image_of(scene);
+  scene.render.samples = 1024;
+  const Image exact = image_of(scene);
+  scene.render.samples = 1;
+  const double error_of_one = rms_difference(image_of(scene), exact);
+  const double error_of_four = rms_difference(image_of_four, exact);
+  EXPECT_GT(one.error, error_of_one / 2);
+  EXPECT_LT(one.error, error_of_one * 2);
+  EXPECT_GT(four.error, error_of_four / 2);
+  EXPECT_LT(four.error, error_of_four * 2);
+}
+
+TEST(Forecast, BackgroundHasNoError) {
+  const Prediction prediction = foresee(row_of_spheres(0));
+  EXPECT_EQ(prediction.error, 0);
+  EXPECT_GT(prediction.trace_ms, 0);
+}
+
+TEST(Forecast, ContractsAreForeseenToBeKept) {
+  Scene scene = row_of_spheres(5);
+  scene.render.target_rmse = 0.002;
+  const Prediction accurate = foresee(scene);
+  EXPECT_LE(accurate.error, 0.002);
+  EXPECT_GT(accurate.samples, 1);
+  scene.render.target_rmse.reset();
+  scene.render.budget_ms = 200;
+  const Prediction timely = foresee(scene);
+  EXPECT_LE(timely.trace_ms, 200);
+  EXPECT_GT(timely.samples, accurate.samples / 64) << "200 ms are long for so few pixels";
+}
+
+TEST(Forecast, SmallestImageIsForeseen) {
+  Scene scene = row_of_spheres(5);
+  scene.camera.width = 1;
+  scene.camera.height = 1;
+  EXPECT_GT(foresee(scene).trace_ms, 0);
+}
+
+TEST(Forecast, EyeInsideASphereIsForeseen) {
+  Scene scene = row_of_spheres(1);
+  scene.camera.origin = {0, 0, 0};
+  scene.camera.look_at = {0, 0, 1};
+  EXPECT_GT(foresee(scene).trace_ms, 0);
+}
+
+TEST(Forecast, StoppedForecastIsNone) {
+  WorkerPool pool(2);
+  RenderProgress progress;
+  progress.stop = true;
+  EXPECT_FALSE(forecast(row_of_spheres(5), Limits{}, {}, pool, progress).has_value());
+}
+
+TEST(Forecast, MachineCostsArePositive) {
+  WorkerPool pool(2);
+  const MachineCosts costs = measure_machine_costs(pool);
+  EXPECT_GT(costs.start_ms, 0);
+  EXPECT_GT(costs.pixel_ms, 0);
+  EXPECT_LT(costs.pixel_ms, 1e-3) << "a microsecond a pixel";
+}
+
+}  // namespace
+}  // namespace raytracer::test
