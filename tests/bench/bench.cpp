@@ -118,6 +118,7 @@ void write_report(const Report& report, const std::filesystem::path& directory) 
 /// Measures every case that is wanted. Writes the report after each: a run takes long.
 Report measure_all(const Options& options, const std::string& command) {
   WorkerPool pool(options.threads);
+  const MachineCosts costs = measure_machine_costs(pool);
   std::optional<EmbreePeer> embree;
   std::optional<PovrayPeer> povray;
   Report report{.date = today(),
@@ -138,6 +139,7 @@ Report measure_all(const Options& options, const std::string& command) {
     std::cerr << candidate.name() << std::endl;
     CaseFigures figures = measure(candidate, options.effort,
                                   {.pool = pool,
+                                   .costs = costs,
                                    .embree = embree ? &*embree : nullptr,
                                    .povray = povray ? &*povray : nullptr});
     if (!options.pictures.empty()) write_pictures(figures, options.pictures);

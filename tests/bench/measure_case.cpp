@@ -15,10 +15,12 @@ Overrides overrides_of(const Case& measured) {
   return overrides;
 }
 
-/// Each peer once; POV-Ray only if `with_povray`. Replaces the pictures.
-Round run_round(const std::string& document, const Overrides& overrides, const Peers& peers,
-                bool with_povray, Pictures& pictures) {
+/// Each peer once; POV-Ray only if `with_povray`. Replaces the pictures. The forecast is of
+/// `scene`, which is the document's.
+Round run_round(const Scene& scene, const std::string& document, const Overrides& overrides,
+                const Peers& peers, bool with_povray, Pictures& pictures) {
   Round round;
+  round.forecast = forecast_project(scene, peers.costs, peers.pool);
   ProjectRun project = run_project(document, overrides, peers.pool);
   round.project = project.times;
   pictures.project = std::move(project.image);
@@ -69,7 +71,8 @@ CaseFigures measure(const Case& measured, const Effort& effort, const Peers& pee
   double povray_ms = 0;
   for (int i = 0; i < effort.rounds && (i < fewest_rounds || watch.elapsed_ms() < limit_ms); ++i) {
     const bool with_povray = peers.povray && povray_ms <= povray_share_of_time * limit_ms;
-    figures.rounds.push_back(run_round(document, overrides, peers, with_povray, figures.pictures));
+    figures.rounds.push_back(
+        run_round(first.scene, document, overrides, peers, with_povray, figures.pictures));
     if (with_povray) povray_ms += figures.rounds.back().povray->process_ms;
   }
   compare_pictures(first.scene.background, figures);

@@ -20,11 +20,13 @@ struct Effort {
 /// A null peer takes no part.
 struct Peers {
   WorkerPool& pool;
+  MachineCosts costs;
   EmbreePeer* embree;
   PovrayPeer* povray;
 };
 
 struct Round {
+  ProjectForecast forecast;
   ProjectTimes project;
   std::optional<EmbreeTimes> embree;
   std::optional<PovrayTimes> povray;  ///< absent once a slow POV-Ray has had its share of time

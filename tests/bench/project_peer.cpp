@@ -1,5 +1,6 @@
 #include "tests/bench/project_peer.h"
 
+#include <optional>
 #include <stdexcept>
 
 #include "engine/measure/stopwatch.h"
@@ -26,6 +27,13 @@ ProjectRun run_project(std::string_view document, const Overrides& overrides, Wo
   const std::string png = encode(run.image, ImageFormat::png);
   run.times.encode_ms = encode_watch.elapsed_ms();
   return run;
+}
+
+ProjectForecast forecast_project(const Scene& scene, const MachineCosts& costs, WorkerPool& pool) {
+  const RenderProgress progress;
+  const Stopwatch watch;
+  const std::optional<Forecast> foreseen = forecast(scene, Limits{}, costs, pool, progress);
+  return {foreseen->prediction.build_ms, foreseen->prediction.trace_ms, watch.elapsed_ms()};
 }
 
 Image render_without_ambient(Scene scene, WorkerPool& pool) {

@@ -15,6 +15,13 @@ struct ProjectTimes {
   double encode_ms = 0;
 };
 
+/// What the project says before it renders.
+struct ProjectForecast {
+  double build_ms = 0;
+  double trace_ms = 0;
+  double taken_ms = 0;  ///< by saying it, the structures included
+};
+
 struct ProjectRun {
   ProjectTimes times;
   Scene scene;
@@ -23,6 +30,8 @@ struct ProjectRun {
 
 /// Throws std::runtime_error with the first error if the document is refused.
 ProjectRun run_project(std::string_view document, const Overrides& overrides, WorkerPool& pool);
+
+ProjectForecast forecast_project(const Scene& scene, const MachineCosts& costs, WorkerPool& pool);
 
 /// The same picture without ambient light; not timed.
 Image render_without_ambient(Scene scene, WorkerPool& pool);

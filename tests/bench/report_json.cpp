@@ -22,6 +22,12 @@ Json json_of(const ProjectTimes& times) {
           {"encode_ms", rounded(times.encode_ms)}};
 }
 
+Json json_of(const ProjectForecast& forecast) {
+  return {{"build_ms", rounded(forecast.build_ms)},
+          {"trace_ms", rounded(forecast.trace_ms)},
+          {"taken_ms", rounded(forecast.taken_ms)}};
+}
+
 Json json_of(const EmbreeTimes& times) {
   Json json{{"build_ms", rounded(times.build_ms)}};
   for (std::size_t i = 0; i < embree_modes.size(); ++i)
@@ -42,10 +48,16 @@ Json json_of(const ImageDifference& difference) {
 
 Json json_of(const CaseFigures& figures) {
   const Summary summary = summarize(figures);
-  Json json{{"scene", figures.measured.scene},          {"width", figures.measured.width},
-            {"height", figures.measured.height},        {"samples", figures.measured.samples},
-            {"document_bytes", figures.document_bytes}, {"covered", figures.covered},
+  Json json{{"scene", figures.measured.scene},
+            {"width", figures.measured.width},
+            {"height", figures.measured.height},
+            {"samples", figures.measured.samples},
+            {"document_bytes", figures.document_bytes},
+            {"covered", figures.covered},
+            {"forecast", json_of(summary.forecast.times)},
             {"project", json_of(summary.project)}};
+  json["forecast"]["build_ratio"] = summary.forecast.build_ratio;
+  json["forecast"]["trace_ratio"] = summary.forecast.trace_ratio;
   if (summary.embree) {
     Json& embree = json["embree"] = json_of(summary.embree->times);
     embree["best"] = name_of(summary.embree->mode);
@@ -60,7 +72,7 @@ Json json_of(const CaseFigures& figures) {
     povray["difference"] = json_of(*figures.povray_off);
   }
   for (const Round& round : figures.rounds) {
-    Json entry{{"project", json_of(round.project)}};
+    Json entry{{"forecast", json_of(round.forecast)}, {"project", json_of(round.project)}};
     if (round.embree) entry["embree"] = json_of(*round.embree);
     if (round.povray) entry["povray"] = json_of(*round.povray);
     json["rounds"].push_back(std::move(entry));

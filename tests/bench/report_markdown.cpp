@@ -62,6 +62,24 @@ std::string project_table(const Report& report, const std::vector<Summary>& summ
   return text;
 }
 
+std::string forecast_table(const Report& report, const std::vector<Summary>& summaries) {
+  std::string text =
+      "\n## Foreseen and measured\n\n"
+      "What a plan predicts before each render, over what that render then took; and how long the "
+      "prediction takes, building the structures included.\n\n";
+  text += row("case", "build foreseen", "measured", "**ratio**", "trace foreseen", "measured",
+              "**ratio**", "taken");
+  text += "|:--|--:|--:|--:|--:|--:|--:|--:|\n";
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    const ForecastSummary& forecast = summaries[i].forecast;
+    text += row(report.cases[i].measured.name(), digits(forecast.times.build_ms),
+                digits(summaries[i].project.build_ms), digits(forecast.build_ratio),
+                digits(forecast.times.trace_ms), digits(summaries[i].project.trace_ms),
+                digits(forecast.trace_ratio), digits(forecast.times.taken_ms));
+  }
+  return text;
+}
+
 std::string embree_table(const Report& report, const std::vector<Summary>& summaries) {
   std::string text =
       "\n## Against Embree\n\n"
@@ -111,7 +129,8 @@ std::string povray_table(const Report& report, const std::vector<Summary>& summa
 std::string to_markdown(const Report& report) {
   std::vector<Summary> summaries;
   for (const CaseFigures& figures : report.cases) summaries.push_back(summarize(figures));
-  std::string text = heading(report) + project_table(report, summaries);
+  std::string text =
+      heading(report) + project_table(report, summaries) + forecast_table(report, summaries);
   if (report.embree) text += embree_table(report, summaries);
   if (report.povray) text += povray_table(report, summaries);
   return text;

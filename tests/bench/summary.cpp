@@ -35,6 +35,21 @@ ProjectTimes summarize_project(const std::vector<Round>& rounds) {
           .encode_ms = stage(&ProjectTimes::encode_ms)};
 }
 
+ForecastSummary summarize_forecast(const std::vector<Round>& rounds) {
+  const auto figure = [&](double ProjectForecast::*time) {
+    return median_of(rounds, [&](const Round& round) { return round.forecast.*time; });
+  };
+  return {.times = {.build_ms = figure(&ProjectForecast::build_ms),
+                    .trace_ms = figure(&ProjectForecast::trace_ms),
+                    .taken_ms = figure(&ProjectForecast::taken_ms)},
+          .build_ratio = median_of(
+              rounds,
+              [](const Round& round) { return round.forecast.build_ms / round.project.build_ms; }),
+          .trace_ratio = median_of(rounds, [](const Round& round) {
+            return round.forecast.trace_ms / round.project.trace_ms;
+          })};
+}
+
 EmbreeSummary summarize_embree(const std::vector<Round>& rounds) {
   EmbreeSummary summary;
   std::size_t best = 0;
@@ -79,7 +94,8 @@ PovraySummary summarize_povray(const std::vector<Round>& rounds) {
 }  // namespace
 
 Summary summarize(const CaseFigures& figures) {
-  Summary summary{.project = summarize_project(figures.rounds)};
+  Summary summary{.project = summarize_project(figures.rounds),
+                  .forecast = summarize_forecast(figures.rounds)};
   if (figures.rounds[0].embree) summary.embree = summarize_embree(figures.rounds);
   std::vector<Round> with_povray;
   for (const Round& round : figures.rounds)

@@ -22,9 +22,16 @@ struct PovraySummary {
   double process_ratio = 0;  ///< its process over read, plan, build, trace and encode
 };
 
+struct ForecastSummary {
+  ProjectForecast times;
+  double build_ratio = 0;  ///< foreseen over measured
+  double trace_ratio = 0;
+};
+
 /// Ratios are medians of the rounds' ratios, not ratios of medians.
 struct Summary {
   ProjectTimes project;
+  ForecastSummary forecast;
   std::optional<EmbreeSummary> embree{};
   std::optional<PovraySummary> povray{};
 };
