@@ -1,7 +1,8 @@
 // Entity tags: which bytes an image request is about, known without rendering.
 //
 // A tag is a digest of everything that decides the bytes: the canonical scene with the query's
-// values applied, the media type, and the engine's build. SHA-256 cut to 128 bits.
+// values applied, the media type, the engine's build and the instruction set that it runs on.
+// SHA-256 cut to 128 bits.
 #pragma once
 
 #include <string>
@@ -14,7 +15,8 @@ namespace raytracer {
 /// Hexadecimal digest of the scene's canonical bytes.
 std::string scene_digest(const Scene& scene);
 
-/// The strong entity tag, with its quotes, of the scene drawn by this build in one media type.
+/// The strong entity tag, with its quotes, of the scene drawn by this build on this machine in one
+/// media type.
 std::string entity_tag(std::string_view scene_digest, std::string_view media_type);
 
 /// Whether an If-None-Match field names `tag`, by weak comparison (RFC 9110, 13.1.2), or is "*".

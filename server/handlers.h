@@ -9,6 +9,8 @@ namespace raytracer {
 
 void post_or_get_render(Services& services, Call& call);
 
+void post_plan(Services& services, Call& call);
+
 void post_job(Services& services, Call& call);
 void get_job(Services& services, Call& call);
 void get_job_image(Services& services, Call& call);

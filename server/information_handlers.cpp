@@ -51,6 +51,7 @@ void get_version(Services& services, Call& call) {
   answer_json(call.response, 200,
               {{"version", version},
                {"build_id", build_id},
+               {"instruction_set", this_machine().instruction_set.name},
                {"threads", config.threads},
                {"renders_at_once", renders_at_once},
                {"limits", limits}});

@@ -1,4 +1,5 @@
-// The query of /render and /jobs: which scene, which task, and what stands over the document.
+// The query of /render, /plan and /jobs: which scene, which task, and what stands over the
+// document.
 //
 // Strict on purpose: a parameter that is ignored renders something else than was asked for.
 #pragma once

@@ -17,6 +17,7 @@ RouteTable make_routes(Services& services) {
   std::vector<Route> routes{
       {"POST", "/render", scene, with(post_or_get_render)},
       {"GET", "/render", none, with(post_or_get_render)},
+      {"POST", "/plan", scene, with(post_plan)},
       {"POST", "/jobs", scene, with(post_job)},
       {"GET", "/jobs/{}", none, with(get_job)},
       {"GET", "/jobs/{}/image", none, with(get_job_image)},

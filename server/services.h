@@ -25,6 +25,7 @@ struct Services {
         body_memory(2 * config.limits.body),
         admission(renders_at_once, config.max_queue),
         pool(config.threads),
+        machine_costs(measure_machine_costs(pool)),
         jobs(admission, pool, config.limits, renders_at_once,
              [this](std::string_view text) { log.note(text); }) {}
 
@@ -34,6 +35,7 @@ struct Services {
   BodyMemory body_memory;
   Admission admission;
   WorkerPool pool;
+  const MachineCosts machine_costs;  ///< measured before anyone waits
   Departures departures{};
   Jobs jobs;  ///< ends first: its threads use what is above
 };

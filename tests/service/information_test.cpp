@@ -66,11 +66,12 @@ TEST_F(Information, every_listed_scene_is_valid_and_can_be_drawn) {
   }
 }
 
-TEST_F(Information, version_says_build_threads_and_limits) {
+TEST_F(Information, version_says_build_instruction_set_threads_and_limits) {
   const ServerProcess limited({"--threads", "3", "--max-pixels", "12345", "--max-queue", "7"});
   const nlohmann::json version = json_of(test::get(limited, "/version"));
   EXPECT_TRUE(version.at("version").is_string());
   EXPECT_FALSE(version.at("build_id").get<std::string>().empty());
+  EXPECT_FALSE(version.at("instruction_set").get<std::string>().empty());
   EXPECT_EQ(version.at("threads"), 3);
   std::map<std::string, std::int64_t> values;
   for (const nlohmann::json& limit : version.at("limits")) {

@@ -1,0 +1,28 @@
+// POST /plan: the scene in, what the engine would do with it out.
+#include <optional>
+
+#include "engine/engine.h"
+#include "server/answer.h"
+#include "server/handlers.h"
+#include "server/query.h"
+#include "server/scene_request.h"
+#include "server/turn.h"
+
+namespace raytracer {
+
+void post_plan(Services& services, Call& call) {
+  const RenderQuery query = read_query(call.request.target, QueryOf::render);
+  const SceneRequest request = read_scene_request(call, query, services);
+  std::optional<Forecast> foreseen;
+  take_turn(services, call, [&](RenderProgress& progress) {
+    foreseen = forecast(request.scene, services.config.limits, services.machine_costs,
+                        services.pool, progress);
+    return foreseen.has_value();
+  });
+  answer_bytes(call.response, explain(request.scene, foreseen->plan, foreseen->prediction),
+               "application/json");
+  // Its times are those of a moment.
+  call.response.set_header("Cache-Control", "no-store");
+}
+
+}  // namespace raytracer
