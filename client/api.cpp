@@ -1,5 +1,6 @@
-// The one file with httplib and with the service's JSON. Renders are jobs, so every request is
-// answered soon: a server that is gone is noticed within the timeout, however long a render takes.
+// The one file with httplib, and with the service's JSON but for plans, which it passes on. Renders
+// are jobs, so every request is answered soon: a server that is gone is noticed within the timeout,
+// however long a render takes.
 #include "client/api.h"
 
 #include <fmt/format.h>
@@ -154,6 +155,12 @@ struct Api::Connection {
     return value;
   }
 
+  /// "/jobs" with the overrides as its query.
+  static std::string with_query(const std::string& path, const Overrides& overrides) {
+    if (overrides.empty()) return path;
+    return httplib::append_query_params(path, httplib::Params(overrides.begin(), overrides.end()));
+  }
+
   Job read_job(const httplib::Response& response) const {
     const json value = parse(response, "job");
     Job job;
@@ -204,10 +211,15 @@ void Api::validate(const std::string& scene_text) {
   }
 }
 
+std::string Api::plan(const std::string& scene_text, const Overrides& overrides) {
+  const std::string path = Connection::with_query("/plan", overrides);
+  const httplib::Response response = connection_->send(connection_->post(path, scene_text), {200});
+  connection_->parse(response, "plan");
+  return response.body;
+}
+
 Job Api::start_render(const std::string& scene_text, const Overrides& overrides) {
-  std::string path = "/jobs";
-  if (!overrides.empty())
-    path = httplib::append_query_params(path, httplib::Params(overrides.begin(), overrides.end()));
+  const std::string path = Connection::with_query("/jobs", overrides);
   return connection_->read_job(connection_->send(connection_->post(path, scene_text), {202}));
 }
 

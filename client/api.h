@@ -72,6 +72,9 @@ class Api {
   /// Throws Refused if the scene is not valid; renders nothing.
   void validate(const std::string& scene_text);
 
+  /// The server's plan for the scene, a JSON text.
+  std::string plan(const std::string& scene_text, const Overrides& overrides);
+
   Job start_render(const std::string& scene_text, const Overrides& overrides);
   Job job(const std::string& id);
   RenderedImage job_image(const std::string& id, ImageFormat format);

@@ -58,8 +58,8 @@ CLI::Validator image_path() {
           ""};
 }
 
-/// The options of `render` that become query parameters.
-void add_overrides(CLI::App& render, Overrides& overrides) {
+/// The options of `render` and `plan` that become query parameters.
+void add_overrides(CLI::App& command, Overrides& overrides) {
   const auto add = [&](const std::string& parameter, const std::string& help,
                        const std::string& value, const CLI::Validator& check) {
     std::string flag = "--" + parameter;
@@ -68,7 +68,7 @@ void add_overrides(CLI::App& render, Overrides& overrides) {
     const auto store = [&overrides, parameter](const std::string& text) {
       overrides[parameter] = text;
     };
-    return render.add_option_function<std::string>(flag, store, help)
+    return command.add_option_function<std::string>(flag, store, help)
         ->type_name(value)
         ->transform(check);
   };
@@ -92,7 +92,7 @@ void refuse_rest(const CLI::App& app) {
     if (rest == "--") continue;
     if (app.get_subcommands().empty() && !rest.starts_with('-'))
       throw InputError(
-          fmt::format("there is no command '{}': render, validate and scenes are "
+          fmt::format("there is no command '{}': render, plan, validate and scenes are "
                       "known, raytracer --help says more",
                       rest));
     throw InputError(fmt::format(
@@ -101,7 +101,7 @@ void refuse_rest(const CLI::App& app) {
   }
   if (app.get_subcommands().empty())
     throw InputError(
-        "a command is missing: render, validate or scenes; raytracer --help says more");
+        "a command is missing: render, plan, validate or scenes; raytracer --help says more");
 }
 
 /// The flag's value, or where it is not given the variable's, and which of them it was.
@@ -155,12 +155,19 @@ std::variant<Arguments, HelpText> read_arguments(int argc, const char* const* ar
           ->check(image_path());
   add_overrides(*render, render_arguments.overrides);
 
+  PlanArguments plan_arguments;
+  CLI::App* plan = app.add_subcommand(
+      "plan", "Say what a scene requires, what the server would choose for it and what that takes");
+  plan->add_option("SCENE", plan_arguments.scene, scene_help)->required()->type_name("");
+  plan->add_flag("--json", plan_arguments.as_json, "The server's answer as it is");
+  add_overrides(*plan, plan_arguments.overrides);
+
   ValidateArguments validate_arguments;
   CLI::App* validate = app.add_subcommand("validate", "Check a scene without rendering it");
   validate->add_option("SCENE", validate_arguments.scene, scene_help)->required()->type_name("");
 
   CLI::App* scenes = app.add_subcommand("scenes", "List the shipped scenes");
-  for (CLI::App* command : {render, validate, scenes}) {
+  for (CLI::App* command : {render, plan, validate, scenes}) {
     command->group("Commands");
     command->fallthrough();  // --server and --token may follow the command
     command->footer("--server and --token may stand here too: see raytracer --help.");
@@ -179,6 +186,8 @@ std::variant<Arguments, HelpText> read_arguments(int argc, const char* const* ar
   if (render->parsed()) {
     if (output_option->count() > 0) render_arguments.output = output;
     arguments.command = std::move(render_arguments);
+  } else if (plan->parsed()) {
+    arguments.command = std::move(plan_arguments);
   } else if (validate->parsed()) {
     arguments.command = std::move(validate_arguments);
   }

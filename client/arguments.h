@@ -24,6 +24,12 @@ struct ValidateArguments {
   std::string scene;
 };
 
+struct PlanArguments {
+  std::string scene;
+  bool as_json = false;  ///< the server's own answer
+  Overrides overrides;
+};
+
 struct ScenesArguments {};
 
 /// Which daemon to talk to.
@@ -34,7 +40,7 @@ struct ServerChoice {
 
 struct Arguments {
   ServerChoice server;
-  std::variant<RenderArguments, ValidateArguments, ScenesArguments> command;
+  std::variant<RenderArguments, PlanArguments, ValidateArguments, ScenesArguments> command;
 };
 
 /// A text that was asked for, to be printed instead of doing anything.

@@ -8,6 +8,9 @@ namespace raytracer::client {
 /// Renders and delivers the image; one line about it on standard error.
 void render(const RenderArguments& arguments, const ServerChoice& server);
 
+/// Prints what the server would do with the scene, each choice with its reason.
+void plan(const PlanArguments& arguments, const ServerChoice& server);
+
 /// Prints "SCENE: valid", or throws with every error.
 void validate(const ValidateArguments& arguments, const ServerChoice& server);
 

@@ -18,6 +18,8 @@ using namespace raytracer::client;
 void run(const Arguments& arguments) {
   if (const auto* command = std::get_if<RenderArguments>(&arguments.command))
     render(*command, arguments.server);
+  else if (const auto* planned = std::get_if<PlanArguments>(&arguments.command))
+    plan(*planned, arguments.server);
   else if (const auto* other = std::get_if<ValidateArguments>(&arguments.command))
     validate(*other, arguments.server);
   else
