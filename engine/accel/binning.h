@@ -131,7 +131,7 @@ std::vector<std::uint32_t> sort_into_bins(
   using binning::BandCount;
   using Record = binning::Record<Entry>;
   const binning::Bands bands(grid);
-  const std::size_t chunk_count = pool.thread_count();
+  const std::size_t chunk_count = item_count < few_items ? 1 : pool.thread_count();
 
   LargeArray<CellRectangle> cells(item_count);
   std::vector<std::vector<BandCount>> places(chunk_count, std::vector<BandCount>(bands.count()));
@@ -178,42 +178,44 @@ std::vector<std::uint32_t> sort_into_bins(
   std::vector<std::uint32_t> bin_begins(grid.bin_count() + 1);
   bin_begins[grid.bin_count()] = static_cast<std::uint32_t>(total.entries);
   resize(total.entries);
-  for_each_chunk(
-      bands.count(), bands.count(), pool, [&](std::size_t band, std::size_t, std::size_t) {
-        const std::span<const Record> own = std::span(records).subspan(
-            band_begins[band].records, band_begins[band + 1].records - band_begins[band].records);
-        const auto for_each_entry = [&](const auto& visit) {
-          for (const Record& record : own) {
-            const CellRectangle bins = bands.bins_in(record.cells, band);
-            for (int row = bins.y_begin; row < bins.y_end; ++row)
-              for (int column = bins.x_begin; column < bins.x_end; ++column)
-                visit(record, column, row);
-          }
-        };
-        const std::size_t first_bin = grid.index(0, bands.row_begin(band));
-        const std::size_t last_bin = grid.index(0, bands.row_end(band));
-        std::vector<std::uint32_t> next(last_bin - first_bin + 1, 0);
-        for_each_entry([&](const Record&, int column, int row) {
-          ++next[grid.index(column, row) - first_bin + 1];
-        });
-        for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
-        const auto band_begin = static_cast<std::uint32_t>(band_begins[band].entries);
-        for (std::size_t bin = first_bin; bin < last_bin; ++bin)
-          bin_begins[bin] = band_begin + next[bin - first_bin];
+  const auto sort_band = [&](std::size_t band) {
+    const std::span<const Record> own = std::span(records).subspan(
+        band_begins[band].records, band_begins[band + 1].records - band_begins[band].records);
+    const auto for_each_entry = [&](const auto& visit) {
+      for (const Record& record : own) {
+        const CellRectangle bins = bands.bins_in(record.cells, band);
+        for (int row = bins.y_begin; row < bins.y_end; ++row)
+          for (int column = bins.x_begin; column < bins.x_end; ++column) visit(record, column, row);
+      }
+    };
+    const std::size_t first_bin = grid.index(0, bands.row_begin(band));
+    const std::size_t last_bin = grid.index(0, bands.row_end(band));
+    std::vector<std::uint32_t> next(last_bin - first_bin + 1, 0);
+    for_each_entry([&](const Record&, int column, int row) {
+      ++next[grid.index(column, row) - first_bin + 1];
+    });
+    for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
+    const auto band_begin = static_cast<std::uint32_t>(band_begins[band].entries);
+    for (std::size_t bin = first_bin; bin < last_bin; ++bin)
+      bin_begins[bin] = band_begin + next[bin - first_bin];
 
-        LargeArray<Entry> entries(next.back());
-        for_each_entry([&](const Record& record, int column, int row) {
-          entries[next[grid.index(column, row) - first_bin]++] =
-              how.entry_in(record.entry, record.cells, column, row);
-        });
-        // Now next[i] is the end of the band's bin i.
-        std::uint32_t begin = 0;
-        for (std::size_t i = 0; i + 1 < next.size(); ++i) {
-          how.arrange(std::span(entries).subspan(begin, next[i] - begin));
-          begin = next[i];
-        }
-        write(band_begins[band].entries, std::span<const Entry>(entries));
-      });
+    LargeArray<Entry> entries(next.back());
+    for_each_entry([&](const Record& record, int column, int row) {
+      entries[next[grid.index(column, row) - first_bin]++] =
+          how.entry_in(record.entry, record.cells, column, row);
+    });
+    // Now next[i] is the end of the band's bin i.
+    std::uint32_t begin = 0;
+    for (std::size_t i = 0; i + 1 < next.size(); ++i) {
+      how.arrange(std::span(entries).subspan(begin, next[i] - begin));
+      begin = next[i];
+    }
+    write(band_begins[band].entries, std::span<const Entry>(entries));
+  };
+  for_each_chunk(bands.count(), chunk_count == 1 ? 1 : bands.count(), pool,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t band = begin; band < end; ++band) sort_band(band);
+                 });
   return bin_begins;
 }
 

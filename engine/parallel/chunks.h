@@ -8,11 +8,15 @@
 
 namespace raytracer {
 
-/// Calls visit(chunk, begin, end) on the pool's threads for ranges that together are 0 ... count,
-/// in order of `chunk` from 0 to `chunk_count` - 1.
+/// So few items are dealt with before another thread has woken up.
+inline constexpr std::size_t few_items = 4096;
+
+/// Calls visit(chunk, begin, end) for ranges that together are 0 ... count, in order of `chunk`
+/// from 0 to `chunk_count` - 1: on the pool's threads, or here if there is only one.
 template <typename Visit>
 void for_each_chunk(std::size_t count, std::size_t chunk_count, WorkerPool& pool,
                     const Visit& visit) {
+  if (chunk_count == 1) return visit(std::size_t{0}, std::size_t{0}, count);
   const std::atomic<bool> never{false};
   pool.run(
       chunk_count,
@@ -22,16 +26,12 @@ void for_each_chunk(std::size_t count, std::size_t chunk_count, WorkerPool& pool
       never);
 }
 
-/// Calls visit(begin, end) for ranges that together are 0 ... count, on the pool's threads if
-/// there are enough items to be worth waking them.
+/// Calls visit(begin, end) for ranges that together are 0 ... count, on the pool's threads unless
+/// there are few items.
 template <typename Visit>
 void for_each_range(std::size_t count, WorkerPool& pool, const Visit& visit) {
-  constexpr std::size_t few = 4096;
-  if (count < few)
-    visit(std::size_t{0}, count);
-  else
-    for_each_chunk(count, pool.thread_count(), pool,
-                   [&](std::size_t, std::size_t begin, std::size_t end) { visit(begin, end); });
+  for_each_chunk(count, count < few_items ? 1 : pool.thread_count(), pool,
+                 [&](std::size_t, std::size_t begin, std::size_t end) { visit(begin, end); });
 }
 
 }  // namespace raytracer

@@ -1,6 +1,7 @@
 #include "engine/parallel/worker_pool.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 
 namespace raytracer {
@@ -43,16 +44,29 @@ void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)>& 
   std::unique_lock lock(mutex_);
   if (!batch->has_more()) return;
   batches_.push_back(batch);
-  work_arrived_.notify_all();
+  ++arrivals_;
+  work_arrived_.notify_one();  // who takes a task wakes the next
   batch->finished.wait(lock, [&] { return batch->running == 0 && !batch->has_more(); });
   // A batch that was stopped may still stand in the queue; its task must not outlive this call.
   std::erase(batches_, batch);
   if (batch->failure) std::rethrow_exception(batch->failure);
 }
 
+void WorkerPool::watch_for_arrival(std::uint64_t seen) const {
+  constexpr std::chrono::microseconds longest{50};
+  const auto end = std::chrono::steady_clock::now() + longest;
+  while (arrivals_ == seen && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+}
+
 void WorkerPool::work() {
   std::unique_lock lock(mutex_);
   for (;;) {
+    if (!closing_ && batches_.empty()) {
+      const std::uint64_t seen = arrivals_;
+      lock.unlock();
+      watch_for_arrival(seen);
+      lock.lock();
+    }
     work_arrived_.wait(lock, [this] { return closing_ || !batches_.empty(); });
     if (batches_.empty()) return;
     const std::shared_ptr<Batch> batch = batches_.front();
@@ -64,8 +78,10 @@ void WorkerPool::work() {
     const std::size_t index = batch->begun++;
     ++batch->running;
     if (batch->has_more()) batches_.push_back(batch);  // behind the others: a task of each in turn
+    const bool is_more_to_do = !batches_.empty();
 
     lock.unlock();
+    if (is_more_to_do) work_arrived_.notify_one();
     std::exception_ptr failure;
     try {
       batch->task(index);

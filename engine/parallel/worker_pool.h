@@ -4,6 +4,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -35,10 +36,14 @@ class WorkerPool {
  private:
   struct Batch;
   void work();
+  /// Returns when a batch has arrived after the one numbered `seen`, or soon: a render is several
+  /// batches in a row, and waking a thread takes as long as a small one.
+  void watch_for_arrival(std::uint64_t seen) const;
 
   std::mutex mutex_;
   std::condition_variable work_arrived_;
   std::deque<std::shared_ptr<Batch>> batches_;  ///< those with tasks not yet begun, in turn
+  std::atomic<std::uint64_t> arrivals_{0};      ///< batches so far
   bool closing_ = false;
   std::vector<std::thread> threads_;
 };

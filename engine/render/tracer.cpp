@@ -55,8 +55,10 @@ Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool) {
   if (plan.kernel.value == Kernel::simd) {
     const std::int64_t target = plan.instruction_set.target;
     if (plan.precision.value == Precision::single_precision)
-      return SimdTracer<float>{make_simd_scene<float>(packed, plan.structures, pool), target};
-    return SimdTracer<double>{make_simd_scene<double>(packed, plan.structures, pool), target};
+      return SimdTracer<float>{make_simd_scene<float>(packed, plan.features, plan.structures, pool),
+                               target};
+    return SimdTracer<double>{make_simd_scene<double>(packed, plan.features, plan.structures, pool),
+                              target};
   }
   auto kept = std::make_unique<const PackedScene>(std::move(packed));
   const PackedScene& reference = *kept;

@@ -278,8 +278,8 @@ TEST(Variants, runsOnTheInstructionSetThatIsAskedFor) {
   const Scene scene = with_objects(random_spheres(3, 1, "{}"), distant_lights);
   WorkerPool pool(1);
   const PackedScene packed = pack_scene(scene, make_frame(scene), pool);
-  const auto single = make_simd_scene<float>(packed, {}, pool);
-  const auto twice = make_simd_scene<double>(packed, {}, pool);
+  const auto single = make_simd_scene<float>(packed, find_features(scene), {}, pool);
+  const auto twice = make_simd_scene<double>(packed, find_features(scene), {}, pool);
   const auto sets = supported_instruction_sets();
   ASSERT_FALSE(sets.empty());
   for (const InstructionSet& set : sets) {

@@ -46,6 +46,21 @@ HWY_INLINE V power(D d, V versine, V shininess) {
   return hn::IfThenElse(hn::Eq(shininess, hn::Zero(d)), one, result);
 }
 
+/// (h . n)^shininess, h the direction halfway between light and eye.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V highlight(D d, const SimdScene<T>& scene, const Surface<D>& surface,
+                       const V3<V>& towards, const V3<V>& view) {
+  const V3<V> half = unit(d, add(towards, view));
+  if (scene.uniform_shininess >= 0) {
+    const V cosine = dot(half, surface.at.normal);
+    const V clamped_cosine = hn::Min(hn::Max(cosine, hn::Zero(d)), hn::Set(d, T(1)));
+    return integer_power(d, clamped_cosine, scene.uniform_shininess);
+  }
+  const V3<V> chord = sub(half, surface.at.normal);
+  const V versine = hn::Mul(hn::Set(d, T(0.5)), dot(chord, chord));
+  return power(d, versine, surface.material(d, scene.materials.shininess));
+}
+
 /// The colour of the packet's points, without what they mirror; rubbish in lanes not `active`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Surface<D>& surface, const V3<V>& view,
@@ -85,17 +100,9 @@ HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Surface<D>& surface
       if (hn::AllFalse(d, lit)) continue;
     }
 
-    const V3<V> half = unit(d, add(towards, view));
-    V highlight;
-    if (scene.uniform_shininess >= 0) {
-      const V cosine = hn::Min(hn::Max(dot(half, point.normal), zero), one);
-      highlight = integer_power(d, cosine, scene.uniform_shininess);
-    } else {
-      const V3<V> chord = sub(half, point.normal);
-      const V versine = hn::Mul(hn::Set(d, T(0.5)), dot(chord, chord));
-      highlight = power(d, versine, surface.material(d, table.shininess));
-    }
-    const V share = hn::MulAdd(kd, incidence, hn::Mul(ks, highlight));
+    V share = hn::Mul(kd, incidence);
+    if (scene.has_specular)
+      share = hn::MulAdd(ks, highlight(d, scene, surface, towards, view), share);
     const V base = ambient_needs_light ? ambient : zero;
     sum.x = hn::Add(sum.x, hn::IfThenElseZero(lit, hn::MulAdd(share, emission.x, base)));
     sum.y = hn::Add(sum.y, hn::IfThenElseZero(lit, hn::MulAdd(share, emission.y, base)));

@@ -180,22 +180,11 @@ void pack_primitives(const PackedScene& scene, const Structures& structures, Wor
   });
 }
 
-/// The exponent that all materials share, if it is a small integer; else -1.
-std::int32_t uniform_shininess(const std::vector<Material>& materials) {
-  constexpr double most = 4096;
-  if (materials.empty()) return -1;
-  const double first = materials.front().shininess;
-  const bool uniform = std::all_of(materials.begin(), materials.end(),
-                                   [&](const Material& m) { return m.shininess == first; });
-  if (!uniform || first > most || first != std::floor(first)) return -1;
-  return static_cast<std::int32_t>(first);
-}
-
 }  // namespace
 
 template <typename T>
-SimdScene<T> make_simd_scene(const PackedScene& scene, const Structures& structures,
-                             WorkerPool& pool) {
+SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
+                             const Structures& structures, WorkerPool& pool) {
   SimdScene<T> packed{};
   packed.view = scene.view;
   packed.forward = narrowed<T>(scene.view.forward);
@@ -231,18 +220,17 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Structures& structu
   }
   packed.background = narrowed<T>(scene.background);
   packed.shadows = scene.shadows;
-  packed.max_depth = scene.max_depth;
   packed.materials = pack_materials<T>(scene);
-  packed.reflects =
-      scene.max_depth > 0 && std::any_of(scene.materials.begin(), scene.materials.end(),
-                                         [](const Material& m) { return m.reflectivity > 0; });
-  packed.uniform_shininess = uniform_shininess(scene.materials);
+  packed.has_specular = features.has_specular;
+  packed.uniform_shininess = features.uniform_shininess;
+  packed.reflects = features.reflects;
+  packed.max_depth = features.max_depth;
   return packed;
 }
 
-template SimdScene<float> make_simd_scene<float>(const PackedScene&, const Structures&,
-                                                 WorkerPool&);
-template SimdScene<double> make_simd_scene<double>(const PackedScene&, const Structures&,
-                                                   WorkerPool&);
+template SimdScene<float> make_simd_scene<float>(const PackedScene&, const Features&,
+                                                 const Structures&, WorkerPool&);
+template SimdScene<double> make_simd_scene<double>(const PackedScene&, const Features&,
+                                                   const Structures&, WorkerPool&);
 
 }  // namespace raytracer

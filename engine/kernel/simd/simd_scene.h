@@ -21,6 +21,7 @@
 #include "engine/kernel/simd/simd_tree.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/parallel/worker_pool.h"
+#include "engine/plan/features.h"
 #include "engine/plan/structures.h"
 
 namespace raytracer {
@@ -149,19 +150,20 @@ struct SimdScene {
   MaterialTable<T> materials;
   Triple<T> background;
   Shadows shadows;
-  int max_depth;
+  bool has_specular;
+  std::int32_t uniform_shininess;  ///< the one integer exponent of all that is specular, or -1
   bool reflects;                   ///< whether any ray follows another
-  std::int32_t uniform_shininess;  ///< the one integer exponent of all materials, or -1
+  int max_depth;                   ///< of rays that follow another
 };
 
-/// Uses the pool's threads.
+/// What no feature or structure asks for is left out. Uses the pool's threads.
 template <typename T>
-SimdScene<T> make_simd_scene(const PackedScene& scene, const Structures& structures,
-                             WorkerPool& pool);
+SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
+                             const Structures& structures, WorkerPool& pool);
 
-extern template SimdScene<float> make_simd_scene<float>(const PackedScene&, const Structures&,
-                                                        WorkerPool&);
-extern template SimdScene<double> make_simd_scene<double>(const PackedScene&, const Structures&,
-                                                          WorkerPool&);
+extern template SimdScene<float> make_simd_scene<float>(const PackedScene&, const Features&,
+                                                        const Structures&, WorkerPool&);
+extern template SimdScene<double> make_simd_scene<double>(const PackedScene&, const Features&,
+                                                          const Structures&, WorkerPool&);
 
 }  // namespace raytracer
