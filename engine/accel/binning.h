@@ -18,10 +18,10 @@ namespace raytracer {
 
 /// Cells begin <= index < end of a grid.
 struct CellRectangle {
-  std::uint16_t x_begin = 0;
-  std::uint16_t y_begin = 0;
-  std::uint16_t x_end = 0;
-  std::uint16_t y_end = 0;
+  int x_begin = 0;
+  int y_begin = 0;
+  int x_end = 0;
+  int y_end = 0;
 
   bool empty() const { return x_begin >= x_end || y_begin >= y_end; }
 };
@@ -42,10 +42,8 @@ struct BinGrid {
 
   /// The bins that a rectangle of cells, not empty, touches.
   CellRectangle bins_of(const CellRectangle& cells) const {
-    const auto begin = [&](int cell) { return static_cast<std::uint16_t>(cell >> cells_log2); };
-    const auto end = [&](int cell) {
-      return static_cast<std::uint16_t>(((cell - 1) >> cells_log2) + 1);
-    };
+    const auto begin = [&](int cell) { return cell >> cells_log2; };
+    const auto end = [&](int cell) { return ((cell - 1) >> cells_log2) + 1; };
     return {begin(cells.x_begin), begin(cells.y_begin), end(cells.x_end), end(cells.y_end)};
   }
 };
@@ -97,8 +95,8 @@ class Bands {
   /// The bins of `cells`, not empty, that are in the band.
   CellRectangle bins_in(const CellRectangle& cells, std::size_t band) const {
     CellRectangle bins = grid_.bins_of(cells);
-    bins.y_begin = std::max(bins.y_begin, static_cast<std::uint16_t>(row_begin(band)));
-    bins.y_end = std::min(bins.y_end, static_cast<std::uint16_t>(row_end(band)));
+    bins.y_begin = std::max(bins.y_begin, row_begin(band));
+    bins.y_end = std::min(bins.y_end, row_end(band));
     return bins;
   }
 

@@ -79,8 +79,7 @@ DistantGrid<T> build_distant_grid(const Vec3& towards, std::span<const PackedSph
     const Disc disc = place(spheres[i]);
     const double reach = spheres[i].radius + margin;
     const auto index = [&](double offset, int cells) {
-      return static_cast<std::uint16_t>(
-          std::clamp(offset * cells_per_unit, 0.0, static_cast<double>(cells)));
+      return static_cast<int>(std::clamp(offset * cells_per_unit, 0.0, static_cast<double>(cells)));
     };
     return CellRectangle{index(disc.u - reach - bounds.u_low, grid.columns - 1),
                          index(disc.v - reach - bounds.v_low, grid.rows - 1),

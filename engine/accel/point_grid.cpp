@@ -71,15 +71,13 @@ PointGrid<T> build_point_grid(const Vec3& light, std::span<const PackedSphere> s
     const PixelRectangle seen =
         projections[static_cast<std::size_t>(face)].of_sphere(center, s.radius);
     if (!(seen.x_begin < seen.x_end && seen.y_begin < seen.y_end)) return CellRectangle{};
-    const auto index = [&](double place) {
-      return static_cast<std::uint16_t>(std::clamp(place, 0.0, side));
-    };
-    const auto row = static_cast<std::uint16_t>(face * grid.side);
+    const auto index = [&](double place) { return static_cast<int>(std::clamp(place, 0.0, side)); };
+    const int row = face * grid.side;
     CellRectangle cells{index(seen.x_begin - margin), index(seen.y_begin - margin),
                         index(seen.x_end + margin + 1), index(seen.y_end + margin + 1)};
     if (cells.empty()) return cells;
-    cells.y_begin = static_cast<std::uint16_t>(cells.y_begin + row);
-    cells.y_end = static_cast<std::uint16_t>(cells.y_end + row);
+    cells.y_begin += row;
+    cells.y_end += row;
     return cells;
   };
 

@@ -19,7 +19,7 @@ CellRectangle squares_touched(const PixelRectangle& pixels, int side, int column
   if (!(pixels.x_begin < pixels.x_end && pixels.y_begin < pixels.y_end)) return {};
   // A rectangle beside the image clamps to nothing.
   const auto index = [&](double pixel, int most) {
-    return static_cast<std::uint16_t>(std::clamp(pixel / side, 0.0, static_cast<double>(most)));
+    return static_cast<int>(std::clamp(pixel / side, 0.0, static_cast<double>(most)));
   };
   return {index(pixels.x_begin, columns), index(pixels.y_begin, rows),
           index(pixels.x_end + side, columns), index(pixels.y_end + side, rows)};

@@ -147,8 +147,7 @@ TriangleGrid<T> build_triangle_grid(const Vec3& towards, std::span<const PackedT
   grid.noise = 8 * std::numeric_limits<T>::epsilon() * static_cast<T>(largest);
 
   const auto index = [&](T place, int most) {
-    return static_cast<std::uint16_t>(
-        std::clamp(place * grid.cells_per_unit, T(0), static_cast<T>(most)));
+    return static_cast<int>(std::clamp(place * grid.cells_per_unit, T(0), static_cast<T>(most)));
   };
   const T margin = 2 * grid.noise;
   const auto side = static_cast<T>(cell);

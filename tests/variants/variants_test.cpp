@@ -111,10 +111,11 @@ Scene straight_sheet() {
   std::string vertices;
   std::string triangles;
   constexpr int side = 96;
+  constexpr double middle = side / 16.0;
   for (int i = 0; i <= side; ++i)
     for (int k = 0; k <= side; ++k)
-      vertices += fmt::format("{}[{}, {}, 0]", vertices.empty() ? "" : ",", (i - side / 2) / 8.0,
-                              (k - side / 2) / 8.0);
+      vertices += fmt::format("{}[{}, {}, 0]", vertices.empty() ? "" : ",", i / 8.0 - middle,
+                              k / 8.0 - middle);
   for (int i = 0; i < side; ++i) {
     for (int k = 0; k < side; ++k) {
       const int a = i * (side + 1) + k;
@@ -291,6 +292,18 @@ TEST(Variants, runsOnTheInstructionSetThatIsAskedFor) {
     EXPECT_EQ(render_tile(twice, pattern, Transfer::linear, tile, set.target, image), set.target)
         << set.name;
   }
+}
+
+TEST(Variants, findsSpheresInAnImageWiderThanSixteenBitsCount) {
+  Scene scene =
+      with_objects(R"({"type": "sphere", "center": [5.6, 0, 0], "radius": 0.2})", distant_lights);
+  scene.camera.width = 400'000;
+  scene.camera.height = 1;
+  const Image expected = reference_image(scene);
+  const InstructionSet set = supported_instruction_sets().front();
+  EXPECT_EQ(count_wrong(image_on(set, Precision::double_precision, scene), expected), 0);
+  const float* const background = expected.pixel(0, 0);
+  EXPECT_NE(*expected.pixel(387'600, 0), *background) << "no sphere where the test looks";
 }
 
 TEST(Variants, leavesTheEyeInsideASphereToTheReference) {
