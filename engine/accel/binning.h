@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "engine/memory/page_allocator.h"
@@ -160,6 +162,8 @@ std::vector<std::uint32_t> sort_into_bins(
     }
   }
   band_begins[bands.count()] = total;
+  if (total.entries > std::numeric_limits<std::uint32_t>::max())
+    throw std::length_error("more entries in bins than 32 bits count");
 
   LargeArray<Record> records(total.records);
   for_each_chunk(

@@ -129,6 +129,10 @@ TriangleGrid<T> build_triangle_grid(const Vec3& towards, std::span<const PackedT
   LargeArray<Extent<T>> extents(triangles.size());
   const Spread spread = outline_all(triangles, grid, extents, pool);
 
+  const double largest = std::max({std::abs(spread.low.u), std::abs(spread.low.v),
+                                   std::abs(spread.high.u), std::abs(spread.high.v)});
+  grid.noise = 8 * std::numeric_limits<T>::epsilon() * static_cast<T>(largest);
+
   // Cells about as many as triangles. A triangle of width w and height h is entered into about
   // (w / cell + 1) (h / cell + 1) of them: at most seven on average.
   const auto count = static_cast<double>(triangles.size());
@@ -136,15 +140,13 @@ TriangleGrid<T> build_triangle_grid(const Vec3& towards, std::span<const PackedT
   const double height = spread.high.v - spread.low.v;
   const double cell =
       std::max({std::sqrt(width * height / count) * 4, std::sqrt(spread.areas / (3 * count)),
-                spread.extents / (3 * count), width / 8192, height / 8192, 1e-30});
+                spread.extents / (3 * count), width / 8192, height / 8192,
+                8.0 * static_cast<double>(grid.noise), 1e-30});
   grid.cells_per_unit = static_cast<T>(1 / cell);
   grid.u_low = static_cast<T>(spread.low.u);
   grid.v_low = static_cast<T>(spread.low.v);
   grid.columns = static_cast<int>(width / cell) + 1;
   grid.rows = static_cast<int>(height / cell) + 1;
-  const double largest = std::max({std::abs(spread.low.u), std::abs(spread.low.v),
-                                   std::abs(spread.high.u), std::abs(spread.high.v)});
-  grid.noise = 8 * std::numeric_limits<T>::epsilon() * static_cast<T>(largest);
 
   const auto index = [&](T place, int most) {
     return static_cast<int>(std::clamp(place * grid.cells_per_unit, T(0), static_cast<T>(most)));

@@ -21,6 +21,7 @@ void free_pages(void* memory);
 template <typename T>
 struct PageAllocator {
   using value_type = T;
+  static_assert(alignof(T) <= alignof(std::max_align_t));
 
   PageAllocator() = default;
   template <typename U>

@@ -59,7 +59,7 @@ class Counter {
   Counter(const Frame& frame, const Camera& camera, Census& census)
       : frame_(frame),
         census_(census),
-        blocks_per_radian_(1 / (block_side_px * pixel_angle(camera))),
+        blocks_per_radian_(stretch(camera) / (block_side_px * pixel_angle(camera))),
         block_columns_(1 + camera.width / block_side_px),
         block_rows_(1 + camera.height / block_side_px) {}
 
@@ -93,8 +93,7 @@ class Counter {
     for (const auto& corners : m.triangles) {
       const TriangleBall ball(vertices[corners[0]], vertices[corners[1]], vertices[corners[2]]);
       add(ball.distance, 0);
-      const double blocks = 2 * ball.reach / ball.distance * blocks_per_radian_ + 1;
-      census_.triangle_blocks += std::min(blocks, block_columns_) * std::min(blocks, block_rows_);
+      census_.triangle_blocks += blocks(ball.reach / ball.distance);
     }
   }
 
@@ -112,6 +111,21 @@ class Counter {
     const double r = frame_.frame_from_scene(scene_radius);
     add(distance - r, distance + r);
     census_.distance_in_radii = std::max(census_.distance_in_radii, (distance + r) / r);
+    const double tangent2 = (distance - r) * (distance + r);
+    census_.sphere_blocks += blocks(tangent2 > 0 ? r / std::sqrt(tangent2) : 1e300);
+  }
+
+  /// That something touches which is seen under twice this angle; its tangent.
+  double blocks(double half_angle) const {
+    const double across = 2 * half_angle * blocks_per_radian_ + 1;
+    return std::min(across, block_columns_) * std::min(across, block_rows_);
+  }
+
+  /// How much larger a thing is in the image's corner than in its middle.
+  static double stretch(const Camera& camera) {
+    const double half_width = std::tan(camera.fov / 2);
+    const double half_height = half_width * camera.height / camera.width;
+    return 1 + half_width * half_width + half_height * half_height;
   }
 
   static constexpr double block_side_px = 16;

@@ -11,7 +11,9 @@ namespace raytracer {
 
 /// Lengths are in frame coordinates, distances from the eye.
 struct Census {
-  /// About how many blocks of 16 x 16 pixels the triangles touch, in sum.
+  // About how many blocks of 16 x 16 pixels each sphere and each triangle touches, in sum; rather
+  // too many.
+  double sphere_blocks = 0;
   double triangle_blocks = 0;
   double nearest = std::numeric_limits<double>::infinity();  ///< surface; 0 inside a sphere
   double farthest = 0;           ///< point of a sphere, square or mesh, and point light

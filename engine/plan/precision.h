@@ -8,7 +8,8 @@
 
 namespace raytracer {
 
-/// Single where its errors stay below 1/256 pixel and half a level of shading, else double.
+/// Single where its errors stay below a small part of a pixel and half a level of shading, else
+/// double.
 /// `wish` other than automatic is granted.
 Choice<Precision> choose_precision(Precision wish, const Features& features, const Census& census);
 

@@ -2,7 +2,8 @@
 // finds each kind of object.
 //
 // Rays that share an origin or a direction need a 2-D structure only; a tree is for those that
-// share neither, and for triangles. Nothing is built that no ray asks.
+// share neither, and for what would fill such a structure too often. Nothing is built that no ray
+// asks.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +18,13 @@ namespace raytracer {
 
 /// Which code traces the scene.
 enum class Kernel : std::uint8_t {
-  simd,         ///< packets of rays; few spheres and planes, squares of any size
+  simd,         ///< packets of rays, of everything that is seen from outside
   brute_force,  ///< the reference: one ray at a time against everything
   bvh,          ///< the reference's arithmetic with a tree over spheres and triangles
 };
 
-/// Besides the screen's bins of spheres.
 struct Structures {
+  bool sphere_bins = false;  ///< on the screen, for rays from the eye; else by the tree
   bool light_grids = false;  ///< over the spheres, for each light
   bool sphere_tree = false;
   bool triangle_bins = false;   ///< on the screen, for rays from the eye; else by the tree

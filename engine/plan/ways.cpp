@@ -79,7 +79,11 @@ class Explainer {
 
   void add_spheres() {
     const std::string spheres = counted(features_.spheres, "sphere");
-    add(spheres, "from the eye", "screen bins", one_point);
+    if (structures_.sphere_bins)
+      add(spheres, "from the eye", "screen bins", one_point);
+    else
+      add(spheres, "from the eye", "tree of boxes",
+          "they are so large on the screen that bins would take more memory than they do");
     if (features_.casts_shadows) {
       if (structures_.light_grids)
         add(spheres, "to the lights", "light grids",

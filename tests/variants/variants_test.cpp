@@ -277,10 +277,11 @@ TEST(Variants, findsTrianglesAlikeByEveryStructure) {
 
 TEST(Variants, runsOnTheInstructionSetThatIsAskedFor) {
   const Scene scene = with_objects(random_spheres(3, 1, "{}"), distant_lights);
+  const Plan plan = make_plan(scene, this_machine());
   WorkerPool pool(1);
-  const PackedScene packed = pack_scene(scene, make_frame(scene), pool);
-  const auto single = make_simd_scene<float>(packed, find_features(scene), {}, pool);
-  const auto twice = make_simd_scene<double>(packed, find_features(scene), {}, pool);
+  const PackedScene packed = pack_scene(scene, plan.frame, pool);
+  const auto single = make_simd_scene<float>(packed, plan.features, plan.structures, pool);
+  const auto twice = make_simd_scene<double>(packed, plan.features, plan.structures, pool);
   const auto sets = supported_instruction_sets();
   ASSERT_FALSE(sets.empty());
   for (const InstructionSet& set : sets) {
@@ -304,6 +305,22 @@ TEST(Variants, findsSpheresInAnImageWiderThanSixteenBitsCount) {
   EXPECT_EQ(count_wrong(image_on(set, Precision::double_precision, scene), expected), 0);
   const float* const background = expected.pixel(0, 0);
   EXPECT_NE(*expected.pixel(387'600, 0), *background) << "no sphere where the test looks";
+}
+
+TEST(Variants, findsSpheresThatFillTheImageByATree) {
+  Scene scene = with_objects(random_spheres(4000, 5, "{}"), distant_lights);
+  scene.render.precision = Precision::double_precision;
+  scene.camera.width = 700;
+  scene.camera.height = 500;
+  const Plan plan = make_plan(scene, this_machine());
+  ASSERT_EQ(plan.kernel.value, Kernel::simd) << plan.kernel.reason;
+  EXPECT_FALSE(plan.structures.sphere_bins);
+  scene.camera.width = 70;
+  scene.camera.height = 50;
+  Plan with_tree = make_plan(scene, this_machine());
+  with_tree.structures.sphere_bins = false;
+  with_tree.structures.sphere_tree = true;
+  EXPECT_EQ(count_wrong(image_by(with_tree, scene), reference_image(scene)), 0);
 }
 
 TEST(Variants, leavesTheEyeInsideASphereToTheReference) {

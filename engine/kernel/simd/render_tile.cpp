@@ -73,7 +73,8 @@ struct BlockContents {
     constexpr std::uint32_t all = 0xFFFF;
     for (const ScreenEntry& entry : spheres) parts |= entry.parts;
     for (const ScreenEntry& entry : triangles) parts |= entry.parts;
-    const bool by_tree = scene.has_triangles && !scene.has_triangle_bins;
+    const bool by_tree = (scene.has_triangles && !scene.has_triangle_bins) ||
+                         (!scene.spheres.empty() && !scene.has_sphere_bins);
     if (!scene.planes.empty() || by_tree) parts = all;
   }
 };
@@ -97,7 +98,10 @@ HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
       const V3<V> direction = rays.direction(d, place, sample);
       const auto active = rays.active(d, place);
       Nearest<V> nearest{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
-      show_spheres_to_eye(d, scene, contents.spheres, place.part(), direction, active, nearest);
+      if (scene.has_sphere_bins)
+        show_spheres_to_eye(d, scene, contents.spheres, place.part(), direction, active, nearest);
+      else if (!scene.spheres.empty())
+        show_tree(d, scene.sphere_tree, eye, direction, active, nearest);
       if (scene.has_triangle_bins)
         show_triangles_to_eye(d, scene, contents.triangles, place.part(), direction, active,
                               nearest);
@@ -136,7 +140,9 @@ void render_block(const SimdScene<T>& scene, std::span<const SamplePoint> patter
   BlockColours<T> colours;
   for (std::size_t sample = 0; sample < pattern.size(); ++sample) {
     trace_sample(d, scene, block, contents, rays, pattern[sample], colours);
-    for (std::size_t i = 0; i < block_pixels; i += Shape::lanes) {
+    for (int packet = 0; packet < Shape::packets; ++packet) {
+      if (!PacketPlace<D>(packet).is_in(block)) continue;
+      const std::size_t i = static_cast<std::size_t>(packet) * Shape::lanes;
       const V3<V> seen = clamped(d, load(d, colours, i));
       store(d, sample == 0 ? seen : add(seen, load(d, sums, i)), i, sums);
     }

@@ -193,9 +193,12 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
   pack_primitives(scene, structures, pool, packed);
   packed.has_triangles = !scene.triangles.empty();
   packed.bins = build_screen_bins(
-      scene.view, scene.spheres, scene.squares,
+      scene.view,
+      structures.sphere_bins ? std::span(scene.spheres) : std::span<const PackedSphere>(),
+      scene.squares,
       structures.triangle_bins ? std::span(scene.triangles) : std::span<const PackedTriangle>(),
       block_side, pool);
+  packed.has_sphere_bins = structures.sphere_bins;
   packed.has_light_grids = structures.light_grids;
   if (structures.sphere_tree)
     packed.sphere_tree = make_sphere_tree<T>(scene.spheres, scene.numbers, pool);

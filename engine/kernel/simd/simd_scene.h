@@ -3,9 +3,8 @@
 // Everything that needs more than that precision (differences of coordinates, the constant C of
 // each sphere as the eye sees it) is computed once, in double, when the scene is packed.
 //
-// Limits: few spheres and planes, squares of any size, no meshes; the eye outside of every
-// sphere. Then no ray ever starts inside one, because every surface is opaque, and the kernels
-// model only spheres seen from outside.
+// Limits: the eye outside of every sphere. Then no ray ever starts inside one, because every
+// surface is opaque, and the kernels model only spheres seen from outside.
 #pragma once
 
 #include <hwy/aligned_allocator.h>
@@ -136,6 +135,7 @@ struct SimdScene {
   Triple<T> up;
   LargeArray<SimdSphere<T>> spheres;
   ScreenBins bins;       ///< of the spheres, for rays from the eye
+  bool has_sphere_bins;  ///< else rays from the eye find spheres by the tree
   bool has_light_grids;  ///< for shadows of spheres; else their tree, or every sphere
   std::vector<SimdSquare<T>> squares;
   std::vector<SimdPlane<T>> planes;
