@@ -57,6 +57,7 @@ PointGrid<T> build_point_grid(const Vec3& light, std::span<const PackedSphere> s
   PointGrid<T> grid;
   grid.side = cells_across(light, spheres);
   std::vector<Projection> projections;
+  projections.reserve(faces);
   for (int face = 0; face < faces; ++face) projections.emplace_back(view_of_face(face, grid.side));
 
   // A point finds its cell in precision T: spheres are entered a little beyond their rims.

@@ -150,13 +150,14 @@ HWY_INLINE void store_pixels(D d, const V3<hn::Vec<D>>& colour, const Block& blo
 /// Stores one colour in all of a block's pixels.
 template <class D>
 void fill_block(D d, const V3<hn::Vec<D>>& colour, const Block& block, Image& image) {
-  constexpr int lanes = PacketShape<D>::lanes;
+  constexpr std::size_t lanes = PacketShape<D>::lanes;
   HWY_ALIGN float packet[3 * lanes + HWY_MAX_BYTES / sizeof(float)];
   store_interleaved(d, colour, packet);
   float row[3 * block_side];
   for (int i = 0; i < 3 * block_side; ++i) row[i] = packet[i % 3];
   for (int y = 0; y < block.height; ++y)
-    std::copy_n(row, 3 * block.width, image.pixel(block.x_begin, block.y_begin + y));
+    std::copy_n(row, 3 * static_cast<std::ptrdiff_t>(block.width),
+                image.pixel(block.x_begin, block.y_begin + y));
 }
 
 }  // namespace HWY_NAMESPACE
