@@ -80,20 +80,16 @@ json capabilities(const fs::path& profile, const fs::path& downloads) {
 
 }  // namespace
 
-WebDriver::WebDriver(const fs::path& downloads)
-    : driver_({find_driver(), {"--port=0"}, "", {{"HOME", profile_.path()}}}) {
-  static const std::regex greeting(R"(started successfully on port (\d+))");
+WebDriver::WebDriver(const fs::path& downloads) {
+  // The driver takes a free port of IPv6 and fails if IPv4's of that number is in use, which other
+  // tests' connections may be.
+  constexpr int most_attempts = 8;
   int port = 0;
-  eventually(
-      [&] {
-        std::smatch match;
-        const std::string said = driver_.out();
-        if (std::regex_search(said, match, greeting)) port = std::stoi(match[1]);
-        return port != 0 || driver_.wait(0ms).has_value();
-      },
-      20s);
-  if (port == 0)
-    throw std::runtime_error("chromedriver does not start: " + driver_.out() + driver_.err());
+  for (int attempt = 0; port == 0; ++attempt) {
+    if (attempt == most_attempts)
+      throw std::runtime_error("chromedriver does not start: " + driver_->out() + driver_->err());
+    port = start();
+  }
   http_ = std::make_unique<httplib::Client>("127.0.0.1", port);
   http_->set_read_timeout(60);
   http_->set_keep_alive(true);
@@ -103,10 +99,26 @@ WebDriver::WebDriver(const fs::path& downloads)
   session_ = "/session/" + session.at("sessionId").get<std::string>();
 }
 
+int WebDriver::start() {
+  static const std::regex greeting(R"(started successfully on port (\d+))");
+  driver_ = std::make_unique<Process>(
+      Command{find_driver(), {"--port=0"}, "", {{"HOME", profile_.path()}}});
+  int port = 0;
+  eventually(
+      [&] {
+        std::smatch match;
+        const std::string said = driver_->out();
+        if (std::regex_search(said, match, greeting)) port = std::stoi(match[1]);
+        return port != 0 || driver_->wait(0ms).has_value();
+      },
+      20s);
+  return port;
+}
+
 WebDriver::~WebDriver() {
   if (http_ && !session_.empty()) http_->Delete(session_);  // ends the browser
-  driver_.signal(SIGTERM);
-  driver_.wait(5s);
+  driver_->signal(SIGTERM);
+  driver_->wait(5s);
 }
 
 json WebDriver::command(const std::string& method, const std::string& path, const json& body) {
@@ -120,7 +132,7 @@ json WebDriver::command(const std::string& method, const std::string& path, cons
   const httplib::Result answer = http_->send(request);
   if (!answer)
     throw std::runtime_error(fmt::format("chromedriver does not answer {} ({}):\n{}", path,
-                                         httplib::to_string(answer.error()), driver_.out()));
+                                         httplib::to_string(answer.error()), driver_->out()));
   json value = json::parse(answer->body).at("value");
   if (answer->status != 200)
     throw std::runtime_error(fmt::format("{} {}: {}", method, path, value.value("message", "")));

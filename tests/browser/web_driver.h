@@ -49,13 +49,15 @@ class WebDriver {
   std::vector<std::string> requested();
 
  private:
+  /// Starts the driver anew; its port, or 0 if it has ended.
+  int start();
   nlohmann::json command(const std::string& method, const std::string& path,
                          const nlohmann::json& body = nlohmann::json::object());
   std::string element(const std::string& selector);
   std::vector<nlohmann::json> log(const std::string& type);
 
   TemporaryFolder profile_;
-  Process driver_;
+  std::unique_ptr<Process> driver_;
   std::unique_ptr<httplib::Client> http_;
   std::string session_;  ///< "/session/ID"
 };
