@@ -134,6 +134,8 @@ TEST(Picture, OfASquareIsThatOfItsSpheres) {
     json& square = text["objects"][3];
     square["axes"] = axes;
     const Image image = image_of(text);
+    text["render"]["precision"] = "auto";
+    const Image automatic = image_of(text);
     const Vec3 center = vector_of(square["center"]);
     json centers = json::array();
     for (int i = 0; i < 14; ++i) {
@@ -150,7 +152,12 @@ TEST(Picture, OfASquareIsThatOfItsSpheres) {
               {"centers", centers},
               {"radius", 0.1875},
               {"material", square["material"]}};
-    EXPECT_LE(count_different(image, image_of(text)), 0) << axes;
+    text["render"]["precision"] = "double";
+    EXPECT_EQ(count_different(image, image_of(text)), 0) << axes;
+    // In single the two find the same spheres by other roundings: on an edge, now and then,
+    // another.
+    text["render"]["precision"] = "auto";
+    EXPECT_LE(count_different(automatic, image_of(text), 1.0 / 255), 2) << axes;
   }
 }
 
