@@ -24,8 +24,9 @@ std::string sha256_hex(std::string_view bytes) {
 std::string scene_digest(const Scene& scene) { return sha256_hex(canonical_bytes(scene)); }
 
 std::string entity_tag(std::string_view scene_digest, std::string_view media_type) {
-  const std::string digest = sha256_hex(fmt::format("{}\n{}\n{}\n{}", scene_digest, media_type,
-                                                    build_id, this_machine().instruction_set.name));
+  const std::string digest =
+      sha256_hex(fmt::format("{}\n{}\n{}\n{}\n{}", scene_digest, media_type, build_id,
+                             this_machine().instruction_set.name, processor_model()));
   return fmt::format("\"{}\"", digest.substr(0, 32));
 }
 

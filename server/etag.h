@@ -1,8 +1,8 @@
 // Entity tags: which bytes an image request is about, known without rendering.
 //
 // A tag is a digest of everything that decides the bytes: the canonical scene with the query's
-// values applied, the media type, the engine's build and the instruction set that it runs on.
-// SHA-256 cut to 128 bits.
+// values applied, the media type, the engine's build, and the instruction set and processor that it
+// runs on: two makers' estimates of a root differ in their last bits. SHA-256 cut to 128 bits.
 #pragma once
 
 #include <string>

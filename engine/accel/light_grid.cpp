@@ -7,12 +7,10 @@
 #include <utility>
 
 #include "engine/accel/binning.h"
+#include "engine/accel/columns.h"
 
 namespace raytracer {
 namespace {
-
-/// Longer than any packet.
-constexpr std::size_t padding = 64;
 
 /// A sphere in the light's coordinates.
 struct Disc {
@@ -108,22 +106,16 @@ DistantGrid<T> build_distant_grid(const Vec3& towards, std::span<const PackedSph
     std::sort(entries.begin(), entries.end(),
               [](const Entry& a, const Entry& b) { return a.w > b.w; });
   };
+  const Columns<Entry, T> columns({{&grid.u, &Entry::u},
+                                   {&grid.v, &Entry::v},
+                                   {&grid.w, &Entry::w},
+                                   {&grid.radius2, &Entry::radius2},
+                                   {&grid.id, &Entry::id}});
   grid.begins = sort_into_bins(
       spheres.size(), BinGrid{grid.columns, grid.rows, 0}, pool,
       make_binning<Entry>(cells_of, entry_of, entry_in, arrange),
-      [&](std::size_t count) {
-        for (LargeArray<T>* column : {&grid.u, &grid.v, &grid.radius2, &grid.w, &grid.id})
-          column->resize(count + padding);
-      },
-      [&](std::size_t first, std::span<const Entry> entries) {
-        for (std::size_t i = 0; i < entries.size(); ++i) {
-          grid.u[first + i] = entries[i].u;
-          grid.v[first + i] = entries[i].v;
-          grid.w[first + i] = entries[i].w;
-          grid.radius2[first + i] = entries[i].radius2;
-          grid.id[first + i] = entries[i].id;
-        }
-      });
+      [&](std::size_t count) { columns.resize(count); },
+      [&](std::size_t first, std::span<const Entry> entries) { columns.write(first, entries); });
   return grid;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/accel/binning.h"
+#include "engine/accel/columns.h"
 #include "engine/accel/projection.h"
 #include "engine/pack/view.h"
 
@@ -12,9 +13,6 @@ namespace raytracer {
 namespace {
 
 constexpr int faces = 6;
-
-/// Longer than any packet.
-constexpr std::size_t padding = 64;
 
 /// A view from the light through a face, a cell to a pixel.
 View view_of_face(int face, int side) {
@@ -104,24 +102,17 @@ PointGrid<T> build_point_grid(const Vec3& light, std::span<const PackedSphere> s
     std::sort(entries.begin(), entries.end(),
               [](const Entry& a, const Entry& b) { return a.nearest < b.nearest; });
   };
+  const Columns<Entry, T> columns({{&grid.x, &Entry::x},
+                                   {&grid.y, &Entry::y},
+                                   {&grid.z, &Entry::z},
+                                   {&grid.radius2, &Entry::radius2},
+                                   {&grid.nearest, &Entry::nearest},
+                                   {&grid.id, &Entry::id}});
   grid.begins = sort_into_bins(
       faces * spheres.size(), BinGrid{grid.side, faces * grid.side, 0}, pool,
       make_binning<Entry>(cells_of, entry_of, entry_in, arrange),
-      [&](std::size_t count) {
-        for (LargeArray<T>* column :
-             {&grid.x, &grid.y, &grid.z, &grid.radius2, &grid.nearest, &grid.id})
-          column->resize(count + padding);
-      },
-      [&](std::size_t first, std::span<const Entry> entries) {
-        for (std::size_t i = 0; i < entries.size(); ++i) {
-          grid.x[first + i] = entries[i].x;
-          grid.y[first + i] = entries[i].y;
-          grid.z[first + i] = entries[i].z;
-          grid.radius2[first + i] = entries[i].radius2;
-          grid.nearest[first + i] = entries[i].nearest;
-          grid.id[first + i] = entries[i].id;
-        }
-      });
+      [&](std::size_t count) { columns.resize(count); },
+      [&](std::size_t first, std::span<const Entry> entries) { columns.write(first, entries); });
   return grid;
 }
 

@@ -8,7 +8,7 @@
 #endif
 
 #include "engine/accel/point_grid.h"
-#include "engine/kernel/simd/grid-inl.h"
+#include "engine/kernel/simd/cells-inl.h"
 #include "engine/kernel/simd/hit-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -60,13 +60,11 @@ HWY_INLINE M occluded_in_point_grid(D d, const PointGrid<T>& grid, const Triple<
   const V path = hn::Sqrt(dot(out, out));
   const V cell = cube_cells(d, grid, out);
   constexpr std::size_t most_lanes = hn::MaxLanes(D());
-  HWY_ALIGN T cells[most_lanes];
   HWY_ALIGN T paths[most_lanes];
   HWY_ALIGN T ids[most_lanes];
   HWY_ALIGN T towards_x[most_lanes];
   HWY_ALIGN T towards_y[most_lanes];
   HWY_ALIGN T towards_z[most_lanes];
-  hn::Store(cell, d, cells);
   hn::Store(path, d, paths);
   hn::Store(from.id, d, ids);
   hn::Store(towards.x, d, towards_x);
@@ -74,26 +72,17 @@ HWY_INLINE M occluded_in_point_grid(D d, const PointGrid<T>& grid, const Triple<
   hn::Store(towards.z, d, towards_z);
 
   M dark = hn::Lt(path, hn::Zero(d));
-  M rest = lit;
-  while (!hn::AllFalse(d, rest)) {
-    const auto lane = static_cast<std::size_t>(hn::FindFirstTrue(d, rest));
-    const auto index = static_cast<std::size_t>(cells[lane]);
-    const std::size_t begin = grid.begins[index];
-    const std::size_t end = grid.begins[index + 1];
-    const M together = hn::And(rest, hn::Eq(cell, hn::Set(d, cells[lane])));
-    if (suits_packet(end - begin, hn::CountTrue(d, together), most_lanes)) {
-      rest = hn::AndNot(together, rest);
-      for (std::size_t i = begin; i < end; ++i) {
-        const V3<V> center = broadcast(d, Triple<T>{grid.x[i], grid.y[i], grid.z[i]});
-        const M meets =
-            stands_before_light(d, center, hn::Set(d, grid.radius2[i]), towards, path, kept);
-        const M other = hn::Ne(hn::Set(d, grid.id[i]), from.id);
-        dark = hn::Or(dark, hn::And(together, hn::And(meets, other)));
-      }
-      continue;
+  const auto test_together = [&](std::size_t begin, std::size_t end, M lanes) HWY_ATTR {
+    for (std::size_t i = begin; i < end; ++i) {
+      const V3<V> center = broadcast(d, Triple<T>{grid.x[i], grid.y[i], grid.z[i]});
+      const M meets =
+          stands_before_light(d, center, hn::Set(d, grid.radius2[i]), towards, path, kept);
+      const M other = hn::Ne(hn::Set(d, grid.id[i]), from.id);
+      dark = hn::Or(dark, hn::And(lanes, hn::And(meets, other)));
     }
-    const M alone = hn::Eq(hn::Iota(d, T(0)), hn::Set(d, static_cast<T>(lane)));
-    rest = hn::AndNot(alone, rest);
+  };
+  const auto test_alone = [&](std::size_t begin, std::size_t end, std::size_t lane,
+                              M alone) HWY_ATTR {
     const V3<V> own_towards =
         broadcast(d, Triple<T>{towards_x[lane], towards_y[lane], towards_z[lane]});
     const V own_path = hn::Set(d, paths[lane]);
@@ -110,7 +99,8 @@ HWY_INLINE M occluded_in_point_grid(D d, const PointGrid<T>& grid, const Triple<
         break;
       }
     }
-  }
+  };
+  for_each_cell(d, grid.begins, cell, lit, test_together, test_alone);
   return dark;
 }
 

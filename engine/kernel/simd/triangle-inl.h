@@ -17,6 +17,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/kernel/simd/cells-inl.h"
 #include "engine/kernel/simd/flat-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -94,40 +95,25 @@ HWY_INLINE M occluded_in_cell(D d, const SimdScene<T>& scene, const TriangleGrid
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M occluded_by_triangles(D d, const SimdScene<T>& scene, const TriangleGrid<T>& grid,
                                    const Start<V>& from, const V3<V>& towards, M lit) {
-  const V zero = hn::Zero(d);
-  const auto along = [&](const Vec3& axis) HWY_ATTR {
-    return dot(from.point, broadcast(d, Triple<T>{static_cast<T>(axis.x), static_cast<T>(axis.y),
-                                                  static_cast<T>(axis.z)}));
-  };
-  const V u = along(grid.axes[0]);
-  const V v = along(grid.axes[1]);
-  const V w = along(grid.axes[2]);
-  const V per_unit = hn::Set(d, grid.cells_per_unit);
-  const V column_place = hn::Mul(hn::Sub(u, hn::Set(d, grid.u_low)), per_unit);
-  const V row_place = hn::Mul(hn::Sub(v, hn::Set(d, grid.v_low)), per_unit);
-  const V column = hn::Floor(column_place);
-  const V row = hn::Floor(row_place);
-  // Off the grid nothing stands before the light.
-  const M in_columns =
-      hn::And(hn::Ge(column, zero), hn::Lt(column, hn::Set(d, static_cast<T>(grid.columns))));
-  const M in_rows = hn::And(hn::Ge(row, zero), hn::Lt(row, hn::Set(d, static_cast<T>(grid.rows))));
-  M rest = hn::And(lit, hn::And(in_columns, in_rows));
-  M dark = hn::Lt(zero, zero);
+  const GridPlaces<V, M> at = places_on(d, grid, from.point);
+  M rest = hn::And(lit, at.is_on_grid);  // off the grid nothing stands before the light
+  M dark = hn::Lt(at.u, at.u);
   alignas(64) T columns[hn::MaxLanes(D())];
   alignas(64) T rows[hn::MaxLanes(D())];
-  hn::Store(column, d, columns);
-  hn::Store(row, d, rows);
+  hn::Store(at.column, d, columns);
+  hn::Store(at.row, d, rows);
   const V highest = hn::Set(d, std::numeric_limits<T>::max());
   while (!hn::AllFalse(d, rest)) {
     // All lanes in the first one's cell.
     const auto first = static_cast<std::size_t>(hn::FindFirstTrue(d, rest));
-    const M here = hn::And(rest, hn::And(hn::Eq(column, hn::Set(d, columns[first])),
-                                         hn::Eq(row, hn::Set(d, rows[first]))));
-    const T least_w = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(here, w, highest)));
+    const M here = hn::And(rest, hn::And(hn::Eq(at.column, hn::Set(d, columns[first])),
+                                         hn::Eq(at.row, hn::Set(d, rows[first]))));
+    const T least_w = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(here, at.w, highest)));
     const std::size_t cell =
         static_cast<std::size_t>(rows[first]) * static_cast<std::size_t>(grid.columns) +
         static_cast<std::size_t>(columns[first]);
-    dark = hn::Or(dark, occluded_in_cell(d, scene, grid, cell, from, towards, u, v, least_w, here));
+    dark = hn::Or(dark,
+                  occluded_in_cell(d, scene, grid, cell, from, towards, at.u, at.v, least_w, here));
     rest = hn::AndNot(here, rest);
   }
   return dark;

@@ -1,0 +1,90 @@
+// Which cells of a grid a packet's lanes are in, and the lanes that share one.
+
+#if defined(RAYTRACER_KERNEL_SIMD_CELLS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_KERNEL_SIMD_CELLS_INL_H_
+#undef RAYTRACER_KERNEL_SIMD_CELLS_INL_H_
+#else
+#define RAYTRACER_KERNEL_SIMD_CELLS_INL_H_
+#endif
+
+#include <cstddef>
+
+#include "engine/kernel/simd/packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// Points as a distant light's grid has them: `u` and `v` across the light, `w` towards it.
+template <class V, class M>
+struct GridPlaces {
+  V u;
+  V v;
+  V w;
+  V column;
+  V row;
+  M is_on_grid;
+};
+
+template <class D, class Grid, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE GridPlaces<V, M> places_on(D d, const Grid& grid, const V3<V>& point) {
+  using T = hn::TFromD<D>;
+  const V zero = hn::Zero(d);
+  const auto along = [&](const Vec3& axis) HWY_ATTR {
+    return dot(point, broadcast(d, Triple<T>{static_cast<T>(axis.x), static_cast<T>(axis.y),
+                                             static_cast<T>(axis.z)}));
+  };
+  const auto cell = [&](V coordinate, T low) HWY_ATTR {
+    return hn::Floor(
+        hn::Mul(hn::Sub(coordinate, hn::Set(d, low)), hn::Set(d, grid.cells_per_unit)));
+  };
+  const V u = along(grid.axes[0]);
+  const V v = along(grid.axes[1]);
+  const V column = cell(u, grid.u_low);
+  const V row = cell(v, grid.v_low);
+  const M in_columns =
+      hn::And(hn::Ge(column, zero), hn::Lt(column, hn::Set(d, static_cast<T>(grid.columns))));
+  const M in_rows = hn::And(hn::Ge(row, zero), hn::Lt(row, hn::Set(d, static_cast<T>(grid.rows))));
+  return {u, v, along(grid.axes[2]), column, row, hn::And(in_columns, in_rows)};
+}
+
+/// Whether testing `entry_count` spheres against a whole packet costs less than testing one point
+/// after another of `lane_count` against a packet of spheres.
+HWY_INLINE bool suits_packet(std::size_t entry_count, std::size_t lane_count, std::size_t lanes) {
+  return entry_count <= lane_count * ((entry_count + lanes - 1) / lanes);
+}
+
+/// Visits the entries of each lane's cell, for the lanes of `rest`; cell i's entries begin at
+/// `begins[i]`. Calls `test_together(begin, end, lanes)`, to test each entry against all `lanes`,
+/// or `test_alone(begin, end, lane, lanes)`, to test the one lane against a packet of entries
+/// after another, whichever costs less.
+template <class D, class Begins, class Together, class Alone, class V = hn::Vec<D>,
+          class M = hn::Mask<D>>
+HWY_INLINE void for_each_cell(D d, const Begins& begins, V cell, M rest,
+                              const Together& test_together, const Alone& test_alone) {
+  using T = hn::TFromD<D>;
+  constexpr std::size_t most_lanes = hn::MaxLanes(D());
+  HWY_ALIGN T cells[most_lanes];
+  hn::Store(cell, d, cells);
+  while (!hn::AllFalse(d, rest)) {
+    const auto lane = static_cast<std::size_t>(hn::FindFirstTrue(d, rest));
+    const auto index = static_cast<std::size_t>(cells[lane]);
+    const std::size_t begin = begins[index];
+    const std::size_t end = begins[index + 1];
+    const M together = hn::And(rest, hn::Eq(cell, hn::Set(d, cells[lane])));
+    if (suits_packet(end - begin, hn::CountTrue(d, together), most_lanes)) {
+      test_together(begin, end, together);
+      rest = hn::AndNot(together, rest);
+    } else {
+      const M alone = hn::Eq(hn::Iota(d, T(0)), hn::Set(d, static_cast<T>(lane)));
+      test_alone(begin, end, lane, alone);
+      rest = hn::AndNot(alone, rest);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target
