@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "engine/engine.h"
 #include "server/config.h"
 #include "server/listener.h"
 #include "server/routes.h"
@@ -16,6 +17,7 @@ namespace {
 using namespace raytracer;
 
 int serve(const Config& config) {
+  keep_freed_memory();
   hold_signals();
   Services services(config);
   const RouteTable routes = make_routes(services);

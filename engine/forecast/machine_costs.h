@@ -7,10 +7,10 @@ namespace raytracer {
 
 struct MachineCosts {
   double start_ms = 0;  ///< of each pass over an image: until all threads have begun and ended
-  double pixel_ms = 0;  ///< of one thread, to write a pixel into memory that is new
+  double pixel_ms = 0;  ///< of one thread, to write a pixel into memory that it has
 };
 
-/// Takes about a millisecond, on the pool's threads and this one.
+/// Takes a few milliseconds, on the pool's threads and this one.
 MachineCosts measure_machine_costs(WorkerPool& pool);
 
 }  // namespace raytracer

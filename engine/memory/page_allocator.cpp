@@ -5,6 +5,9 @@
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace raytracer {
 namespace {
@@ -29,5 +32,13 @@ void* allocate_pages(std::size_t bytes) {
 }
 
 void free_pages(void* memory) { std::free(memory); }
+
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int most = 1 << 29;
+  mallopt(M_MMAP_THRESHOLD, most);
+  mallopt(M_TRIM_THRESHOLD, most);
+#endif
+}
 
 }  // namespace raytracer

@@ -78,7 +78,7 @@ PackedLight pack_light(const Light& light, const Frame& frame) {
     return {true, -unit(distant->direction), i};
   const Vec3 position = frame.frame_from_scene(std::get<PointLight>(light.source).position);
   // Distances in the frame are 2^-exponent times the scene's, and light falls with the square.
-  return {false, position, scaled(i / (4 * std::numbers::pi), -2 * frame.exponent)};
+  return {false, position, scaled(i / (4 * std::numbers::pi), -2 * frame.exponent())};
 }
 
 }  // namespace

@@ -262,7 +262,7 @@ Census take_census(const Scene& scene, const Frame& frame, const Features& featu
     const auto* point = std::get_if<PointLight>(&light.source);
     if (point == nullptr) continue;
     Census around_light;
-    const Frame light_frame{point->position, frame.exponent};
+    const Frame light_frame(point->position, frame.exponent());
     Counter light_counter(light_frame, scene.camera, around_light);
     for (const Object& object : scene.objects)
       std::visit([&](const auto& shape) { light_counter(shape); }, object.shape);

@@ -97,9 +97,10 @@ Json instruction_set_json(const InstructionSet& set) {
 }
 
 Json frame_json(const Frame& frame) {
-  return choice(fmt::format("the eye at the origin, one unit 2^{} of the scene's", frame.exponent),
-                "the farthest thing is then about 1 away, and scaling by a power of two is exact: "
-                "a scene of any size, however far off, is traced as well as one at home");
+  return choice(
+      fmt::format("the eye at the origin, one unit 2^{} of the scene's", frame.exponent()),
+      "the farthest thing is then about 1 away, and scaling by a power of two is exact: "
+      "a scene of any size, however far off, is traced as well as one at home");
 }
 
 Json prediction_json(const Prediction& prediction) {

@@ -6,13 +6,11 @@
 namespace raytracer {
 namespace {
 
-/// point - eye, a quarter as long: the difference of two doubles may overflow, a quarter never.
-Vec3 quarter_from_eye(const Vec3& point, const Vec3& eye) { return point * 0.25 - eye * 0.25; }
-
+/// A quarter of the extent around the eye, which may be more than a double holds.
 double quarter_extent(const Scene& scene, const Vec3& eye) {
   double extent = 0;
   const auto include = [&](const Vec3& point, double reach = 0) {
-    extent = std::max(extent, max_abs(quarter_from_eye(point, eye)) + reach * 0.25);
+    extent = std::max(extent, max_abs(point * 0.25 - eye * 0.25) + reach * 0.25);
   };
   struct Visitor {
     decltype(include)& add;
@@ -36,12 +34,6 @@ double quarter_extent(const Scene& scene, const Vec3& eye) {
 }
 
 }  // namespace
-
-Vec3 Frame::frame_from_scene(const Vec3& point) const {
-  const Vec3 difference = point - eye;
-  if (std::isfinite(max_abs(difference))) return scaled(difference, -exponent);
-  return scaled(quarter_from_eye(point, eye), 2 - exponent);
-}
 
 Frame make_frame(const Scene& scene) {
   const Vec3 eye = scene.camera.origin;

@@ -5,20 +5,42 @@
 // neither overflow nor underflow.
 #pragma once
 
+#include <cmath>
+
 #include "engine/math/vec.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {
 
-struct Frame {
-  Vec3 eye;          ///< in scene coordinates
-  int exponent = 0;  ///< one unit of the frame is 2^exponent of the scene's
+class Frame {
+ public:
+  Frame() = default;
+  Frame(const Vec3& eye, int exponent)
+      : eye_(eye),
+        exponent_(exponent),
+        first_factor_(std::ldexp(1.0, -exponent / 2)),
+        second_factor_(std::ldexp(1.0, -exponent - -exponent / 2)) {}
+
+  /// One unit of the frame is 2^exponent of the scene's.
+  int exponent() const { return exponent_; }
 
   /// A point of the scene in frame coordinates; one rounding, of the difference to the eye.
-  Vec3 frame_from_scene(const Vec3& point) const;
+  Vec3 frame_from_scene(const Vec3& point) const {
+    const Vec3 difference = point - eye_;
+    if (std::isfinite(max_abs(difference))) return difference * first_factor_ * second_factor_;
+    // The difference of two doubles may overflow, a quarter of it never.
+    return (point * 0.25 - eye_ * 0.25) * first_factor_ * second_factor_ * 4;
+  }
 
   /// A length of the scene in frame coordinates.
-  double frame_from_scene(double length) const { return std::ldexp(length, -exponent); }
+  double frame_from_scene(double length) const { return length * first_factor_ * second_factor_; }
+
+ private:
+  Vec3 eye_;  ///< in scene coordinates
+  int exponent_ = 0;
+  // Together 2^-exponent, which may be more than a double holds.
+  double first_factor_ = 1;
+  double second_factor_ = 1;
 };
 
 Frame make_frame(const Scene& scene);

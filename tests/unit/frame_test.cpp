@@ -27,7 +27,7 @@ TEST(Frame, IsTheSameForASceneScaledByAPowerOfTwo) {
   for (int exponent = -900; exponent <= 900; exponent += 37) {
     const Frame frame =
         make_frame(scene_with({}, scaled(center, exponent), std::ldexp(2.5, exponent)));
-    EXPECT_EQ(frame.exponent, plain.exponent + exponent);
+    EXPECT_EQ(frame.exponent(), plain.exponent() + exponent);
     EXPECT_EQ(frame.frame_from_scene(scaled(center, exponent)), plain.frame_from_scene(center));
     EXPECT_EQ(frame.frame_from_scene(std::ldexp(2.5, exponent)), plain.frame_from_scene(2.5));
   }
@@ -39,7 +39,7 @@ TEST(Frame, IsTheSameForAMovedScene) {
   const Vec3 center{2.5, -7, 12.125};
   const Frame plain = make_frame(scene_with(eye, center, 2.5));
   const Frame moved = make_frame(scene_with(eye + shift, center + shift, 2.5));
-  EXPECT_EQ(moved.exponent, plain.exponent);
+  EXPECT_EQ(moved.exponent(), plain.exponent());
   EXPECT_EQ(moved.frame_from_scene(center + shift), plain.frame_from_scene(center));
 }
 
@@ -61,20 +61,20 @@ TEST(Frame, KeepsEveryExtentNearOne) {
 TEST(Frame, HoldsLightsPlanesSquaresAndMeshes) {
   Scene scene;
   scene.objects.push_back({Plane{{0, -1e10, 0}, {0, 1, 0}}, 0});
-  EXPECT_NEAR(make_frame(scene).exponent, 33, 2);
+  EXPECT_NEAR(make_frame(scene).exponent(), 33, 2);
   scene.lights.push_back({PointLight{{0, 1e20, 0}}, {1, 1, 1}, 1});
-  EXPECT_NEAR(make_frame(scene).exponent, 66, 2);
+  EXPECT_NEAR(make_frame(scene).exponent(), 66, 2);
   scene.objects.push_back({SphereSquare{{}, 1e21, 1'000'000'000, Axes::xz}, 0});
-  EXPECT_NEAR(make_frame(scene).exponent, 101, 3);
+  EXPECT_NEAR(make_frame(scene).exponent(), 101, 3);
   scene.objects.push_back({Mesh{{{1e40, 0, 0}}, {}}, 0});
-  EXPECT_NEAR(make_frame(scene).exponent, 133, 2);
+  EXPECT_NEAR(make_frame(scene).exponent(), 133, 2);
   scene.objects.push_back({Spheres{{{0, 0, 0}, {0, 0, 1e50}}, {1}}, 0});
-  EXPECT_NEAR(make_frame(scene).exponent, 166, 2);
+  EXPECT_NEAR(make_frame(scene).exponent(), 166, 2);
 }
 
 TEST(Frame, OfAnEmptySceneIsTheSceneItself) {
   const Frame frame = make_frame(Scene{});
-  EXPECT_EQ(frame.exponent, 0);
+  EXPECT_EQ(frame.exponent(), 0);
   EXPECT_EQ(frame.frame_from_scene(Vec3{1, 2, 3}), (Vec3{1, 2, 3}));
 }
 
