@@ -1,0 +1,6 @@
+include(CMakeFindDependencyMacro)
+find_dependency(Threads)
+find_dependency(fmt)
+find_dependency(PkgConfig)
+pkg_check_modules(highway REQUIRED IMPORTED_TARGET libhwy)
+include(${CMAKE_CURRENT_LIST_DIR}/raytracer-targets.cmake)

@@ -1,0 +1,5 @@
+cmake_minimum_required(VERSION 3.25)
+project(example CXX)
+find_package(raytracer 0.1 REQUIRED)
+add_executable(example example.cpp)
+target_link_libraries(example PRIVATE raytracer::engine)
