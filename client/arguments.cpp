@@ -153,6 +153,8 @@ std::variant<Arguments, HelpText> read_arguments(int argc, const char* const* ar
                        "the terminal, or written as PNG when standard output is no terminal")
           ->type_name("IMAGE")
           ->check(image_path());
+  render->add_flag("--watch", render_arguments.watch,
+                   "Render again whenever the scene's file changes, until Ctrl-C");
   add_overrides(*render, render_arguments.overrides);
 
   PlanArguments plan_arguments;

@@ -18,6 +18,7 @@ struct RenderArguments {
   std::string scene;                            ///< a file, "-", or a shipped scene's name
   std::optional<std::filesystem::path> output;  ///< none: the terminal, or standard output
   Overrides overrides;
+  bool watch = false;  ///< again whenever the file changes
 };
 
 struct ValidateArguments {

@@ -7,6 +7,14 @@
 #include <string_view>
 
 namespace raytracer::client {
+namespace {
+
+std::string_view variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+}  // namespace
 
 TerminalSize terminal_size(int fd) {
   winsize size{};
@@ -14,9 +22,21 @@ TerminalSize terminal_size(int fd) {
   return {size.ws_col, size.ws_row};
 }
 
-bool takes_control_sequences() {
-  const char* type = std::getenv("TERM");
-  return std::string_view(type == nullptr ? "" : type) != "dumb";
+bool takes_control_sequences() { return variable("TERM") != "dumb"; }
+
+TerminalGraphics terminal_graphics() {
+  if (!takes_control_sequences()) return TerminalGraphics::characters;
+  const std::string_view type = variable("TERM");
+  if (!variable("TMUX").empty() || type.starts_with("screen") || type.starts_with("tmux"))
+    return TerminalGraphics::half_blocks;
+  if (!variable("KITTY_WINDOW_ID").empty() || type == "xterm-kitty" || type == "xterm-ghostty")
+    return TerminalGraphics::kitty;
+  const std::string_view program = variable("TERM_PROGRAM");
+  if (program == "iTerm.app" || program == "WezTerm" || variable("LC_TERMINAL") == "iTerm2")
+    return TerminalGraphics::iterm;
+  if (type.starts_with("foot") || type.starts_with("mlterm") || type.starts_with("contour"))
+    return TerminalGraphics::sixel;
+  return TerminalGraphics::half_blocks;
 }
 
 }  // namespace raytracer::client

@@ -14,4 +14,11 @@ TerminalSize terminal_size(int fd);
 /// True if TERM does not say that the terminal takes nothing but text.
 bool takes_control_sequences();
 
+/// How a terminal can be made to show a picture, best first.
+enum class TerminalGraphics { kitty, iterm, sixel, half_blocks, characters };
+
+/// What the terminal says of itself in TERM, TERM_PROGRAM, LC_TERMINAL and KITTY_WINDOW_ID. Inside
+/// tmux or screen, which let no images through, half blocks.
+TerminalGraphics terminal_graphics();
+
 }  // namespace raytracer::client

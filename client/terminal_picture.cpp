@@ -44,6 +44,15 @@ std::array<unsigned char, 3> mean(const Pixmap& picture, double x0, double x1, d
   return color;
 }
 
+/// A pixel to a column and two to a row.
+Pixmap fitted(const Pixmap& picture, const TerminalSize& size) {
+  const double scale =
+      std::min({1.0, static_cast<double>(std::max(size.columns, 1)) / picture.width,
+                2.0 * std::max(size.rows, 1) / picture.height});
+  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(length * scale)); };
+  return shrink(picture, scaled(picture.width), scaled(picture.height));
+}
+
 }  // namespace
 
 Pixmap read_ppm(std::string_view bytes) {
@@ -71,11 +80,7 @@ Pixmap shrink(const Pixmap& picture, int width, int height) {
 }
 
 std::string half_blocks(const Pixmap& picture, const TerminalSize& size) {
-  const double scale =
-      std::min({1.0, static_cast<double>(std::max(size.columns, 1)) / picture.width,
-                2.0 * std::max(size.rows, 1) / picture.height});
-  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(length * scale)); };
-  const Pixmap small = shrink(picture, scaled(picture.width), scaled(picture.height));
+  const Pixmap small = fitted(picture, size);
 
   std::string text;
   const auto color = [&](const char* layer, int x, int y) {
@@ -90,6 +95,23 @@ std::string half_blocks(const Pixmap& picture, const TerminalSize& size) {
       text += "▀";
     }
     text += "\033[0m\n";
+  }
+  return text;
+}
+
+std::string characters(const Pixmap& picture, const TerminalSize& size) {
+  constexpr std::string_view from_dark_to_light = " .:-=+*#%@";
+  const Pixmap pixels = fitted(picture, size);
+  const Pixmap small = shrink(pixels, pixels.width, std::max(1, pixels.height / 2));
+  std::string text;
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      const std::size_t i = channel_index(small, x, y);
+      // Luma of Rec. 709, in thousandths.
+      const int luma = (213 * small.rgb[i] + 715 * small.rgb[i + 1] + 72 * small.rgb[i + 2]) / 1000;
+      text += from_dark_to_light[static_cast<std::size_t>(luma) * from_dark_to_light.size() / 256];
+    }
+    text += '\n';
   }
   return text;
 }

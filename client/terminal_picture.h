@@ -1,5 +1,6 @@
-// A picture in a terminal: every character cell is an upper half block with the colour of one
-// pixel, on a background with the colour of the pixel below, so that pixels are nearly square.
+// A picture in the cells of a terminal. With colours every cell is an upper half block with the
+// colour of one pixel, on a background with the colour of the pixel below, so that pixels are
+// nearly square; without, a character as light as two pixels.
 #pragma once
 
 #include <string>
@@ -27,5 +28,8 @@ Pixmap shrink(const Pixmap& picture, int width, int height);
 /// Lines of 24-bit coloured half blocks that fit the columns and rows, in the picture's aspect and
 /// never larger than it is.
 std::string half_blocks(const Pixmap& picture, const TerminalSize& size);
+
+/// The same in characters from ' ' (black) to '@' (white), without control sequences.
+std::string characters(const Pixmap& picture, const TerminalSize& size);
 
 }  // namespace raytracer::client

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -40,11 +41,20 @@ std::vector<int> picture_rows(const std::string& screen) {
 
 class Terminal : public Client {
  protected:
-  /// The screen after `raytracer ARGUMENTS`, which ends well.
-  std::string shown(std::vector<std::string> arguments, int columns, int rows) {
-    PseudoTerminal terminal(
-        client_command(std::move(arguments), "", {{"RAYTRACER_SERVER", server().url()}}), columns,
-        rows);
+  using Environment = std::map<std::string, std::string>;
+
+  /// The screen after `raytracer ARGUMENTS`, which ends well, in a terminal that says
+  /// `about_itself`.
+  std::string shown(std::vector<std::string> arguments, int columns, int rows,
+                    const Environment& about_itself = {}) {
+    Environment environment{{"RAYTRACER_SERVER", server().url()},
+                            {"TERM", "xterm-256color"},
+                            {"TERM_PROGRAM", ""},
+                            {"LC_TERMINAL", ""},
+                            {"KITTY_WINDOW_ID", ""},
+                            {"TMUX", ""}};
+    for (const auto& [name, value] : about_itself) environment[name] = value;
+    PseudoTerminal terminal(client_command(std::move(arguments), "", environment), columns, rows);
     EXPECT_EQ(terminal.wait(20s), 0) << terminal.screen();
     return terminal.screen();
   }
@@ -142,6 +152,65 @@ TEST_F(Terminal, without_one_there_is_no_bar) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err.find('\r'), std::string::npos);
   EXPECT_EQ(outcome.err.find('['), std::string::npos) << outcome.err;
+}
+
+constexpr const char* png_signature_in_base64 = "iVBORw0KGgo";
+
+TEST_F(Terminal, one_that_decodes_images_gets_the_png) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
+  const auto begin = [](const std::string& before) { return before + png_signature_in_base64; };
+  for (const Environment& kitty :
+       {Environment{{"TERM", "xterm-kitty"}}, Environment{{"KITTY_WINDOW_ID", "1"}}}) {
+    const std::string screen = shown({"render", scene_}, 80, 24, kitty);
+    EXPECT_NE(screen.find(begin("\x1b_Gf=100,a=T,q=2,c=2,m=0;")), std::string::npos) << screen;
+  }
+  const std::string screen = shown({"render", scene_}, 80, 24, {{"TERM_PROGRAM", "iTerm.app"}});
+  EXPECT_NE(screen.find("\x1b]1337;File=inline=1;size="), std::string::npos) << screen;
+  EXPECT_NE(screen.find(begin(";width=2;preserveAspectRatio=1:")), std::string::npos) << screen;
+}
+
+TEST_F(Terminal, large_image_for_kitty_comes_in_chunks) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
+  const std::string screen = shown({"render", "demo"}, 80, 24, {{"TERM", "xterm-kitty"}});
+  static const std::regex chunk("\x1b_G([^;]*);([A-Za-z0-9+/=]*)\x1b\\\\");
+  std::vector<std::string> keys;
+  for (std::sregex_iterator match(screen.begin(), screen.end(), chunk), end; match != end;
+       ++match) {
+    keys.push_back(match->str(1));
+    EXPECT_LE(match->length(2), 4096);
+  }
+  ASSERT_GE(keys.size(), 3U);
+  EXPECT_EQ(keys.front(), "f=100,a=T,q=2,c=58,m=1") << "21 rows of 700 x 500";
+  EXPECT_EQ(keys.back(), "m=0");
+}
+
+TEST_F(Terminal, one_with_sixels_gets_them) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
+  const std::string screen = shown({"render", scene_}, 80, 24, {{"TERM", "foot"}});
+  EXPECT_NE(screen.find("\x1bP0;1q\"1;1;16;12#0;2;0;0;0"), std::string::npos) << screen;
+  // Colour 5 is pure blue, the background's: its first band begins with a corner.
+  EXPECT_NE(screen.find("#5!"), std::string::npos);
+  EXPECT_NE(screen.find("-\x1b\\"), std::string::npos) << "the sixels do not end";
+}
+
+TEST_F(Terminal, multiplexer_gets_half_blocks) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
+  const std::string screen =
+      shown({"render", scene_}, 80, 24, {{"KITTY_WINDOW_ID", "1"}, {"TMUX", "/tmp/x"}});
+  EXPECT_EQ(picture_rows(screen), std::vector<int>(6, 16));
+}
+
+TEST_F(Terminal, dumb_one_gets_characters) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
+  const std::string screen = shown({"render", scene_}, 80, 24, {{"TERM", "dumb"}});
+  EXPECT_EQ(screen.find('\x1b'), std::string::npos);
+  std::istringstream lines(screen);
+  std::string line;
+  for (int row = 0; row < 6; ++row) {
+    ASSERT_TRUE(std::getline(lines, line));
+    EXPECT_EQ(line.find_first_not_of(" .:-=+*#%@\r"), std::string::npos) << line;
+    EXPECT_EQ(line.size(), 17U) << "16 columns and the terminal's carriage return";
+  }
 }
 
 TEST_F(Terminal, dumb_one_gets_no_control_sequences) {

@@ -1,0 +1,98 @@
+#include "client/delivery.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <sstream>
+#include <string_view>
+
+#include "client/atomic_file.h"
+#include "client/inline_image.h"
+#include "client/sixel.h"
+#include "client/terminal_picture.h"
+
+namespace raytracer::client {
+namespace {
+
+/// "queue;dur=0.1, trace;dur=42" as "queue 0.1 ms, trace 42 ms"
+std::string stage_times(const std::string& server_timing) {
+  std::string times;
+  std::istringstream stages(server_timing);
+  for (std::string stage; std::getline(stages >> std::ws, stage, ',');) {
+    constexpr std::string_view mark = ";dur=";
+    const std::size_t at = stage.find(mark);
+    if (at == stage.npos) continue;
+    times += fmt::format("{}{} {} ms", times.empty() ? "" : ", ", stage.substr(0, at),
+                         stage.substr(at + mark.size()));
+  }
+  return times;
+}
+
+/// One line: where it went, what it is, how it was made.
+std::string summary(const std::string& place, const RenderedImage& image) {
+  std::string line = place;
+  if (const auto size = image_size(image.bytes))
+    line += fmt::format(": {} x {}", size->width_px, size->height_px);
+  const auto add = [&](const char* before, const std::string& value, const char* after) {
+    if (!value.empty()) line += fmt::format(", {}{}{}", before, value, after);
+  };
+  add("", image.samples, " samples per pixel");
+  add("", image.precision, " precision");
+  add("error ", image.error, "");
+  add("ended by ", image.stop, "");
+  if (!image.server_timing.empty()) line += "; " + stage_times(image.server_timing);
+  return line;
+}
+
+void write_to_standard_output(std::string_view bytes) {
+  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
+  if (!written || std::fflush(stdout) != 0)
+    throw InputError(fmt::format("standard output: cannot be written: {}", std::strerror(errno)));
+}
+
+}  // namespace
+
+Delivery::Delivery(const std::optional<std::filesystem::path>& file) : file_(file) {
+  if (file_)
+    check_writable(*file_);
+  else if (::isatty(STDOUT_FILENO) == 1)
+    graphics_ = terminal_graphics();
+}
+
+ImageFormat Delivery::format() const {
+  if (file_) return format_of(*file_).value();
+  const bool as_cells =
+      graphics_ && *graphics_ != TerminalGraphics::kitty && *graphics_ != TerminalGraphics::iterm;
+  return as_cells ? ImageFormat::ppm : ImageFormat::png;
+}
+
+void Delivery::operator()(const RenderedImage& image, const std::string& label) const {
+  if (file_)
+    write_atomically(*file_, image.bytes);
+  else
+    write_to_standard_output(graphics_ ? in_terminal(image) : image.bytes);
+  fmt::print(stderr, "{}\n", summary(file_ ? file_->string() : label, image));
+}
+
+std::string Delivery::in_terminal(const RenderedImage& image) const {
+  TerminalSize size = terminal_size(STDOUT_FILENO);
+  size.rows -= 3;  // the line about the image, which may wrap, and the prompt
+  switch (*graphics_) {
+    case TerminalGraphics::kitty:
+      return kitty_image(image.bytes, size);
+    case TerminalGraphics::iterm:
+      return iterm_image(image.bytes, size);
+    case TerminalGraphics::sixel:
+      return sixels(read_ppm(image.bytes), size);
+    case TerminalGraphics::half_blocks:
+      return half_blocks(read_ppm(image.bytes), size);
+    case TerminalGraphics::characters:
+      return characters(read_ppm(image.bytes), size);
+  }
+  return {};
+}
+
+}  // namespace raytracer::client

@@ -1,0 +1,33 @@
+// Where a rendered image goes: a file, the terminal, or standard output.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "client/api.h"
+#include "client/terminal.h"
+
+namespace raytracer::client {
+
+class Delivery {
+ public:
+  /// Into the file, whole or not at all; without one into the terminal, in the best way that it
+  /// has, or as it is to a standard output that is none. Throws InputError if the file cannot be
+  /// written.
+  explicit Delivery(const std::optional<std::filesystem::path>& file);
+
+  /// What the image has to be asked for as.
+  ImageFormat format() const;
+
+  /// Delivers it, and says on standard error in one line what became of the scene called `label`.
+  void operator()(const RenderedImage& image, const std::string& label) const;
+
+ private:
+  std::string in_terminal(const RenderedImage& image) const;
+
+  std::optional<std::filesystem::path> file_;
+  std::optional<TerminalGraphics> graphics_;  ///< none: not into a terminal
+};
+
+}  // namespace raytracer::client
