@@ -50,12 +50,16 @@ HWY_INLINE V power(D d, V versine, V shininess) {
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V highlight(D d, const SimdScene<T>& scene, const Surface<D>& surface,
                        const V3<V>& towards, const V3<V>& view) {
-  const V3<V> half = unit(d, add(towards, view));
+  const V3<V> sum = add(towards, view);
   if (scene.uniform_shininess >= 0) {
-    const V cosine = dot(half, surface.at.normal);
-    const V clamped_cosine = hn::Min(hn::Max(cosine, hn::Zero(d)), hn::Set(d, T(1)));
-    return integer_power(d, clamped_cosine, scene.uniform_shininess);
+    // By the cosine's square, which needs no root.
+    const V along = hn::Max(dot(sum, surface.at.normal), hn::Zero(d));
+    const V square = hn::Mul(hn::Mul(along, along), inverse(d, dot(sum, sum)));
+    const V cosine2 = hn::Min(square, hn::Set(d, T(1)));
+    const V power = integer_power(d, cosine2, scene.uniform_shininess / 2);
+    return scene.uniform_shininess % 2 == 0 ? power : hn::Mul(power, hn::Sqrt(cosine2));
   }
+  const V3<V> half = unit(d, sum);
   const V3<V> chord = sub(half, surface.at.normal);
   const V versine = hn::Mul(hn::Set(d, T(0.5)), dot(chord, chord));
   return power(d, versine, surface.material(d, scene.materials.shininess));
