@@ -34,11 +34,11 @@ struct Document {
     };
   };
 
-  std::string_view source;      ///< strings without escapes stay where they are
-  LargeArray<Node> nodes;       ///< nodes[0] is the whole document
-  LargeArray<double> numbers;   ///< those of arrays of nothing else
-  std::string text;             ///< other strings and keys, one behind the other
-  ErrorList errors;             ///< duplicate keys, and numbers too large for a double
+  std::string_view source;     ///< strings without escapes stay where they are
+  LargeArray<Node> nodes;      ///< nodes[0] is the whole document
+  LargeArray<double> numbers;  ///< those of arrays of nothing else
+  std::string text;            ///< other strings and keys, one behind the other
+  ErrorList errors;            ///< duplicate keys, and numbers too large for a double
 
   std::string_view string(const Span& place) const {
     if (place.begin < source.size()) return source.substr(place.begin, place.size);

@@ -240,7 +240,8 @@ class QuickParser {
       const std::int64_t written_count = take_digits(written);
       if (written_count == 0) return {};
       if (written_count > 4) return nearest_double(number, at_);
-      exponent += is_small ? -static_cast<std::int64_t>(written) : static_cast<std::int64_t>(written);
+      exponent +=
+          is_small ? -static_cast<std::int64_t>(written) : static_cast<std::int64_t>(written);
     }
     if (count > digits_in_64_bits) return nearest_double(number, at_);
 
