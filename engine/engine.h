@@ -4,7 +4,7 @@
 //   Result<Scene> scene = read_scene(text, Limits{});
 //   RenderProgress progress;
 //   Rendering rendering = render(scene.value(), Limits{}, pool, progress);
-//   std::string png = encode(rendering.image, ImageFormat::png);
+//   std::string png = encode(rendering.image, ImageFormat::png, pool);
 //
 // Everything is in namespace raytracer. Functions are pure unless they say otherwise; after a
 // Scene exists nothing is expected to fail, and a broken invariant throws std::logic_error.

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <optional>
@@ -84,12 +83,11 @@ std::int64_t body_length(const httplib::Request& request) {
 std::string read_body(Call& call) {
   using Clock = std::chrono::steady_clock;
   constexpr std::size_t bytes_per_s = 1'000'000;
-  constexpr std::size_t reserved_unseen = 1 << 20;  // more is not taken on the client's word
   const auto length = static_cast<std::size_t>(body_length(call.request));
   const auto deadline =
       Clock::now() + std::chrono::seconds(30) + std::chrono::seconds(length / bytes_per_s);
   std::string body;
-  body.reserve(std::min(length, reserved_unseen));
+  body.reserve(length);  // growing, it would be held twice; what does not arrive is not written
   const bool is_complete = (*call.content)([&](const char* bytes, std::size_t count) {
     body.append(bytes, count);
     return Clock::now() < deadline;

@@ -75,9 +75,9 @@ bool answer_not_modified(Call& call, const Reproducible& digest, ImageFormat for
 }
 
 void answer_image(Call& call, const Rendering& rendering, const Preparation& before,
-                  const Reproducible& digest, ImageFormat format) {
+                  const Reproducible& digest, ImageFormat format, WorkerPool& pool) {
   const auto begin = std::chrono::steady_clock::now();
-  std::string bytes = encode(rendering.image, format);
+  std::string bytes = encode(rendering.image, format, pool);
   const std::chrono::duration<double, std::milli> encoding =
       std::chrono::steady_clock::now() - begin;
 

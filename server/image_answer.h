@@ -30,7 +30,7 @@ struct Preparation {
 };
 
 void answer_image(Call& call, const Rendering& rendering, const Preparation& before,
-                  const Reproducible& digest, ImageFormat format);
+                  const Reproducible& digest, ImageFormat format, WorkerPool& pool);
 
 /// The fields that a GET would have, without drawing anything: for HEAD.
 void answer_image_head(Call& call, const Reproducible& digest, ImageFormat format);

@@ -68,7 +68,7 @@ void get_job_image(Services& services, Call& call) {
   if (!rendering) refuse_without_image(*job);
   if (answer_not_modified(call, job->digest, format)) return;
   if (call.is_head()) return answer_image_head(call, job->digest, format);
-  answer_image(call, *rendering, job->preparation(), job->digest, format);
+  answer_image(call, *rendering, job->preparation(), job->digest, format, services.pool);
 }
 
 void delete_job(Services& services, Call& call) {

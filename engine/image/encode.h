@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/image/image.h"
+#include "engine/parallel/worker_pool.h"
 
 namespace raytracer {
 
@@ -13,10 +14,13 @@ enum class ImageFormat {
   pfm,  ///< PF, little-endian floats from the bottom row up, image/x-portable-floatmap
 };
 
-/// The 8-bit value of a channel in [0, 1]: floor(255 c + 1/2).
-unsigned char to_byte(float channel);
+/// The 8-bit value of a channel in [0, 1]: floor(255 c + 1/2), exact in double.
+inline unsigned char to_byte(float channel) {
+  return static_cast<unsigned char>(static_cast<int>(255 * static_cast<double>(channel) + 0.5));
+}
 
-/// The file's bytes. Throws std::runtime_error if the encoder fails (out of memory).
-std::string encode(const Image& image, ImageFormat format);
+/// The file's bytes, made on the pool's threads; the same however many there are.
+/// Throws std::bad_alloc, or std::runtime_error if the encoder fails.
+std::string encode(const Image& image, ImageFormat format, WorkerPool& pool);
 
 }  // namespace raytracer

@@ -1,5 +1,6 @@
 #include "engine/memory/page_allocator.h"
 
+#include <cstdint>
 #include <cstdlib>
 
 #ifdef __linux__
@@ -17,16 +18,16 @@ constexpr std::size_t huge_page = std::size_t{1} << 21;
 }  // namespace
 
 void* allocate_pages(std::size_t bytes) {
-  if (bytes < huge_page) {
-    void* const memory = std::malloc(bytes);
-    if (memory == nullptr && bytes > 0) throw std::bad_alloc();
-    return memory;
-  }
-  const std::size_t whole_pages = (bytes + huge_page - 1) / huge_page * huge_page;
-  void* const memory = std::aligned_alloc(huge_page, whole_pages);
-  if (memory == nullptr) throw std::bad_alloc();
+  // Not aligned_alloc: before glibc 2.38 it takes no freed memory but what is larger by the
+  // alignment, so that a program that allocates the same again and again grows without end.
+  void* const memory = std::malloc(bytes);
+  if (memory == nullptr && bytes > 0) throw std::bad_alloc();
 #ifdef __linux__
-  madvise(memory, whole_pages, MADV_HUGEPAGE);  // a wish: a refusal changes nothing
+  const auto begin = reinterpret_cast<std::uintptr_t>(memory);
+  const std::uintptr_t first = (begin + huge_page - 1) / huge_page * huge_page;
+  const std::uintptr_t last = (begin + bytes) / huge_page * huge_page;
+  if (first < last)  // a wish: a refusal changes nothing
+    madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
 #endif
   return memory;
 }
@@ -38,6 +39,7 @@ void keep_freed_memory() {
   constexpr int most = 1 << 29;
   mallopt(M_MMAP_THRESHOLD, most);
   mallopt(M_TRIM_THRESHOLD, most);
+  mallopt(M_ARENA_MAX, 1);  // each arena would keep as much of its own
 #endif
 }
 

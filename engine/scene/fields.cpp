@@ -36,6 +36,8 @@ bool expect(const Field& field, JsonKind kind, std::string_view wanted) {
 /// Exactly three numbers within `range`.
 std::optional<Vec3> read_triple(const Field& field, const Range& range, std::string_view wanted) {
   if (!expect(field, JsonKind::array, wanted)) return {};
+  const std::span<const double> valid = numbers_within(field.value, range);
+  if (valid.size() == 3) return Vec3{valid[0], valid[1], valid[2]};
   std::array<std::optional<double>, 3> numbers;
   std::size_t count = 0;
   read_elements(field, [&](const Field& element) {
@@ -63,6 +65,13 @@ std::string Range::describe() const {
   if (std::isinf(least)) return fmt::format("at most {}", most);
   if (std::isinf(most)) return fmt::format("{} {}", least_excluded ? "above" : "at least", least);
   return fmt::format("{} {} to {}", least_excluded ? "above" : "from", least, most);
+}
+
+std::span<const double> numbers_within(const JsonValue& value, const Range& range) {
+  const std::span<const double> numbers = value.numbers();
+  const bool is_valid = std::all_of(numbers.begin(), numbers.end(),
+                                    [&](double number) { return range.contains(number); });
+  return is_valid ? numbers : std::span<const double>{};
 }
 
 std::optional<double> read_number(const Field& field, const Range& range) {

@@ -48,6 +48,10 @@ inline constexpr Range not_negative{.least = 0};
 inline constexpr Range positive{.least = 0, .least_excluded = true};
 inline constexpr Range unit_interval{.least = 0, .most = 1};
 
+/// The elements of an array of numbers, if all are in `range`; otherwise nothing, and no error:
+/// large scenes are made of these, and one that fails is looked at again number by number.
+std::span<const double> numbers_within(const JsonValue& value, const Range& range);
+
 std::optional<double> read_number(const Field& field, const Range& range = any_number);
 
 /// A number without a fraction, 3 and 3.0 alike, from `least` to `most`.

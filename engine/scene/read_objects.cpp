@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -17,7 +18,7 @@ std::optional<double> read_radius(const Field& field) { return read_number(field
 std::optional<std::vector<Vec3>> read_points(const Field& field) {
   if (!expect_array(field)) return {};
   std::vector<Vec3> points;
-  points.reserve(field.value.node_count() / 4);
+  points.reserve(field.value.node_count());  // of points that are arrays of numbers, one each
   read_elements(
       field, [&](const Field& element) { points.push_back(read_point(element).value_or(Vec3{})); });
   return points;
@@ -39,10 +40,11 @@ std::optional<std::vector<double>> read_radii(const Field& field,
     if (!radius) return {};
     return std::vector{*radius};
   }
-  std::vector<double> radii;
-  radii.reserve(field.value.node_count());
-  read_elements(field,
-                [&](const Field& element) { radii.push_back(read_radius(element).value_or(1)); });
+  const std::span<const double> valid = numbers_within(field.value, positive);
+  std::vector<double> radii(valid.begin(), valid.end());
+  if (radii.empty())
+    read_elements(field,
+                  [&](const Field& element) { radii.push_back(read_radius(element).value_or(1)); });
   if (center_count && radii.size() != *center_count) {
     field.refuse(fmt::format("{} radii for {} centers: give one number, or one for each center",
                              radii.size(), *center_count));
@@ -94,9 +96,18 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> read_triangles(
       vertex_count ? static_cast<std::int64_t>(*vertex_count) - 1 : largest_index;
   if (!expect_array(field)) return {};
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  triangles.reserve(field.value.node_count() / 4);
+  triangles.reserve(field.value.node_count());
+  const Range valid_index{.least = 0, .most = static_cast<double>(last_vertex)};
+  const auto is_integer = [](double number) { return number == std::floor(number); };
   read_elements(field, [&](const Field& element) {
     std::array<std::uint32_t, 3> triangle{};
+    const std::span<const double> valid = numbers_within(element.value, valid_index);
+    if (valid.size() == 3 && std::all_of(valid.begin(), valid.end(), is_integer)) {
+      std::transform(valid.begin(), valid.end(), triangle.begin(),
+                     [](double index) { return static_cast<std::uint32_t>(index); });
+      triangles.push_back(triangle);
+      return;
+    }
     std::size_t count = 0;
     if (!expect_array(element)) return;
     read_elements(element, [&](const Field& corner) {
@@ -135,6 +146,8 @@ std::vector<Object> read_objects(const Field& field, MaterialReader& materials) 
   }};
   std::vector<Object> objects;
   if (!expect_array(field)) return objects;
+  constexpr std::size_t fewest_nodes = 7;  // of an object: it, a type and two arrays or numbers
+  objects.reserve(field.value.node_count() / fewest_nodes);
   read_elements(field, [&](const Field& element) {
     std::optional<Shape> shape = read_typed(element, readers);
     if (!shape) return;

@@ -24,7 +24,7 @@ ProjectRun run_project(std::string_view document, const Overrides& overrides, Wo
   run.image = std::move(rendering.image);
 
   const Stopwatch encode_watch;
-  const std::string png = encode(run.image, ImageFormat::png);
+  const std::string png = encode(run.image, ImageFormat::png, pool);
   run.times.encode_ms = encode_watch.elapsed_ms();
   return run;
 }

@@ -48,7 +48,7 @@ std::string render_small(const std::string& document) {
   const Result<Scene> scene = read_scene(document, Limits{}, overrides);
   WorkerPool pool(2);
   RenderProgress progress;
-  return encode(render(scene.value(), Limits{}, pool, progress).image, ImageFormat::png);
+  return encode(render(scene.value(), Limits{}, pool, progress).image, ImageFormat::png, pool);
 }
 
 class Golden : public testing::TestWithParam<std::string> {};

@@ -16,5 +16,5 @@ int main() {
   raytracer::WorkerPool pool(2);
   raytracer::RenderProgress progress;
   const auto rendering = raytracer::render(scene.value(), raytracer::Limits{}, pool, progress);
-  std::cout << raytracer::encode(rendering.image, raytracer::ImageFormat::png);
+  std::cout << raytracer::encode(rendering.image, raytracer::ImageFormat::png, pool);
 }

@@ -31,7 +31,7 @@ const std::map<std::string, Folders> further_refusals{
     {"engine/parallel", {"engine/measure"}},
     {"engine/math", {"engine/measure", "engine/parallel"}},
     {"engine/scene", {"engine/measure", "engine/parallel"}},
-    {"engine/image", {"engine/measure", "engine/parallel"}},
+    {"engine/image", {"engine/measure"}},
     {"engine/plan", {"engine/image"}},
     {"engine/pack", {"engine/measure", "engine/image"}},
     {"engine/accel", {"engine/measure", "engine/scene", "engine/image"}},

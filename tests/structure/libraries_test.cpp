@@ -23,7 +23,8 @@ void expect_users(std::string_view header, const std::function<bool(const std::s
 
 TEST(Libraries, json_is_where_json_is_read_or_written) {
   expect_users("nlohmann/", [](const std::string& path) {
-    return path == "engine/scene/document.cpp" ||        // reads scenes
+    return path == "engine/scene/thorough_parse.cpp" ||  // reads scenes
+           path == "engine/scene/quick_parse.cpp" ||     // reads their unusual strings
            path == "engine/plan/explain.cpp" ||          // writes plans
            path == "server/answer.h" ||                  // writes answers (forward declarations)
            path == "server/answer.cpp" ||                //
@@ -47,6 +48,12 @@ TEST(Libraries, http_is_in_the_server_and_the_clients_api) {
 TEST(Libraries, png_encoder_is_in_one_file) {
   expect_users("stb_image_write.h",
                [](const std::string& path) { return path == "engine/image/png.cpp"; });
+}
+
+TEST(Libraries, compression_is_beside_it) {
+  expect_users("isa-l/", [](const std::string& path) {
+    return path == "engine/image/png.cpp" || path == "engine/image/zlib_stream.cpp";
+  });
 }
 
 TEST(Libraries, digests_are_in_two_files) {

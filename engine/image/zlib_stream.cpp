@@ -1,0 +1,98 @@
+#include "engine/image/zlib_stream.h"
+
+#include <isa-l/igzip_lib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+#include "engine/parallel/chunks.h"
+
+namespace raytracer {
+namespace {
+
+// Of the demo's picture, 1 MB, strips of 64, 128 and 256 KiB take 1.87, 1.78 and 1.75 ms on one
+// thread and give 294.6, 293.4 and 293.7 kB; smaller ones are shared out better.
+constexpr std::size_t strip_size = std::size_t{128} << 10;
+
+// Incompressible bytes are stored: 5 bytes for each 65,535, and 5 of the flush.
+constexpr std::size_t largest_compressed_strip = strip_size + 64;
+
+/// Adler-32 (RFC 1950) as its two sums, for a piece of a text.
+struct Checksum {
+  static constexpr std::uint32_t modulus = 65521;
+  std::uint32_t bytes = 1;
+  std::uint32_t sums = 0;
+
+  explicit Checksum(std::uint32_t adler) : bytes(adler & 0xffff), sums(adler >> 16) {}
+
+  /// For the text with `next`, of `size` bytes, behind it.
+  void append(const Checksum& next, std::size_t size) {
+    // Each of next's sums began with 1 where it ought to have begun with this one's.
+    const std::uint64_t missing = bytes + modulus - 1;
+    sums = static_cast<std::uint32_t>((sums + next.sums + size % modulus * missing) % modulus);
+    bytes = static_cast<std::uint32_t>((next.bytes + missing) % modulus);
+  }
+
+  std::uint32_t value() const { return sums << 16 | bytes; }
+};
+
+/// Deflates `bytes` to `out`, which has room for largest_compressed_strip. Returns the size.
+std::size_t deflate_strip(std::span<const unsigned char> bytes, bool is_last, unsigned char* out) {
+  constexpr int level = 1;
+  LargeArray<std::uint8_t> work_area(ISAL_DEF_LVL1_DEFAULT);
+  isal_zstream stream;
+  isal_deflate_stateless_init(&stream);
+  stream.level = level;
+  stream.level_buf = work_area.data();
+  stream.level_buf_size = static_cast<std::uint32_t>(work_area.size());
+  stream.end_of_stream = is_last ? 1 : 0;
+  stream.flush = is_last ? NO_FLUSH : FULL_FLUSH;
+  // ISA-L's input is not const, but it only reads it.
+  stream.next_in = const_cast<unsigned char*>(bytes.data());
+  stream.avail_in = static_cast<std::uint32_t>(bytes.size());
+  stream.next_out = out;
+  stream.avail_out = largest_compressed_strip;
+  if (isal_deflate_stateless(&stream) != COMP_OK || stream.avail_in != 0)
+    throw std::runtime_error("ISA-L does not compress a picture");
+  return stream.total_out;
+}
+
+}  // namespace
+
+LargeArray<unsigned char> compress_zlib(std::span<const unsigned char> bytes, WorkerPool& pool) {
+  const std::size_t count = (bytes.size() + strip_size - 1) / strip_size;
+  LargeArray<unsigned char> pieces(count * largest_compressed_strip);  // mostly never touched
+  std::vector<std::size_t> sizes(count);
+  std::vector<Checksum> checksums(count, Checksum(1));
+  const auto strip = [&](std::size_t i) {
+    return bytes.subspan(i * strip_size, std::min(strip_size, bytes.size() - i * strip_size));
+  };
+  const auto compress = [&](std::size_t i) {
+    sizes[i] =
+        deflate_strip(strip(i), i == count - 1, pieces.data() + i * largest_compressed_strip);
+    checksums[i] = Checksum(isal_adler32(1, strip(i).data(), strip(i).size()));
+  };
+  if (count == 1) {
+    compress(0);
+  } else {
+    const std::atomic<bool> never{false};
+    pool.run(count, compress, never);
+  }
+
+  constexpr std::array<unsigned char, 2> header{0x78, 0x01};  // deflate, 32 KiB back, fastest
+  LargeArray<unsigned char> stream(header.begin(), header.end());
+  Checksum checksum(1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const unsigned char* const piece = pieces.data() + i * largest_compressed_strip;
+    stream.insert(stream.end(), piece, piece + sizes[i]);
+    checksum.append(checksums[i], strip(i).size());
+  }
+  for (int shift = 24; shift >= 0; shift -= 8)
+    stream.push_back(static_cast<unsigned char>(checksum.value() >> shift));
+  return stream;
+}
+
+}  // namespace raytracer

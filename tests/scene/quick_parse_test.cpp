@@ -1,0 +1,285 @@
+// The quick parser against the thorough one, which is the definition: whatever it accepts, the
+// other finds without error and reads as the same values, to the bit.
+
+#include "engine/scene/quick_parse.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "engine/scene/thorough_parse.h"
+#include "tests/scene/full_document.h"
+
+namespace raytracer::test {
+namespace {
+
+/// The values of an array, or the keys as strings and the values of an object.
+std::vector<std::pair<std::string, JsonValue>> parts_of(JsonValue value) {
+  std::vector<std::pair<std::string, JsonValue>> parts;
+  if (value.kind() == JsonKind::array)
+    value.for_each_element([&](JsonValue element) { parts.emplace_back("", element); });
+  else
+    value.for_each_member([&](std::string_view key, JsonValue member) {
+      parts.emplace_back(std::string(key), member);
+    });
+  return parts;
+}
+
+bool are_equal(JsonValue a, JsonValue b) {
+  if (a.kind() != b.kind()) return false;
+  switch (a.kind()) {
+    case JsonKind::null:
+    case JsonKind::boolean:
+      return true;
+    case JsonKind::number:
+      return std::bit_cast<std::uint64_t>(a.number()) == std::bit_cast<std::uint64_t>(b.number());
+    case JsonKind::string:
+      return a.string() == b.string();
+    case JsonKind::array:
+    case JsonKind::object:
+      break;
+  }
+  const auto a_parts = parts_of(a);
+  const auto b_parts = parts_of(b);
+  return std::equal(a_parts.begin(), a_parts.end(), b_parts.begin(), b_parts.end(),
+                    [](const auto& x, const auto& y) {
+                      return x.first == y.first && are_equal(x.second, y.second);
+                    });
+}
+
+/// Whether the quick parser accepts the text; a failure if it then disagrees with the thorough one.
+bool is_accepted(const std::string& text) {
+  const std::optional<Document> quick = parse_quickly(text);
+  if (!quick) return false;
+  const Result<Document> thorough = parse_thoroughly(text);
+  EXPECT_TRUE(thorough.ok()) << text.substr(0, 1000);
+  if (!thorough.ok()) return true;
+  EXPECT_TRUE(thorough.value().errors.empty()) << text.substr(0, 1000);
+  EXPECT_TRUE(are_equal(JsonValue(*quick), JsonValue(thorough.value()))) << text.substr(0, 1000);
+  return true;
+}
+
+/// Valid documents of all sorts.
+std::vector<std::string> documents() {
+  std::vector<std::string> texts{
+      full_document().dump(),
+      full_document().dump(2),
+      "\xef\xbb\xbf" + full_document().dump(),
+      "\xef\xbb\xbf {}",
+      "[]",
+      "{}",
+      " \t\r\n[ ] \n",
+      "0",
+      "\"\"",
+      "null",
+      R"([true, false, null, "a", {}, [], [[]], 1, [1], [1, 2.5, -3e2], [1, "a"], [1, [2], 3]])",
+      R"([1, 2, 3, null, 4, [5, 6], 7, {"a": [8, 9], "b": 10}])",
+      R"({"": {"": {"": []}}, "a": "", "A": 0, "aa": [0]})",
+      R"({"a/b~": "\u0000\ud83d\ude00\"\\\/\b\f\n\r\t", "\u0061": 1, "b": "\u00e4"})",
+      "{\"\xc3\xa4\": \"\xf0\x9f\x98\x80 \x7f\", \"plain\": \"plain\", \"\\\"\": \"\\\\\"}",
+      std::string(64, '[') + std::string(64, ']')};
+  for (const auto& entry : std::filesystem::directory_iterator(RAYTRACER_SCENES_DIR)) {
+    std::ifstream file(entry.path());
+    texts.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+  std::string many_keys = "{\"0\": 0";
+  for (int i = 1; i < 100; ++i) many_keys += ", \"" + std::to_string(i) + "\": {}";
+  texts.push_back(many_keys + "}");
+  return texts;
+}
+
+TEST(QuickParse, AcceptsValidDocuments) {
+  ASSERT_GT(documents().size(), 20U) << "where are the scenes?";
+  for (const std::string& text : documents()) EXPECT_TRUE(is_accepted(text)) << text;
+}
+
+TEST(QuickParse, LeavesErrorsToTheThoroughParser) {
+  for (const std::string text : {R"({"a": 1, "a": 1})",
+                                 R"({"a": 1, "\u0061": 1})",
+                                 R"({"x": [{"b": 1, "c": [], "b": 2}]})",
+                                 "1e400",
+                                 "[1, -1e400]",
+                                 R"({"a": {"b": 1e309}})",
+                                 "{\"a\": 1,}",
+                                 "[1,]",
+                                 "[1 2]",
+                                 "{1: 2}",
+                                 "{\"a\" 1}",
+                                 "[1}",
+                                 "{\"a\": 1]",
+                                 "[",
+                                 "{",
+                                 "\"",
+                                 "\"\\",
+                                 "tru",
+                                 "nul",
+                                 "True",
+                                 "NaN",
+                                 "01",
+                                 "-",
+                                 "-01",
+                                 "+1",
+                                 ".5",
+                                 "5.",
+                                 "1e",
+                                 "1e+",
+                                 "1.e5",
+                                 "0x1",
+                                 "--1",
+                                 "1-",
+                                 "[] []",
+                                 "[]x",
+                                 "\"\n\"",
+                                 "\"\t\"",
+                                 "\"\\x\"",
+                                 "\"\\u12\"",
+                                 "\"\\ud800\"",
+                                 "\"\\udc00\"",
+                                 "\"\xff\"",
+                                 "\"\xc3\"",
+                                 "\"\xed\xa0\x80\"",
+                                 "\"\xc0\x80\"",
+                                 "\"\xf4\x90\x80\x80\"",
+                                 "",
+                                 " ",
+                                 "\xef\xbb\xbf",
+                                 "\xef\xbb",
+                                 "[1, // no\n 2]"})
+    EXPECT_FALSE(parse_quickly(text)) << text;
+  EXPECT_FALSE(parse_quickly(std::string("[]\0x", 4)));
+  EXPECT_FALSE(parse_quickly(std::string("\"a\0b\"", 5)));
+  EXPECT_FALSE(parse_quickly(std::string(65, '[') + std::string(65, ']')));
+  std::string many_keys = "{\"50\": 0";
+  for (int i = 0; i < 100; ++i) many_keys += ", \"" + std::to_string(i) + "\": 0";
+  EXPECT_FALSE(parse_quickly(many_keys + "}"));
+}
+
+TEST(QuickParse, ReadsNumbersAsTheThoroughParser) {
+  std::vector<std::string> numbers{"0",
+                                   "-0",
+                                   "0.0",
+                                   "-0.0",
+                                   "0e5",
+                                   "-0e-5",
+                                   "0.1",
+                                   "1e22",
+                                   "1e23",
+                                   "-1e-22",
+                                   "123456789012345678",
+                                   "9007199254740993",
+                                   "-9007199254740993",
+                                   "9007199254740993.0",
+                                   "18446744073709551615",
+                                   "18446744073709551616",
+                                   "-9223372036854775808",
+                                   "-9223372036854775809",
+                                   "1e308",
+                                   "1.7976931348623157e308",
+                                   "2.2250738585072014e-308",
+                                   "5e-324",
+                                   "3e-324",
+                                   "1E5",
+                                   "1e+5",
+                                   "0.30000000000000004",
+                                   "1e0000000005",
+                                   "1e-0000000005",
+                                   "100000000000000000000000e-23",
+                                   "0.000000000000000000000001e24",
+                                   "2.2250738585072011e-308",
+                                   "1" + std::string(300, '0'),
+                                   "0." + std::string(300, '0') + "1",
+                                   std::string(50, '9')};
+  for (const std::string& number : numbers) EXPECT_TRUE(is_accepted(number)) << number;
+  std::mt19937_64 generator(1);
+  const auto below = [&](std::uint64_t limit) { return generator() % limit; };
+  for (int i = 0; i < 200'000; ++i) {
+    std::string number = below(2) == 0 ? "" : "-";
+    number += std::to_string(below(2) == 0 ? below(1000) : generator() >> below(64));
+    if (below(2) == 0) number += '.' + std::to_string(generator() >> below(64));
+    if (below(3) == 0) number += 'e' + std::to_string(static_cast<int>(below(80)) - 40);
+    ASSERT_TRUE(is_accepted(number)) << number;
+    ASSERT_TRUE(is_accepted("[1," + number + "]")) << number;
+  }
+}
+
+TEST(QuickParse, AgreesAboutMutations) {
+  static constexpr std::array<const char*, 40> pieces{"",
+                                                      "\"",
+                                                      "\\",
+                                                      "{",
+                                                      "}",
+                                                      "[",
+                                                      "]",
+                                                      ",",
+                                                      ":",
+                                                      "0",
+                                                      "1",
+                                                      "-",
+                                                      "+",
+                                                      ".",
+                                                      "e",
+                                                      "E",
+                                                      "1e400",
+                                                      "1e-400",
+                                                      "true",
+                                                      "false",
+                                                      "null",
+                                                      " ",
+                                                      "\n",
+                                                      "\t",
+                                                      "\0",
+                                                      "[1,",
+                                                      "]]",
+                                                      "{\"a\":",
+                                                      "\"a\"",
+                                                      "\\u0041",
+                                                      "\\ud800",
+                                                      "\\n",
+                                                      "\xc3\xa4",
+                                                      "\xff",
+                                                      "\xed\xa0\x80",
+                                                      "\xef\xbb\xbf",
+                                                      "\"type\":",
+                                                      "1.5",
+                                                      "-0",
+                                                      "9999999999999999999999"};
+  std::mt19937_64 generator(1);
+  const auto below = [&](std::size_t limit) { return generator() % limit; };
+  const std::vector<std::string> originals = documents();
+  int accepted = 0;
+  int refused = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    std::string text = originals[below(originals.size())];
+    if (text.size() > 5000) text = originals[below(3)];
+    for (std::size_t k = below(3) + 1; k > 0; --k) {
+      const std::size_t at = below(text.size() + 1);
+      switch (below(4)) {
+        case 0:
+          text.insert(at, pieces[below(pieces.size())]);
+          break;
+        case 1:
+          text.replace(at, below(4), pieces[below(pieces.size())]);
+          break;
+        case 2:
+          text.erase(at, below(10));
+          break;
+        default:
+          text.insert(below(text.size() + 1), text.substr(at, below(40)));
+      }
+    }
+    (is_accepted(text) ? accepted : refused) += 1;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(accepted, 6000);
+  EXPECT_GT(refused, 6000);
+}
+
+}  // namespace
+}  // namespace raytracer::test
