@@ -166,17 +166,20 @@ std::string legend() {
   return text;
 }
 
-/// Names beside points, each where no other stands; where there is no room, none.
+/// Names beside points: below the front, where nothing else is, or above it where no mark is in
+/// the way; where there is no room, none.
 class Names {
  public:
+  void keep_clear_of_mark(double x, double y) { taken_.push_back({x - 6, y - 6, x + 6, y + 6}); }
+
   std::string place(double x, double y, const std::string& name) {
     constexpr double letter = 5.9;
     constexpr double tall = 12;
     const double length = letter * static_cast<double>(name.size());
-    const std::array<Box, 2> places{{{x + 8, y - 7 - tall, x + 8 + length, y - 7},
-                                     {x - 8 - length, y + 6, x - 8, y + 6 + tall}}};
+    const std::array<Box, 2> places{{{x - 8 - length, y + 3, x - 8, y + 3 + tall},
+                                     {x + 8, y - 7 - tall, x + 8 + length, y - 7}}};
     for (const Box& box : places) {
-      if (box.x0 < left || box.x1 > right + 20 || box.y1 > bottom ||
+      if (box.x0 < left || box.x1 > right || box.y1 > bottom ||
           std::any_of(taken_.begin(), taken_.end(),
                       [&](const Box& other) { return box.meets(other); }))
         continue;
@@ -201,6 +204,8 @@ std::string marks(const std::vector<CurvePoint>& points, const Frame& frame) {
   std::string drawn;
   std::string names;
   Names placed;
+  for (const CurvePoint& point : points)
+    placed.keep_clear_of_mark(frame.x(point.trace_ms), frame.y(point.rmse));
   for (const CurvePoint& point : points) {
     const double x = frame.x(point.trace_ms);
     const double y = frame.y(point.rmse);

@@ -67,7 +67,7 @@ std::string plot(const std::vector<CurvePoint>& points) {
     if (at + number.size() <= numbers.size()) numbers.replace(at, number.size(), number);
   }
   std::string text = "    rmse\n";
-  for (const std::string& row : rows) text += row + '\n';
+  for (const std::string& row : rows) text += row.substr(0, row.find_last_not_of(' ') + 1) + '\n';
   return text + line + '\n' + numbers + " ms\n";
 }
 
@@ -91,7 +91,7 @@ std::string curve_text(const Curve& curve, const std::string& label) {
       "Errors are against {} samples per pixel in double precision, which are\n"
       "estimated to be off by at most {:.1g} themselves.\n\n"
       "{}\n{}\n"
-      "* nothing else is as fast and as accurate   ~ another picture: parts are left out\n\n{}",
+      "* nothing else is as fast and as accurate   ~ parts of the picture are left out\n\n{}",
       label, curve.width_px, curve.height_px, curve.thread_count,
       curve.thread_count == 1 ? "" : "s", curve.reference_samples, curve.reference_error,
       table(curve.points), plot(curve.points), choices(curve));

@@ -6,7 +6,7 @@
 namespace raytracer::client {
 
 LogAxis::LogAxis(const std::vector<double>& values) {
-  constexpr double room = 0.12;  // of a decade
+  constexpr double room = 0.2;  // of a decade
   double least = 0;
   double most = 0;
   for (const double value : values) {

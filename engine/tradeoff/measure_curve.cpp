@@ -165,7 +165,9 @@ class Series {
   }
 
  private:
-  int most_samples() const { return *reference_.description.settings.samples; }
+  /// For a target: beyond the reference's samples little can be told. Passes grow by fours, so the
+  /// last is not cut to the reference's own samples, which would seem to be without an error.
+  int most_samples() const { return *reference_.description.settings.samples / 3 * growth; }
 
   /// Whether it can tell more than its cheaper neighbour did, and will probably be done in time.
   bool is_worth_it(const CurveSettings& settings) const {
