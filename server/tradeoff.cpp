@@ -48,7 +48,6 @@ Json contract_json(const CurvePoint& point) {
   json["estimated_error"] = nullptr;
   if (point.estimated_error) json["estimated_error"] = *point.estimated_error;
   json["samples"] = point.samples_per_pixel;
-  json["reached"] = point.reached_target;
   return json;
 }
 

@@ -9,7 +9,7 @@
 namespace raytracer {
 
 /// How long a curve may take where its scene leaves a choice: as long as a person waits for one.
-inline constexpr double most_curve_ms = 20'000;
+inline constexpr double most_curve_ms = 30'000;
 
 /// The query to read the scene with: the document's samples and contracts count for nothing.
 /// Throws Refusal 400 for a parameter that sets what a curve varies.

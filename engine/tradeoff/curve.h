@@ -37,8 +37,7 @@ struct CurvePoint {
 
   double samples_per_pixel = 0;           ///< mean
   std::optional<double> estimated_error;  ///< what the render itself said, if it did
-  bool reached_target = false;
-  bool pareto = false;  ///< see mark_pareto
+  bool pareto = false;                    ///< see mark_pareto
 };
 
 /// What all points are compared with.

@@ -16,9 +16,10 @@ namespace {
 constexpr std::array targets{0.03, 0.01, 0.003, 0.001, 0.0005};
 
 constexpr int growth = 4;                            // of the samples from point to point
-constexpr int reference_lead = 12;                   // times the samples of any point, at least
+constexpr int reference_lead = 8;                    // times the samples of any point, at least
 constexpr int most_samples_of_another_picture = 16;  // more do not bring back what is left out
 
+constexpr double share_of_first_pictures = 0.85;  // of the allowance; then they are repeated
 constexpr std::size_t most_repetitions = 5;
 constexpr double short_ms = 100;  // of a picture that is repeated
 
@@ -61,8 +62,6 @@ std::vector<CurveSettings> settings_to_measure(const Scene& scene,
       all.push_back(with_samples(samples));
       all.back().precision = precision;
     }
-  for (const double target : targets)
-    if (target >= reference.estimated_error) all.push_back(with_target(target));
   for (int samples = 1; samples <= std::min(most_samples, most_samples_of_another_picture);
        samples *= growth) {
     if (has_shadows(scene)) {
@@ -74,6 +73,9 @@ std::vector<CurveSettings> settings_to_measure(const Scene& scene,
       all.back().without_reflections = true;
     }
   }
+  // Last, because nobody knows how long they take.
+  for (const double target : targets)
+    if (target >= reference.estimated_error) all.push_back(with_target(target));
   return all;
 }
 
@@ -119,15 +121,16 @@ class Series {
       trials_.progress().begin_step(begin, begin + step);
       begin += step;
       if (!is_worth_it(settings)) continue;
-      std::optional<Trial> trial = trials_.render(settings, most_samples());
+      std::optional<Trial> trial =
+          trials_.render(settings, most_samples(), share_of_first_pictures);
       if (!trial) return false;
       const Rendering& rendering = trial->rendering;
+      if (settings.target_rmse && rendering.stop != Stop::target) break;  // nor are smaller ones
       CurvePoint point;
       point.settings = settings;
       point.error = difference(rendering.image, reference_.image);
       point.samples_per_pixel = rendering.samples_per_pixel;
       point.estimated_error = rendering.estimated_error;
-      point.reached_target = rendering.stop == Stop::target;
       measured_.push_back({point, trial->call_ms, {rendering.trace_ms}});
     }
     return true;
@@ -143,9 +146,9 @@ class Series {
       for (Measurement& measurement : measured_) {
         const CurvePoint& point = measurement.point;
         if (measurement.call_ms > short_ms ||
-            !trials_.affords(point.settings, point.samples_per_pixel, measurement.call_ms))
+            !trials_.affords(point.settings, point.samples_per_pixel, measurement.call_ms, 1))
           continue;
-        const std::optional<Trial> trial = trials_.render(point.settings, most_samples());
+        const std::optional<Trial> trial = trials_.render(point.settings, most_samples(), 1);
         if (!trial) return false;
         measurement.times_ms.push_back(trial->rendering.trace_ms);
       }
@@ -176,9 +179,10 @@ class Series {
       if (!are_of_a_kind(point.settings, settings)) continue;
       if (settings.samples && point.error.rmse <= reference_.description.estimated_error)
         return false;
-      return trials_.affords(settings, growth * point.samples_per_pixel, growth * before->call_ms);
+      return trials_.affords(settings, growth * point.samples_per_pixel, growth * before->call_ms,
+                             share_of_first_pictures);
     }
-    return trials_.affords(settings, growth, 0);
+    return trials_.affords(settings, growth, 0, share_of_first_pictures);
   }
 
   Trials& trials_;

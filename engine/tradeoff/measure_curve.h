@@ -5,6 +5,9 @@
 // changing the picture, shadows and reflections left out, where the scene has them. The document's
 // own samples, contracts and precision count for nothing.
 //
+// What does not fit into the allowance is left out, as are targets below what the reference can
+// tell, and those that are not reached.
+//
 // Limits: times are those of this machine with all that it does meanwhile, other requests
 // included; only tracing is counted, as in Server-Timing. A figure near the reference's own error
 // is no better than that.

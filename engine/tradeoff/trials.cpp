@@ -26,7 +26,7 @@ Trials::Trials(const Scene& scene, const Limits& limits, double most_ms, WorkerP
       pool_(pool),
       progress_(progress) {}
 
-std::optional<Trial> Trials::render(const CurveSettings& settings, int most_samples) {
+std::optional<Trial> Trials::render(const CurveSettings& settings, int most_samples, double share) {
   RenderSettings& asked = scene_.render;
   asked = original_.render;
   asked.samples = settings.samples;
@@ -38,7 +38,8 @@ std::optional<Trial> Trials::render(const CurveSettings& settings, int most_samp
 
   Limits limits = limits_;
   if (settings.target_rmse) {
-    const double left = (most_samples_ - samples_taken_) / with_earlier_passes(settings, 1);
+    asked.budget_ms = std::max(1.0, share * most_ms_ - watch_.elapsed_ms());
+    const double left = (share * most_samples_ - samples_taken_) / with_earlier_passes(settings, 1);
     limits.samples = std::max<std::int64_t>(
         1, std::min({limits.samples, std::int64_t{most_samples}, static_cast<std::int64_t>(left)}));
   }

@@ -28,13 +28,13 @@ class Trials {
   Trials(const Scene& scene, const Limits& limits, double most_ms, WorkerPool& pool,
          CurveProgress& progress);
 
-  /// Renders with `settings` over the scene's own; nothing if it was stopped. A target ends at
-  /// `most_samples` per pixel, or at those that are left.
-  std::optional<Trial> render(const CurveSettings& settings, int most_samples);
+  /// Renders with `settings` over the scene's own; nothing if it was stopped. A target that is not
+  /// reached ends at `most_samples` per pixel, or with `share` of the allowance.
+  std::optional<Trial> render(const CurveSettings& settings, int most_samples, double share);
 
   /// Whether a picture of so many samples per pixel and milliseconds stays within `share` of the
   /// allowance.
-  bool affords(const CurveSettings& settings, double samples, double ms, double share = 1) const;
+  bool affords(const CurveSettings& settings, double samples, double ms, double share) const;
 
   const Limits& limits() const { return limits_; }
   CurveProgress& progress() { return progress_; }
