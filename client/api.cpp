@@ -1,6 +1,6 @@
-// The one file with httplib, and with the service's JSON but for plans, which it passes on. Renders
-// are jobs, so every request is answered soon: a server that is gone is noticed within the timeout,
-// however long a render takes.
+// The one file with httplib, and with the service's JSON but for plans and curves, which it passes
+// on. Renders are jobs, so every request is answered soon: a server that is gone is noticed within
+// the timeout, however long a render takes.
 #include "client/api.h"
 
 #include <fmt/format.h>
@@ -218,8 +218,8 @@ std::string Api::plan(const std::string& scene_text, const Overrides& overrides)
   return response.body;
 }
 
-Job Api::start_render(const std::string& scene_text, const Overrides& overrides) {
-  const std::string path = Connection::with_query("/jobs", overrides);
+Job Api::start_job(const std::string& scene_text, const Overrides& query) {
+  const std::string path = Connection::with_query("/jobs", query);
   return connection_->read_job(connection_->send(connection_->post(path, scene_text), {202}));
 }
 
@@ -238,6 +238,10 @@ RenderedImage Api::job_image(const std::string& id, ImageFormat format) {
           response.get_header_value("Render-Precision"),
           response.get_header_value("Render-Stop"),
           response.get_header_value("Server-Timing")};
+}
+
+std::string Api::job_result(const std::string& id) {
+  return connection_->send(connection_->request("GET", "/jobs/" + id + "/result"), {200}).body;
 }
 
 void Api::pause(std::chrono::milliseconds duration) { connection_->interrupts.sleep(duration); }

@@ -75,9 +75,12 @@ class Api {
   /// The server's plan for the scene, a JSON text.
   std::string plan(const std::string& scene_text, const Overrides& overrides);
 
-  Job start_render(const std::string& scene_text, const Overrides& overrides);
+  /// `query` may say the task; without it the job is a render.
+  Job start_job(const std::string& scene_text, const Overrides& query);
   Job job(const std::string& id);
   RenderedImage job_image(const std::string& id, ImageFormat format);
+  /// What a job that is no render has made, a JSON text.
+  std::string job_result(const std::string& id);
   /// Waits between two questions.
   void pause(std::chrono::milliseconds duration);
   /// Best effort, even after an interruption: throws nothing.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "client/curve_format.h"
 #include "client/failure.h"
 #include "client/image_format.h"
 
@@ -48,43 +49,65 @@ CLI::Validator positive_number() {
           ""};
 }
 
-/// A check for CLI11: an ending that says the format of an image.
-CLI::Validator image_path() {
-  return {[](const std::string& text) -> std::string {
-            if (format_of(text)) return {};
-            return fmt::format("the ending of '{}' names no image format: {} are known", text,
-                               known_endings);
+/// A check for CLI11: an ending that says the format of a `thing`.
+template <typename Format>
+CLI::Validator path_of(const char* thing,
+                       std::optional<Format> (*format)(const std::filesystem::path&),
+                       std::string_view endings) {
+  return {[=](const std::string& text) -> std::string {
+            if (format(text)) return {};
+            return fmt::format("the ending of '{}' names no format of {}: {} are known", text,
+                               thing, endings);
           },
           ""};
 }
 
-/// The options of `render` and `plan` that become query parameters.
-void add_overrides(CLI::App& command, Overrides& overrides) {
-  const auto add = [&](const std::string& parameter, const std::string& help,
-                       const std::string& value, const CLI::Validator& check) {
+/// The options of a command that become query parameters.
+class OverrideOptions {
+ public:
+  OverrideOptions(CLI::App& command, Overrides& overrides)
+      : command_(command), overrides_(overrides) {}
+
+  /// Those that say which picture.
+  void add_picture() {
+    add("width", "The image's width in pixels", "W", integer_from(1));
+    add("height", "The image's height in pixels", "H", integer_from(1));
+    add("max_depth", "How many times a ray may be reflected", "N", integer_from(0));
+    add("transfer", "linear or srgb", "T",
+        CLI::IsMember(std::vector<std::string>{"linear", "srgb"}));
+  }
+
+  /// Those that say how accurate.
+  void add_accuracy() {
+    CLI::Option* samples = add("samples", "Samples for each pixel", "N", integer_from(1));
+    CLI::Option* target = add("target_rmse", "The error not to exceed: the cheapest such image",
+                              "X", positive_number());
+    CLI::Option* budget =
+        add("budget_ms", "The time for tracing: the most accurate image within it", "T",
+            positive_number());
+    samples->excludes(target)->excludes(budget);
+    add("precision", "auto, single or double", "P",
+        CLI::IsMember(std::vector<std::string>{"auto", "single", "double"}));
+  }
+
+ private:
+  CLI::Option* add(const std::string& parameter, const std::string& help, const std::string& value,
+                   const CLI::Validator& check) {
     std::string flag = "--" + parameter;
     for (char& c : flag)
       if (c == '_') c = '-';
+    Overrides& overrides = overrides_;
     const auto store = [&overrides, parameter](const std::string& text) {
       overrides[parameter] = text;
     };
-    return command.add_option_function<std::string>(flag, store, help)
+    return command_.add_option_function<std::string>(flag, store, help)
         ->type_name(value)
         ->transform(check);
-  };
-  CLI::Option* samples = add("samples", "Samples for each pixel", "N", integer_from(1));
-  CLI::Option* target = add("target_rmse", "The error not to exceed: the cheapest such image", "X",
-                            positive_number());
-  CLI::Option* budget = add("budget_ms", "The time for tracing: the most accurate image within it",
-                            "T", positive_number());
-  samples->excludes(target)->excludes(budget);
-  add("width", "The image's width in pixels", "W", integer_from(1));
-  add("height", "The image's height in pixels", "H", integer_from(1));
-  add("precision", "auto, single or double", "P",
-      CLI::IsMember(std::vector<std::string>{"auto", "single", "double"}));
-  add("max_depth", "How many times a ray may be reflected", "N", integer_from(0));
-  add("transfer", "linear or srgb", "T", CLI::IsMember(std::vector<std::string>{"linear", "srgb"}));
-}
+  }
+
+  CLI::App& command_;
+  Overrides& overrides_;
+};
 
 /// Anything that no option and no command took is an error; the first is enough.
 void refuse_rest(const CLI::App& app) {
@@ -92,8 +115,8 @@ void refuse_rest(const CLI::App& app) {
     if (rest == "--") continue;
     if (app.get_subcommands().empty() && !rest.starts_with('-'))
       throw InputError(
-          fmt::format("there is no command '{}': render, plan, validate and scenes are "
-                      "known, raytracer --help says more",
+          fmt::format("there is no command '{}': render, plan, tradeoff, validate and "
+                      "scenes are known, raytracer --help says more",
                       rest));
     throw InputError(fmt::format(
         "'{}' is not expected here: raytracer {}--help says what is", rest,
@@ -101,7 +124,8 @@ void refuse_rest(const CLI::App& app) {
   }
   if (app.get_subcommands().empty())
     throw InputError(
-        "a command is missing: render, plan, validate or scenes; raytracer --help says more");
+        "a command is missing: render, plan, tradeoff, validate or scenes; raytracer --help says "
+        "more");
 }
 
 /// The flag's value, or where it is not given the variable's, and which of them it was.
@@ -152,24 +176,41 @@ std::variant<Arguments, HelpText> read_arguments(int argc, const char* const* ar
                        "The image's file, .png, .ppm or .pfm; without it the image is shown in "
                        "the terminal, or written as PNG when standard output is no terminal")
           ->type_name("IMAGE")
-          ->check(image_path());
+          ->check(path_of("an image", format_of, known_endings));
   render->add_flag("--watch", render_arguments.watch,
                    "Render again whenever the scene's file changes, until Ctrl-C");
-  add_overrides(*render, render_arguments.overrides);
+  OverrideOptions render_options(*render, render_arguments.overrides);
+  render_options.add_accuracy();
+  render_options.add_picture();
 
   PlanArguments plan_arguments;
   CLI::App* plan = app.add_subcommand(
       "plan", "Say what a scene requires, what the server would choose for it and what that takes");
   plan->add_option("SCENE", plan_arguments.scene, scene_help)->required()->type_name("");
   plan->add_flag("--json", plan_arguments.as_json, "The server's answer as it is");
-  add_overrides(*plan, plan_arguments.overrides);
+  OverrideOptions plan_options(*plan, plan_arguments.overrides);
+  plan_options.add_accuracy();
+  plan_options.add_picture();
+
+  TradeoffArguments tradeoff_arguments;
+  std::string curve;
+  CLI::App* tradeoff =
+      app.add_subcommand("tradeoff", "Measure error against time for many settings of a scene");
+  tradeoff->add_option("SCENE", tradeoff_arguments.scene, scene_help)->required()->type_name("");
+  const CLI::Option* curve_option =
+      tradeoff
+          ->add_option("-o,--output", curve,
+                       "The curve's file, .svg, .json or .csv; without it the curve is printed")
+          ->type_name("CURVE")
+          ->check(path_of("a curve", curve_format_of, known_curve_endings));
+  OverrideOptions(*tradeoff, tradeoff_arguments.overrides).add_picture();
 
   ValidateArguments validate_arguments;
   CLI::App* validate = app.add_subcommand("validate", "Check a scene without rendering it");
   validate->add_option("SCENE", validate_arguments.scene, scene_help)->required()->type_name("");
 
   CLI::App* scenes = app.add_subcommand("scenes", "List the shipped scenes");
-  for (CLI::App* command : {render, plan, validate, scenes}) {
+  for (CLI::App* command : {render, plan, tradeoff, validate, scenes}) {
     command->group("Commands");
     command->fallthrough();  // --server and --token may follow the command
     command->footer("--server and --token may stand here too: see raytracer --help.");
@@ -190,6 +231,9 @@ std::variant<Arguments, HelpText> read_arguments(int argc, const char* const* ar
     arguments.command = std::move(render_arguments);
   } else if (plan->parsed()) {
     arguments.command = std::move(plan_arguments);
+  } else if (tradeoff->parsed()) {
+    if (curve_option->count() > 0) tradeoff_arguments.output = curve;
+    arguments.command = std::move(tradeoff_arguments);
   } else if (validate->parsed()) {
     arguments.command = std::move(validate_arguments);
   }

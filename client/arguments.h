@@ -31,6 +31,12 @@ struct PlanArguments {
   Overrides overrides;
 };
 
+struct TradeoffArguments {
+  std::string scene;
+  std::optional<std::filesystem::path> output;  ///< none: as text on standard output
+  Overrides overrides;
+};
+
 struct ScenesArguments {};
 
 /// Which daemon to talk to.
@@ -41,7 +47,9 @@ struct ServerChoice {
 
 struct Arguments {
   ServerChoice server;
-  std::variant<RenderArguments, PlanArguments, ValidateArguments, ScenesArguments> command;
+  std::variant<RenderArguments, PlanArguments, TradeoffArguments, ValidateArguments,
+               ScenesArguments>
+      command;
 };
 
 /// A text that was asked for, to be printed instead of doing anything.

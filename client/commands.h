@@ -11,6 +11,9 @@ void render(const RenderArguments& arguments, const ServerChoice& server);
 /// Prints what the server would do with the scene, each choice with its reason.
 void plan(const PlanArguments& arguments, const ServerChoice& server);
 
+/// Measures what accuracy costs on the scene; writes the curve, or prints it.
+void tradeoff(const TradeoffArguments& arguments, const ServerChoice& server);
+
 /// Prints "SCENE: valid", or throws with every error.
 void validate(const ValidateArguments& arguments, const ServerChoice& server);
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <charconv>
-#include <string>
 
 namespace raytracer::client {
 namespace {
@@ -28,10 +27,15 @@ int png_integer(std::string_view bytes, std::size_t at) {
 
 }  // namespace
 
-std::optional<ImageFormat> format_of(const std::filesystem::path& path) {
+std::string lower_case_ending(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return ending;
+}
+
+std::optional<ImageFormat> format_of(const std::filesystem::path& path) {
+  const std::string ending = lower_case_ending(path);
   for (const FormatRow& row : formats)
     if (ending == row.ending) return row.format;
   return std::nullopt;

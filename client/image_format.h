@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace raytracer::client {
@@ -10,6 +11,9 @@ namespace raytracer::client {
 enum class ImageFormat { png, ppm, pfm };
 
 inline constexpr std::string_view known_endings = ".png, .ppm and .pfm";
+
+/// ".png" of "picture.PNG"
+std::string lower_case_ending(const std::filesystem::path& path);
 
 /// The format that the path's ending names, in upper or lower case.
 std::optional<ImageFormat> format_of(const std::filesystem::path& path);

@@ -20,6 +20,8 @@ void run(const Arguments& arguments) {
     render(*command, arguments.server);
   else if (const auto* planned = std::get_if<PlanArguments>(&arguments.command))
     plan(*planned, arguments.server);
+  else if (const auto* measured = std::get_if<TradeoffArguments>(&arguments.command))
+    tradeoff(*measured, arguments.server);
   else if (const auto* other = std::get_if<ValidateArguments>(&arguments.command))
     validate(*other, arguments.server);
   else

@@ -2,17 +2,15 @@
 // the terminal. The server is left before anything is written, however long a reader takes.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "client/commands.h"
 #include "client/delivery.h"
-#include "client/progress_bar.h"
+#include "client/owned_job.h"
 #include "client/scene_errors.h"
 #include "client/terminal.h"
 #include "client/with_server.h"
@@ -20,43 +18,12 @@
 namespace raytracer::client {
 namespace {
 
-using std::chrono::milliseconds;
-
-/// A job that ends with the client, whichever way.
-class OwnedJob {
- public:
-  OwnedJob(Api& api, Job job) : api_(api), job_(std::move(job)) {}
-  ~OwnedJob() { api_.delete_job(job_.id); }
-  OwnedJob(const OwnedJob&) = delete;
-  OwnedJob& operator=(const OwnedJob&) = delete;
-
-  /// Returns when the image is complete. Throws ServerError if it will not be.
-  void wait() {
-    ProgressBar bar;
-    milliseconds pause(10);
-    for (; job_.status == "queued" || job_.status == "running"; job_ = api_.job(job_.id)) {
-      bar.show(job_.status == "queued" ? "queued" : "rendering", job_.progress);
-      api_.pause(pause);
-      pause = std::min(pause * 3 / 2, milliseconds(200));
-    }
-    if (job_.status != "done")
-      throw ServerError(fmt::format("the render was {}{}{}", job_.status,
-                                    job_.detail.empty() ? "" : ": ", job_.detail));
-  }
-
-  RenderedImage image(ImageFormat format) { return api_.job_image(job_.id, format); }
-
- private:
-  Api& api_;
-  Job job_;
-};
-
 RenderedImage render_scene(const SceneSource& scene, const Overrides& overrides, ImageFormat format,
                            Api& api) {
   try {
-    OwnedJob job(api, api.start_render(scene.text, overrides));
-    job.wait();
-    return job.image(format);
+    OwnedJob job(api, api.start_job(scene.text, overrides));
+    job.wait("rendering");
+    return api.job_image(job.id(), format);
   } catch (const Refused& refused) {
     throw explain(refused, scene, overrides);
   }
@@ -66,7 +33,7 @@ RenderedImage render_scene(const SceneSource& scene, const Overrides& overrides,
 /// moment.
 void wait_for_change(const std::filesystem::path& file, std::filesystem::file_time_type seen,
                      Api& api) {
-  constexpr milliseconds pause(100);
+  constexpr std::chrono::milliseconds pause(100);
   for (;;) {
     api.pause(pause);
     std::error_code gone;

@@ -28,3 +28,6 @@
 #include "engine/scene/read_scene.h"        // IWYU pragma: export
 #include "engine/scene/result.h"            // IWYU pragma: export
 #include "engine/scene/scene.h"             // IWYU pragma: export
+#include "engine/tradeoff/curve.h"          // IWYU pragma: export
+#include "engine/tradeoff/measure_curve.h"  // IWYU pragma: export
+#include "engine/tradeoff/progress.h"       // IWYU pragma: export

@@ -14,6 +14,7 @@ void post_plan(Services& services, Call& call);
 void post_job(Services& services, Call& call);
 void get_job(Services& services, Call& call);
 void get_job_image(Services& services, Call& call);
+void get_job_result(Services& services, Call& call);
 void delete_job(Services& services, Call& call);
 
 void get_scenes(Services& services, Call& call);

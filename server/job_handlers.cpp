@@ -1,7 +1,10 @@
-// /jobs: renders that are asked for now and fetched later.
+// /jobs: images and curves that are asked for now and fetched later.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "server/answer.h"
 #include "server/handlers.h"
@@ -9,6 +12,7 @@
 #include "server/problem.h"
 #include "server/query.h"
 #include "server/scene_request.h"
+#include "server/tradeoff.h"
 
 namespace raytracer {
 namespace {
@@ -18,7 +22,7 @@ nlohmann::ordered_json to_json(const Job& job) {
   const JobState state = job.state();
   const Rendering* const rendering = job.rendering();
   nlohmann::ordered_json json{{"id", job.id},
-                              {"task", "render"},
+                              {"task", name_of(job.task)},
                               {"status", name_of(state.status)},
                               {"progress", state.progress},
                               {"samples", nullptr},
@@ -29,28 +33,37 @@ nlohmann::ordered_json to_json(const Job& job) {
   return json;
 }
 
-[[noreturn]] void refuse_without_image(const Job& job) {
+/// Why a job of the right task has no image or no curve, as `product` calls it.
+[[noreturn]] void refuse_without(std::string_view product, const Job& job) {
   const JobState state = job.state();
   if (state.status == JobStatus::queued || state.status == JobStatus::running)
     throw Refusal({409,
-                   fmt::format("The job is {}; its image can be fetched when it is done",
-                               name_of(state.status)),
+                   fmt::format("The job is {}; its {} can be fetched when it is done",
+                               name_of(state.status), product),
                    {},
                    {{"Retry-After", "1"}}});
-  throw Refusal({409, fmt::format("The job has no image: it {} ({})",
+  throw Refusal({409, fmt::format("The job has no {}: it {} ({})", product,
                                   state.status == JobStatus::failed ? "failed" : "was cancelled",
                                   state.detail)});
+}
+
+JobTask demand_task(const std::string& name) {
+  for (const JobTask task : {JobTask::render, JobTask::tradeoff})
+    if (name == name_of(task)) return task;
+  throw Refusal({400, fmt::format("The query parameter \"task\" is \"{}\" but must be render or "
+                                  "tradeoff",
+                                  name)});
 }
 
 }  // namespace
 
 void post_job(Services& services, Call& call) {
-  const RenderQuery query = read_query(call.request.target, QueryOf::job);
-  if (query.task != "render")
-    throw Refusal({400, fmt::format("The query parameter \"task\" is \"{}\", but this build "
-                                    "offers \"render\" only",
-                                    query.task)});
-  const auto job = services.jobs.accept(read_scene_request(call, query, services));
+  RenderQuery query = read_query(call.request.target, QueryOf::job);
+  const JobTask task = demand_task(query.task);
+  if (task == JobTask::tradeoff) query = curve_query(std::move(query));
+  SceneRequest request = read_scene_request(call, query, services);
+  if (task == JobTask::tradeoff) demand_room_for_curve(request.scene, services.config.limits);
+  const auto job = services.jobs.accept(task, std::move(request));
   answer_json(call.response, 202, to_json(*job));
   call.response.set_header("Location", "/jobs/" + job->id);
   call.response.set_header("Cache-Control", "no-store");
@@ -64,11 +77,25 @@ void get_job(Services& services, Call& call) {
 void get_job_image(Services& services, Call& call) {
   const ImageFormat format = demand_format(call.request);
   const auto job = services.jobs.at(call.captured);
+  if (job->task != JobTask::render)
+    throw Refusal({404, fmt::format("The job is a {}: it has no image, but GET /jobs/{}/result",
+                                    name_of(job->task), job->id)});
   const Rendering* const rendering = job->rendering();
-  if (!rendering) refuse_without_image(*job);
+  if (!rendering) refuse_without("image", *job);
   if (answer_not_modified(call, job->digest, format)) return;
   if (call.is_head()) return answer_image_head(call, job->digest, format);
   answer_image(call, *rendering, job->preparation(), job->digest, format, services.pool);
+}
+
+void get_job_result(Services& services, Call& call) {
+  const auto job = services.jobs.at(call.captured);
+  if (job->task != JobTask::tradeoff)
+    throw Refusal({404, fmt::format("The job is a {}: it has no result but GET /jobs/{}/image",
+                                    name_of(job->task), job->id)});
+  const Curve* const curve = job->curve();
+  if (!curve) refuse_without("result", *job);
+  answer_json(call.response, 200, to_json(*curve));
+  call.response.set_header("Cache-Control", "no-store");
 }
 
 void delete_job(Services& services, Call& call) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "server/problem.h"
+#include "server/tradeoff.h"
 
 namespace raytracer {
 namespace {
@@ -44,8 +45,11 @@ std::string_view name_of(JobStatus status) {
   return "cancelled";
 }
 
-Job::Job(std::string job_id, SceneRequest request)
+std::string_view name_of(JobTask task) { return task == JobTask::render ? "render" : "tradeoff"; }
+
+Job::Job(std::string job_id, JobTask job_task, SceneRequest request)
     : id(std::move(job_id)),
+      task(job_task),
       digest(reproducible_digest(request.scene)),
       parse_ms(request.parse_ms),
       request_(std::move(request)) {}
@@ -55,13 +59,19 @@ JobState Job::state() const {
   const bool has_ended = status_ != JobStatus::queued && status_ != JobStatus::running;
   const std::chrono::duration<double, std::milli> elapsed =
       (has_ended ? ended_ : Clock::now()) - accepted_;
-  return {status_, status_ == JobStatus::done ? 1 : progress_.fraction.load(), elapsed.count(),
-          detail_};
+  const double fraction =
+      task == JobTask::tradeoff ? curve_progress_.fraction() : progress_.fraction.load();
+  return {status_, status_ == JobStatus::done ? 1 : fraction, elapsed.count(), detail_};
 }
 
 const Rendering* Job::rendering() const {
   const std::scoped_lock lock(mutex_);
-  return status_ == JobStatus::done ? &rendering_ : nullptr;
+  return task == JobTask::render && status_ == JobStatus::done ? &rendering_ : nullptr;
+}
+
+const Curve* Job::curve() const {
+  const std::scoped_lock lock(mutex_);
+  return task == JobTask::tradeoff && status_ == JobStatus::done ? &curve_ : nullptr;
 }
 
 Preparation Job::preparation() const {
@@ -107,8 +117,8 @@ Jobs::~Jobs() {
   for (std::thread& runner : runners_) runner.join();
 }
 
-std::shared_ptr<const Job> Jobs::accept(SceneRequest request) {
-  const auto job = std::make_shared<Job>(random_id(), std::move(request));
+std::shared_ptr<const Job> Jobs::accept(JobTask task, SceneRequest request) {
+  const auto job = std::make_shared<Job>(random_id(), task, std::move(request));
   const std::scoped_lock lock(mutex_);  // places and jobs in one order
   job->place_.emplace(admission_.enter(job->progress_));
   jobs_.emplace(job->id, job);
@@ -155,16 +165,29 @@ void Jobs::run_jobs() {
   }
 }
 
+/// False if it was stopped before there was one.
+bool Jobs::make_result(Job& job) {
+  const Scene& scene = job.request_->scene;
+  if (job.task == JobTask::tradeoff) {
+    std::optional<Curve> curve =
+        measure_curve(scene, limits_, most_curve_ms, pool_, job.curve_progress_);
+    if (!curve) return false;
+    const std::scoped_lock lock(job.mutex_);
+    job.curve_ = std::move(*curve);
+    return true;
+  }
+  Rendering rendering = render(scene, limits_, pool_, job.progress_);
+  if (rendering.stop == Stop::cancelled) return false;
+  const std::scoped_lock lock(job.mutex_);
+  job.rendering_ = std::move(rendering);
+  return true;
+}
+
 void Jobs::run(Job& job) {
   try {
     if (!job.place_->wait_for_turn()) return job.end(JobStatus::cancelled, "stopped");
     job.begin();
-    Rendering rendering = render(job.request_->scene, limits_, pool_, job.progress_);
-    if (rendering.stop == Stop::cancelled) return job.end(JobStatus::cancelled, "stopped");
-    {
-      const std::scoped_lock lock(job.mutex_);
-      job.rendering_ = std::move(rendering);
-    }
+    if (!make_result(job)) return job.end(JobStatus::cancelled, "stopped");
     job.end(JobStatus::done, "");
   } catch (const Refusal& refusal) {
     job.end(JobStatus::cancelled, refusal.problem().detail);

@@ -1,4 +1,4 @@
-// Renders that nobody holds a connection open for: accepted, watched, fetched, forgotten.
+// Work that nobody holds a connection open for: accepted, watched, fetched, forgotten.
 //
 // A job takes its place in the same queue as every other render when it is accepted, so a full
 // queue refuses both alike. As many threads run jobs as may render at once; since places are given
@@ -34,6 +34,12 @@ enum class JobStatus { queued, running, done, failed, cancelled };
 /// "queued", "running" and so on.
 std::string_view name_of(JobStatus status);
 
+/// What is made of the scene: its image, or the curve of what accuracy costs on it.
+enum class JobTask { render, tradeoff };
+
+/// "render", "tradeoff"
+std::string_view name_of(JobTask task);
+
 /// What a job is like at one moment.
 struct JobState {
   JobStatus status = JobStatus::queued;
@@ -45,17 +51,20 @@ struct JobState {
 /// One job. The constant members are set when it is accepted; everything else through state().
 class Job {
  public:
-  Job(std::string job_id, SceneRequest request);
+  Job(std::string job_id, JobTask job_task, SceneRequest request);
 
   const std::string id;
+  const JobTask task;
   const Reproducible digest;
   const double parse_ms;
 
   JobState state() const;
 
-  /// The rendering and what preceded it, once the job is done; null before.
+  /// The rendering and what preceded it, once a render is done; null before.
   const Rendering* rendering() const;
   Preparation preparation() const;
+  /// Once a tradeoff is done; null before.
+  const Curve* curve() const;
 
  private:
   friend class Jobs;
@@ -65,9 +74,10 @@ class Job {
   void end(JobStatus status, std::string detail);
   std::size_t result_bytes() const;
 
-  std::optional<SceneRequest> request_;  ///< until it ended; only its runner reads it
-  RenderProgress progress_;
-  std::optional<Admission::Place> place_;  ///< until it ended
+  std::optional<SceneRequest> request_;      ///< until it ended; only its runner reads it
+  RenderProgress progress_;                  ///< of a tradeoff: of the picture that is made now
+  CurveProgress curve_progress_{progress_};  ///< of a tradeoff
+  std::optional<Admission::Place> place_;    ///< until it ended
 
   mutable std::mutex mutex_;
   JobStatus status_ = JobStatus::queued;
@@ -76,6 +86,7 @@ class Job {
   Clock::time_point ended_{};
   double queue_ms_ = 0;
   Rendering rendering_;  ///< written before `done`, constant from then on
+  Curve curve_;          ///< the same
 };
 
 /// Every member function may be called from any thread.
@@ -90,7 +101,7 @@ class Jobs {
   Jobs& operator=(const Jobs&) = delete;
 
   /// Throws Refusal if the queue is full or closed.
-  std::shared_ptr<const Job> accept(SceneRequest request);
+  std::shared_ptr<const Job> accept(JobTask task, SceneRequest request);
 
   /// Throws Refusal 404.
   std::shared_ptr<const Job> at(const std::string& id) const;
@@ -101,6 +112,7 @@ class Jobs {
  private:
   void run_jobs();
   void run(Job& job);
+  bool make_result(Job& job);
   void keep(const std::shared_ptr<Job>& job);
 
   Admission& admission_;

@@ -21,6 +21,7 @@ RouteTable make_routes(Services& services) {
       {"POST", "/jobs", scene, with(post_job)},
       {"GET", "/jobs/{}", none, with(get_job)},
       {"GET", "/jobs/{}/image", none, with(get_job_image)},
+      {"GET", "/jobs/{}/result", none, with(get_job_result)},
       {"DELETE", "/jobs/{}", none, with(delete_job)},
       {"GET", "/scenes", none, with(get_scenes)},
       {"GET", "/scenes/{}", none, with(get_scene)},

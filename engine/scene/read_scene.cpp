@@ -243,13 +243,6 @@ bool reflects(const Scene& scene) {
                      [](const Material& material) { return material.reflectivity > 0; });
 }
 
-/// Rays from the eye and reflected ones, at most; a double, because the product has no bound.
-double count_rays(const Scene& scene) {
-  const double bounces = reflects(scene) ? 1.0 + scene.render.max_depth : 1.0;
-  return static_cast<double>(scene.camera.width) * scene.camera.height *
-         scene.render.samples.value_or(1) * bounces;
-}
-
 void check_limits(const Scene& scene, const Limits& limits, ErrorList& errors) {
   const Path root;
   const Path camera = root.child("camera");
@@ -265,13 +258,18 @@ void check_limits(const Scene& scene, const Limits& limits, ErrorList& errors) {
   at_most(scene.render.samples.value_or(1), &Limits::samples, render.child("samples"));
   at_most(static_cast<double>(count_objects(scene.objects)), &Limits::objects,
           root.child("objects"));
-  at_most(count_rays(scene), &Limits::work, render);
+  at_most(count_rays(scene, scene.render.samples.value_or(1)), &Limits::work, render);
 }
 
 }  // namespace
 
 SphereSquare make_sphere_square(const Vec3& center, double radius, std::int64_t n, Axes axes) {
   return {center, radius, n, axes};
+}
+
+double count_rays(const Scene& scene, int samples) {
+  const double bounces = reflects(scene) ? 1.0 + scene.render.max_depth : 1.0;
+  return static_cast<double>(scene.camera.width) * scene.camera.height * samples * bounces;
 }
 
 Result<Scene> read_scene(std::string_view text, const Limits& limits, const Overrides& overrides) {

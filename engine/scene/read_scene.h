@@ -34,4 +34,8 @@ struct Overrides {
 Result<Scene> read_scene(std::string_view text, const Limits& limits,
                          const Overrides& overrides = {});
 
+/// Rays from the eye and reflected ones, at most, with so many samples per pixel: what
+/// Limits::work bounds. A double, because the product has no bound.
+double count_rays(const Scene& scene, int samples);
+
 }  // namespace raytracer

@@ -14,7 +14,8 @@ TEST(Arguments, help_names_commands_and_exit_statuses) {
   for (const char* const flag : {"--help", "-h"}) {
     const Outcome help = run_client({flag});
     EXPECT_EQ(help.status, 0);
-    for (const char* const word : {"render", "validate", "scenes", "--server", "RAYTRACER_SERVER"})
+    for (const char* const word :
+         {"render", "tradeoff", "validate", "scenes", "--server", "RAYTRACER_SERVER"})
       EXPECT_NE(help.out.find(word), std::string::npos) << word;
     EXPECT_EQ(help.err, "");
   }

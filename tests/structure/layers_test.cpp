@@ -1,8 +1,8 @@
 // Which folder may include which: the arrows of the house, and no other.
 //
-// math -> scene -> plan -> pack -> accel -> kernel -> sample -> render -> forecast -> engine.h ->
-// server. The stopwatches and the pool of threads stand below all of them; image stands beside and
-// knows scenes only. The client and the page speak HTTP and know nothing of either.
+// math -> scene -> plan -> pack -> accel -> kernel -> sample -> render -> forecast -> tradeoff ->
+// engine.h -> server. The stopwatches and the pool of threads stand below all of them; image stands
+// beside and knows scenes only. The client and the page speak HTTP and know nothing of either.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,9 +21,9 @@ using Folders = std::set<std::string>;
 
 /// The folders of the engine, each of which may include those before it.
 const std::vector<std::string> engine_order{
-    "engine/memory", "engine/measure", "engine/parallel", "engine/math",  "engine/scene",
-    "engine/image",  "engine/plan",    "engine/pack",     "engine/accel", "engine/kernel",
-    "engine/sample", "engine/render",  "engine/forecast"};
+    "engine/memory", "engine/measure", "engine/parallel", "engine/math",    "engine/scene",
+    "engine/image",  "engine/plan",    "engine/pack",     "engine/accel",   "engine/kernel",
+    "engine/sample", "engine/render",  "engine/forecast", "engine/tradeoff"};
 
 /// Structures and kernels see packed arrays, never the scene. What they and the stages before the
 /// plan make is the same at any time, so they measure none.

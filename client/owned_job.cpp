@@ -1,0 +1,28 @@
+#include "client/owned_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "client/progress_bar.h"
+
+namespace raytracer::client {
+
+using std::chrono::milliseconds;
+
+void OwnedJob::wait(const std::string& doing) {
+  ProgressBar bar;
+  milliseconds pause(10);
+  for (; job_.status == "queued" || job_.status == "running"; job_ = api_.job(job_.id)) {
+    bar.show(job_.status == "queued" ? "queued" : doing, job_.progress);
+    api_.pause(pause);
+    pause = std::min(pause * 3 / 2, milliseconds(200));
+  }
+  if (job_.status != "done")
+    throw ServerError(fmt::format("the {} was {}{}{}",
+                                  doing == "rendering" ? "render" : "measurement", job_.status,
+                                  job_.detail.empty() ? "" : ": ", job_.detail));
+}
+
+}  // namespace raytracer::client

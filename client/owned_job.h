@@ -1,0 +1,28 @@
+// A job that ends with the client, whichever way.
+#pragma once
+
+#include <string>
+
+#include "client/api.h"
+
+namespace raytracer::client {
+
+class OwnedJob {
+ public:
+  OwnedJob(Api& api, Job job) : api_(api), job_(std::move(job)) {}
+  ~OwnedJob() { api_.delete_job(job_.id); }
+  OwnedJob(const OwnedJob&) = delete;
+  OwnedJob& operator=(const OwnedJob&) = delete;
+
+  const std::string& id() const { return job_.id; }
+
+  /// Returns when the job is done, with a bar in a terminal that says what it is `doing`.
+  /// Throws ServerError if it never will be.
+  void wait(const std::string& doing);
+
+ private:
+  Api& api_;
+  Job job_;
+};
+
+}  // namespace raytracer::client

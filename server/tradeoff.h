@@ -1,0 +1,24 @@
+// What is particular to jobs that measure a curve: what they refuse, and their result.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "engine/engine.h"
+#include "server/query.h"
+
+namespace raytracer {
+
+/// How long a curve may take where its scene leaves a choice: as long as a person waits for one.
+inline constexpr double most_curve_ms = 30'000;
+
+/// The query to read the scene with: the document's samples and contracts count for nothing.
+/// Throws Refusal 400 for a parameter that sets what a curve varies.
+RenderQuery curve_query(RenderQuery query);
+
+/// Throws Refusal 413 if the shortest curve of this scene is more than the limits allow.
+void demand_room_for_curve(const Scene& scene, const Limits& limits);
+
+/// The curve as GET /jobs/ID/result answers it.
+nlohmann::ordered_json to_json(const Curve& curve);
+
+}  // namespace raytracer
