@@ -68,7 +68,13 @@ void get_job_image(Services& services, Call& call) {
   if (!rendering) refuse_without_image(*job);
   if (answer_not_modified(call, job->digest, format)) return;
   if (call.is_head()) return answer_image_head(call, job->digest, format);
-  answer_image(call, *rendering, job->preparation(), job->digest, format);
+  services.metrics.took(Stage::encode,
+                        answer_image(call, *rendering, job->preparation(), job->digest, format));
+}
+
+void get_job_events(Services& services, Call& call) {
+  answer_events(call, services.event_streams, services.jobs.at(call.captured),
+                [](const Job& job) { return to_json(job).dump(); });
 }
 
 void delete_job(Services& services, Call& call) {

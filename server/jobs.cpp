@@ -44,6 +44,10 @@ std::string_view name_of(JobStatus status) {
   return "cancelled";
 }
 
+bool has_ended(JobStatus status) {
+  return status != JobStatus::queued && status != JobStatus::running;
+}
+
 Job::Job(std::string job_id, SceneRequest request)
     : id(std::move(job_id)),
       digest(reproducible_digest(request.scene)),
@@ -52,11 +56,15 @@ Job::Job(std::string job_id, SceneRequest request)
 
 JobState Job::state() const {
   const std::scoped_lock lock(mutex_);
-  const bool has_ended = status_ != JobStatus::queued && status_ != JobStatus::running;
   const std::chrono::duration<double, std::milli> elapsed =
-      (has_ended ? ended_ : Clock::now()) - accepted_;
+      (has_ended(status_) ? ended_ : Clock::now()) - accepted_;
   return {status_, status_ == JobStatus::done ? 1 : progress_.fraction.load(), elapsed.count(),
           detail_};
+}
+
+void Job::wait_for_end(std::chrono::milliseconds longest) const {
+  std::unique_lock lock(mutex_);
+  end_came_.wait_for(lock, longest, [this] { return has_ended(status_); });
 }
 
 const Rendering* Job::rendering() const {
@@ -82,6 +90,7 @@ void Job::end(JobStatus status, std::string detail) {
     detail_ = std::move(detail);
     ended_ = Clock::now();
   }
+  end_came_.notify_all();
   request_.reset();
   place_.reset();
 }
@@ -92,8 +101,12 @@ std::size_t Job::result_bytes() const {
 }
 
 Jobs::Jobs(Admission& admission, WorkerPool& pool, const Limits& limits, std::size_t runner_count,
-           std::function<void(std::string_view)> note)
-    : admission_(admission), pool_(pool), limits_(limits), note_(std::move(note)) {
+           Metrics& metrics, std::function<void(std::string_view)> note)
+    : admission_(admission),
+      pool_(pool),
+      limits_(limits),
+      metrics_(metrics),
+      note_(std::move(note)) {
   while (runners_.size() < runner_count) runners_.emplace_back([this] { run_jobs(); });
 }
 
@@ -138,6 +151,14 @@ void Jobs::remove(const std::string& id) {
   }
   // No runner has it or will: its place is free for others at once.
   job->end(JobStatus::cancelled, "deleted");
+  metrics_.cancelled();
+}
+
+std::map<JobStatus, std::size_t> Jobs::counts() const {
+  const std::scoped_lock lock(mutex_);
+  std::map<JobStatus, std::size_t> counts;
+  for (const auto& [id, job] : jobs_) ++counts[job->state().status];
+  return counts;
 }
 
 void Jobs::run_jobs() {
@@ -151,6 +172,7 @@ void Jobs::run_jobs() {
       queue_.pop_front();
     }
     run(*job);
+    if (job->state().status == JobStatus::cancelled) metrics_.cancelled();
     keep(job);
   }
 }
@@ -159,8 +181,10 @@ void Jobs::run(Job& job) {
   try {
     if (!job.place_->wait_for_turn()) return job.end(JobStatus::cancelled, "stopped");
     job.begin();
+    metrics_.waited(job.preparation().queue_ms);
     Rendering rendering = render(job.request_->scene, limits_, pool_, job.progress_);
     if (rendering.stop == Stop::cancelled) return job.end(JobStatus::cancelled, "stopped");
+    metrics_.rendered(rendering, job.digest);
     {
       const std::scoped_lock lock(job.mutex_);
       job.rendering_ = std::move(rendering);
