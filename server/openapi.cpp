@@ -28,6 +28,16 @@ void complete_components(Json& responses) {
   }
 }
 
+Json page_file_operation(std::string_view media_type) {
+  const std::string type(media_type.substr(0, media_type.find(';')));
+  return {{"summary", "A file of the page"},
+          {"responses",
+           {{"200",
+             {{"description", "The file"},
+              {"headers", {{"Cache-Control", component("headers/cache_control")}}},
+              {"content", {{type, Json::object()}}}}}}}};
+}
+
 void complete_operation(Json& operation) {
   Json& responses = operation["responses"];
   for (auto& [status, response] : responses.items()) add_request_id(response);
@@ -49,12 +59,7 @@ Json openapi_document() {
 
   for (const EmbeddedFile& file : embedded_files()) {
     if (!file.path.starts_with(page_folder)) continue;
-    Json get{{"summary", "A file of the page"},
-             {"responses",
-              {{"200",
-                {{"description", "The file"},
-                 {"headers", {{"Cache-Control", component("headers/cache_control")}}},
-                 {"content", {{std::string(media_type_of(file.path)), Json::object()}}}}}}}};
+    Json get = page_file_operation(media_type_of(file.path));
     complete_operation(get);
     const std::string path(file.path.substr(page_folder.size()));
     paths[path]["get"] = get;
