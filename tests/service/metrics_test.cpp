@@ -201,7 +201,11 @@ TEST(MetricsOfAFullServer, are_answered_and_show_the_queue) {
   EXPECT_EQ(full["raytracer_queue_length"], 1);
   EXPECT_EQ(full["raytracer_queue_limit"], 1);
   EXPECT_EQ(full[R"(raytracer_http_requests_refused_total{status="429"})"], 1);
-  EXPECT_EQ(full[R"(raytracer_jobs{status="queued"})"], 1);
+  EXPECT_TRUE(eventually([&] {
+    Samples samples = scrape(server);
+    return samples[R"(raytracer_jobs{status="running"})"] == 4 &&
+           samples[R"(raytracer_jobs{status="queued"})"] == 1;
+  }));
   EXPECT_EQ(full["raytracer_renders_cancelled_total"], 0);
   EXPECT_EQ(request(server, "DELETE", job).status, 204);
   EXPECT_TRUE(eventually([&] { return scrape(server)["raytracer_renders_cancelled_total"] == 1; }));
