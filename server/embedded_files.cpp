@@ -1,3 +1,4 @@
+// Looking the embedded files up, and the one table from a name to its media type.
 #include <array>
 #include <stdexcept>
 #include <string>
