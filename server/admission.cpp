@@ -54,6 +54,11 @@ void Admission::stop_running() {
   for (Entry* const entry : running_) entry->progress.stop = true;
 }
 
+Admission::Load Admission::load() const {
+  const std::scoped_lock lock(mutex_);
+  return {running_.size(), waiting_.size()};
+}
+
 bool Admission::is_closed() const {
   const std::scoped_lock lock(mutex_);
   return closed_;

@@ -35,6 +35,12 @@ class Admission {
   /// Asks those who run to stop within a tile.
   void stop_running();
 
+  struct Load {
+    std::size_t running = 0;
+    std::size_t waiting = 0;
+  };
+  Load load() const;
+
   bool is_closed() const;
   bool is_full() const;
   /// True once nobody runs or waits; false if that takes longer than `timeout`.

@@ -15,7 +15,7 @@ namespace raytracer {
 struct Call {
   const httplib::Request& request;
   httplib::Response& response;
-  std::string captured{};                           ///< what stood for {} in the route's pattern
+  std::string captured{};  ///< what stood for {name} in the route's pattern
   const httplib::ContentReader* content = nullptr;  ///< none for methods without a body
   bool body_was_read = false;
 

@@ -15,6 +15,12 @@ struct EmbeddedFile {
 /// All of them, ordered by path.
 std::span<const EmbeddedFile> embedded_files();
 
+/// The one with this path. Throws std::logic_error if there is none: then the build is broken.
+const EmbeddedFile& embedded_file(std::string_view path);
+
+/// Where the page's files stand: "web/index.html" is served as /index.html, and as /.
+inline constexpr std::string_view page_folder = "web";
+
 /// The media type that a file's ending stands for; application/octet-stream if none does.
 std::string_view media_type_of(std::string_view path);
 

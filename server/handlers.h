@@ -15,14 +15,17 @@ void post_job(Services& services, Call& call);
 void get_job(Services& services, Call& call);
 void get_job_image(Services& services, Call& call);
 void get_job_result(Services& services, Call& call);
+void get_job_events(Services& services, Call& call);
 void delete_job(Services& services, Call& call);
 
 void get_scenes(Services& services, Call& call);
 void get_scene(Services& services, Call& call);
 void get_health(Services& services, Call& call);
 void get_readiness(Services& services, Call& call);
+void get_metrics(Services& services, Call& call);
 void get_version(Services& services, Call& call);
 void get_scene_schema(Services& services, Call& call);
+void get_openapi(Services& services, Call& call);
 
 /// One of the page's files.
 void get_file(const EmbeddedFile& file, Call& call);

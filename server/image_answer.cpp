@@ -74,8 +74,8 @@ bool answer_not_modified(Call& call, const Reproducible& digest, ImageFormat for
   return true;
 }
 
-void answer_image(Call& call, const Rendering& rendering, const Preparation& before,
-                  const Reproducible& digest, ImageFormat format, WorkerPool& pool) {
+double answer_image(Call& call, const Rendering& rendering, const Preparation& before,
+                    const Reproducible& digest, ImageFormat format, WorkerPool& pool) {
   const auto begin = std::chrono::steady_clock::now();
   std::string bytes = encode(rendering.image, format, pool);
   const std::chrono::duration<double, std::milli> encoding =
@@ -94,6 +94,7 @@ void answer_image(Call& call, const Rendering& rendering, const Preparation& bef
   response.set_header("Render-Precision",
                       rendering.precision == Precision::single_precision ? "single" : "double");
   response.set_header("Render-Stop", std::string(name_of(rendering.stop)));
+  return encoding.count();
 }
 
 void answer_image_head(Call& call, const Reproducible& digest, ImageFormat format) {

@@ -29,8 +29,9 @@ struct Preparation {
   double parse_ms = 0;
 };
 
-void answer_image(Call& call, const Rendering& rendering, const Preparation& before,
-                  const Reproducible& digest, ImageFormat format, WorkerPool& pool);
+/// Returns the time that the encoding took, in milliseconds.
+double answer_image(Call& call, const Rendering& rendering, const Preparation& before,
+                    const Reproducible& digest, ImageFormat format, WorkerPool& pool);
 
 /// The fields that a GET would have, without drawing anything: for HEAD.
 void answer_image_head(Call& call, const Reproducible& digest, ImageFormat format);

@@ -1,15 +1,14 @@
 // What the server says about itself: its scenes, its health, its version, its schema, its page.
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 
 #include "engine/engine.h"
 #include "server/answer.h"
 #include "server/handlers.h"
+#include "server/openapi.h"
 #include "server/problem.h"
 
 namespace raytracer {
-
 void get_scenes(Services& services, Call& call) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ShippedScene& scene : services.catalog.scenes())
@@ -58,11 +57,11 @@ void get_version(Services& services, Call& call) {
 }
 
 void get_scene_schema(Services&, Call& call) {
-  for (const EmbeddedFile& file : embedded_files())
-    if (file.path == "scene.schema.json")
-      return answer_bytes(call.response, std::string(file.bytes), "application/schema+json");
-  throw std::logic_error("the schema is not embedded");
+  answer_bytes(call.response, std::string(embedded_file("scene.schema.json").bytes),
+               "application/schema+json");
 }
+
+void get_openapi(Services&, Call& call) { answer_json(call.response, 200, openapi_document()); }
 
 void get_file(const EmbeddedFile& file, Call& call) {
   answer_bytes(call.response, std::string(file.bytes), media_type_of(file.path));

@@ -84,7 +84,8 @@ void get_job_image(Services& services, Call& call) {
   if (!rendering) refuse_without("image", *job);
   if (answer_not_modified(call, job->digest, format)) return;
   if (call.is_head()) return answer_image_head(call, job->digest, format);
-  answer_image(call, *rendering, job->preparation(), job->digest, format, services.pool);
+  services.metrics.took(Stage::encode, answer_image(call, *rendering, job->preparation(),
+                                                    job->digest, format, services.pool));
 }
 
 void get_job_result(Services& services, Call& call) {
@@ -96,6 +97,11 @@ void get_job_result(Services& services, Call& call) {
   if (!curve) refuse_without("result", *job);
   answer_json(call.response, 200, to_json(*curve));
   call.response.set_header("Cache-Control", "no-store");
+}
+
+void get_job_events(Services& services, Call& call) {
+  answer_events(call, services.event_streams, services.jobs.at(call.captured),
+                [](const Job& job) { return to_json(job).dump(); });
 }
 
 void delete_job(Services& services, Call& call) {

@@ -47,6 +47,10 @@ std::string_view name_of(JobStatus status) {
 
 std::string_view name_of(JobTask task) { return task == JobTask::render ? "render" : "tradeoff"; }
 
+bool has_ended(JobStatus status) {
+  return status != JobStatus::queued && status != JobStatus::running;
+}
+
 Job::Job(std::string job_id, JobTask job_task, SceneRequest request)
     : id(std::move(job_id)),
       task(job_task),
@@ -56,12 +60,16 @@ Job::Job(std::string job_id, JobTask job_task, SceneRequest request)
 
 JobState Job::state() const {
   const std::scoped_lock lock(mutex_);
-  const bool has_ended = status_ != JobStatus::queued && status_ != JobStatus::running;
   const std::chrono::duration<double, std::milli> elapsed =
-      (has_ended ? ended_ : Clock::now()) - accepted_;
+      (has_ended(status_) ? ended_ : Clock::now()) - accepted_;
   const double fraction =
       task == JobTask::tradeoff ? curve_progress_.fraction() : progress_.fraction.load();
   return {status_, status_ == JobStatus::done ? 1 : fraction, elapsed.count(), detail_};
+}
+
+void Job::wait_for_end(std::chrono::milliseconds longest) const {
+  std::unique_lock lock(mutex_);
+  end_came_.wait_for(lock, longest, [this] { return has_ended(status_); });
 }
 
 const Rendering* Job::rendering() const {
@@ -92,6 +100,7 @@ void Job::end(JobStatus status, std::string detail) {
     detail_ = std::move(detail);
     ended_ = Clock::now();
   }
+  end_came_.notify_all();
   request_.reset();
   place_.reset();
 }
@@ -102,8 +111,12 @@ std::size_t Job::result_bytes() const {
 }
 
 Jobs::Jobs(Admission& admission, WorkerPool& pool, const Limits& limits, std::size_t runner_count,
-           std::function<void(std::string_view)> note)
-    : admission_(admission), pool_(pool), limits_(limits), note_(std::move(note)) {
+           Metrics& metrics, std::function<void(std::string_view)> note)
+    : admission_(admission),
+      pool_(pool),
+      limits_(limits),
+      metrics_(metrics),
+      note_(std::move(note)) {
   while (runners_.size() < runner_count) runners_.emplace_back([this] { run_jobs(); });
 }
 
@@ -148,6 +161,14 @@ void Jobs::remove(const std::string& id) {
   }
   // No runner has it or will: its place is free for others at once.
   job->end(JobStatus::cancelled, "deleted");
+  metrics_.cancelled();
+}
+
+std::map<JobStatus, std::size_t> Jobs::counts() const {
+  const std::scoped_lock lock(mutex_);
+  std::map<JobStatus, std::size_t> counts;
+  for (const auto& [id, job] : jobs_) ++counts[job->state().status];
+  return counts;
 }
 
 void Jobs::run_jobs() {
@@ -161,6 +182,7 @@ void Jobs::run_jobs() {
       queue_.pop_front();
     }
     run(*job);
+    if (job->state().status == JobStatus::cancelled) metrics_.cancelled();
     keep(job);
   }
 }
@@ -178,6 +200,7 @@ bool Jobs::make_result(Job& job) {
   }
   Rendering rendering = render(scene, limits_, pool_, job.progress_);
   if (rendering.stop == Stop::cancelled) return false;
+  metrics_.rendered(rendering, job.digest);
   const std::scoped_lock lock(job.mutex_);
   job.rendering_ = std::move(rendering);
   return true;
@@ -187,6 +210,7 @@ void Jobs::run(Job& job) {
   try {
     if (!job.place_->wait_for_turn()) return job.end(JobStatus::cancelled, "stopped");
     job.begin();
+    metrics_.waited(job.preparation().queue_ms);
     if (!make_result(job)) return job.end(JobStatus::cancelled, "stopped");
     job.end(JobStatus::done, "");
   } catch (const Refusal& refusal) {

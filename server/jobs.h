@@ -8,6 +8,7 @@
 // Finished jobs are kept until there are too many or they take too much memory, oldest out first.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -25,11 +26,15 @@
 #include "engine/engine.h"
 #include "server/admission.h"
 #include "server/image_answer.h"
+#include "server/metrics.h"
 #include "server/scene_request.h"
 
 namespace raytracer {
 
 enum class JobStatus { queued, running, done, failed, cancelled };
+
+inline constexpr std::array job_statuses{JobStatus::queued, JobStatus::running, JobStatus::done,
+                                         JobStatus::failed, JobStatus::cancelled};
 
 /// "queued", "running" and so on.
 std::string_view name_of(JobStatus status);
@@ -39,6 +44,9 @@ enum class JobTask { render, tradeoff };
 
 /// "render", "tradeoff"
 std::string_view name_of(JobTask task);
+
+/// Whether it will change no more.
+bool has_ended(JobStatus status);
 
 /// What a job is like at one moment.
 struct JobState {
@@ -60,6 +68,9 @@ class Job {
 
   JobState state() const;
 
+  /// Returns when the job has ended, or after `longest`.
+  void wait_for_end(std::chrono::milliseconds longest) const;
+
   /// The rendering and what preceded it, once a render is done; null before.
   const Rendering* rendering() const;
   Preparation preparation() const;
@@ -80,6 +91,7 @@ class Job {
   std::optional<Admission::Place> place_;    ///< until it ended
 
   mutable std::mutex mutex_;
+  mutable std::condition_variable end_came_;
   JobStatus status_ = JobStatus::queued;
   std::string detail_;
   const Clock::time_point accepted_ = Clock::now();
@@ -94,7 +106,7 @@ class Jobs {
  public:
   /// `note` is told of exceptions.
   Jobs(Admission& admission, WorkerPool& pool, const Limits& limits, std::size_t runner_count,
-       std::function<void(std::string_view)> note);
+       Metrics& metrics, std::function<void(std::string_view)> note);
   /// Cancels what is not done.
   ~Jobs();
   Jobs(const Jobs&) = delete;
@@ -109,6 +121,9 @@ class Jobs {
   /// Cancels and forgets the job. Throws Refusal 404.
   void remove(const std::string& id);
 
+  /// How many of the jobs that are not forgotten have each status.
+  std::map<JobStatus, std::size_t> counts() const;
+
  private:
   void run_jobs();
   void run(Job& job);
@@ -118,6 +133,7 @@ class Jobs {
   Admission& admission_;
   WorkerPool& pool_;
   const Limits limits_;
+  Metrics& metrics_;
   const std::function<void(std::string_view)> note_;
 
   mutable std::mutex mutex_;

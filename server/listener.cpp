@@ -18,7 +18,8 @@
 namespace raytracer {
 namespace {
 
-/// Threads beyond those that may be held by renders: for everything that answers at once.
+/// Threads beyond those that may be held by renders and event streams: for everything that answers
+/// at once.
 constexpr std::size_t spare_threads = 32;
 
 // Nothing but this server's own files runs in the page; nobody else's page may frame it.
@@ -62,14 +63,16 @@ std::string why_not_bound(int error, const std::string& host, int port) {
 
 }  // namespace
 
-Listener::Listener(const Config& config, const RouteTable& routes, RequestLog& log)
-    : config_(config), routes_(routes), log_(log) {
+Listener::Listener(const Config& config, const RouteTable& routes, RequestLog& log,
+                   Metrics& metrics)
+    : config_(config), routes_(routes), log_(log), metrics_(metrics) {
   set_options();
   set_handlers();
 }
 
 void Listener::set_options() {
-  const std::size_t thread_count = config_.max_queue + renders_at_once + spare_threads;
+  const std::size_t thread_count =
+      config_.max_queue + renders_at_once + most_event_streams + spare_threads;
   server_.new_task_queue = [thread_count] { return new httplib::ThreadPool(thread_count); };
   // Without SO_REUSEPORT, httplib's default: a second server would share the port in silence.
   server_.set_socket_options([this](socket_t socket) {
@@ -122,7 +125,8 @@ void Listener::set_handlers() {
     log_.note("a request failed outside its handler");
     answer_problem(response, internal_error(), after_refusal(request));
   });
-  server_.set_post_routing_handler([](const Request& request, Response& response) {
+  server_.set_post_routing_handler([this](const Request& request, Response& response) {
+    response.set_header("X-Request-Id", log_.begin(request));
     if (closes_connection(response)) response.headers.erase("Keep-Alive");
     // httplib says "Content-Length: 0" where HTTP wants the length of the GET's body or nothing.
     const bool has_no_length = response.status == 204 || response.status == 304 ||
@@ -141,35 +145,39 @@ void Listener::set_handlers() {
 bool Listener::refuse_at_gate(const httplib::Request& request, httplib::Response& response) {
   // httplib does not expect exceptions from the Expect handler.
   try {
-    log_.begin();
+    log_.begin(request);
     ignore_ranges(request);
     pass_gate(request, routes_, config_);
     return false;
   } catch (const Refusal& refusal) {
-    answer_problem(response, refusal.problem(), after_refusal(request));
+    refuse(response, refusal.problem(), after_refusal(request));
   } catch (const std::exception& error) {
     log_.note(error.what());
-    answer_problem(response, internal_error(), after_refusal(request));
+    refuse(response, internal_error(), after_refusal(request));
   }
   return true;
+}
+
+void Listener::refuse(httplib::Response& response, const Problem& problem, Afterwards afterwards) {
+  metrics_.refused(problem.status);
+  answer_problem(response, problem, afterwards);
 }
 
 void Listener::dispatch(const httplib::Request& request, httplib::Response& response,
                         const httplib::ContentReader* content) {
   Call call{request, response, {}, content};
-  const auto refuse = [&](const Problem& problem) {
-    answer_problem(response, problem,
-                   call.body_was_read ? Afterwards::keep : after_refusal(request));
+  const auto afterwards = [&] {
+    return call.body_was_read ? Afterwards::keep : after_refusal(request);
   };
   try {
     RouteTable::Match match = routes_.match(request.method, request.path);
     call.captured = std::move(match.captured);
     match.route.handler(call);
   } catch (const Refusal& refusal) {
-    refuse(refusal.problem());
+    refuse(response, refusal.problem(), afterwards());
   } catch (const std::exception& error) {
     log_.note(fmt::format("{} {} failed: {}", request.method, request.path, error.what()));
-    refuse(internal_error());
+    refuse(response, internal_error(), afterwards());
   }
 }
 
@@ -189,7 +197,11 @@ void Listener::answer_unrouted(const httplib::Request& request, httplib::Respons
 void Listener::finish(const httplib::Request& request, const httplib::Response& response) {
   // httplib does not expect exceptions from its logger.
   try {
-    log_.end(request, response);
+    const double took_s = log_.end(request, response);
+    if (const Route* const route = routes_.find(request.method, request.path))
+      metrics_.answered(route->method, route->pattern, response.status, took_s);
+    else
+      metrics_.answered("other", "none", response.status, took_s);
     if (closes_connection(response)) linger(find_socket(ends_of(request)));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "raytracer-server: no line for a request: %s\n", error.what());

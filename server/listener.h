@@ -1,8 +1,8 @@
 // The HTTP server: httplib with its traps closed, between the route table and the network.
 //
 // httplib reads requests and writes answers; which handler answers is the route table's business.
-// One HTTP thread serves one connection; there are more of them than renders can run and wait
-// together, so that /healthz always finds one. Tracing has its own threads.
+// One HTTP thread serves one connection; there are more of them than renders can run and wait and
+// event streams be open together, so that /healthz always finds one. Tracing has its own threads.
 #pragma once
 
 #include <httplib.h>
@@ -10,7 +10,9 @@
 #include <atomic>
 #include <string>
 
+#include "server/answer.h"
 #include "server/config.h"
+#include "server/metrics.h"
 #include "server/request_log.h"
 #include "server/route_table.h"
 
@@ -18,8 +20,8 @@ namespace raytracer {
 
 class Listener {
  public:
-  /// All three must outlive the listener.
-  Listener(const Config& config, const RouteTable& routes, RequestLog& log);
+  /// All four must outlive the listener.
+  Listener(const Config& config, const RouteTable& routes, RequestLog& log, Metrics& metrics);
 
   /// Takes the address; connections are accepted from here on and served by run(). Returns the
   /// URL with the real port. Throws ConfigError if the address cannot be had.
@@ -37,12 +39,14 @@ class Listener {
   bool refuse_at_gate(const httplib::Request& request, httplib::Response& response);
   void dispatch(const httplib::Request& request, httplib::Response& response,
                 const httplib::ContentReader* content);
+  void refuse(httplib::Response& response, const Problem& problem, Afterwards afterwards);
   void answer_unrouted(const httplib::Request& request, httplib::Response& response);
   void finish(const httplib::Request& request, const httplib::Response& response);
 
   const Config& config_;
   const RouteTable& routes_;
   RequestLog& log_;
+  Metrics& metrics_;
   httplib::Server server_;
   int listening_socket_ = -1;
   int port_ = 0;

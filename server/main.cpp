@@ -21,7 +21,7 @@ int serve(const Config& config) {
   hold_signals();
   Services services(config);
   const RouteTable routes = make_routes(services);
-  Listener listener(services.config, routes, services.log);
+  Listener listener(services.config, routes, services.log, services.metrics);
   const std::string url = listener.bind();
   const Shutdown shutdown(services, listener);
   std::printf("listening on %s\n", url.c_str());

@@ -4,6 +4,7 @@
 #include "engine/engine.h"
 #include "server/answer.h"
 #include "server/handlers.h"
+#include "server/image_answer.h"
 #include "server/query.h"
 #include "server/scene_request.h"
 #include "server/turn.h"
@@ -19,6 +20,7 @@ void post_plan(Services& services, Call& call) {
                         services.pool, progress);
     return foreseen.has_value();
   });
+  services.metrics.predicted(reproducible_digest(request.scene), foreseen->prediction);
   answer_bytes(call.response, explain(request.scene, foreseen->plan, foreseen->prediction),
                "application/json");
   // Its times are those of a moment.

@@ -119,12 +119,9 @@ constexpr std::array<Row, 14> rows{{
 }};
 
 const Row& row_of(std::string_view name, QueryOf request) {
-  const std::size_t count = request == QueryOf::job ? rows.size() : rows.size() - 1;
-  std::vector<std::string_view> known;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (rows[i].name == name) return rows[i];
-    known.push_back(rows[i].name);
-  }
+  const std::vector<std::string_view> known = query_names(request);
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (known[i] == name) return rows[i];
   refuse(fmt::format("Unknown query parameter \"{}\"; did you mean \"{}\"?", name,
                      nearest_key(name, known)));
 }
@@ -168,6 +165,13 @@ std::vector<std::pair<std::string, std::string>> split_query(std::string_view ta
                             decoded(item.substr(std::min(equals + 1, item.size()))));
   }
   return parameters;
+}
+
+std::vector<std::string_view> query_names(QueryOf request) {
+  std::vector<std::string_view> names;
+  for (const Row& row : rows) names.push_back(row.name);
+  if (request != QueryOf::job) names.pop_back();
+  return names;
 }
 
 RenderQuery read_query(std::string_view target, QueryOf request) {

@@ -27,6 +27,9 @@ struct RenderQuery {
 /// Which requests a query belongs to: only jobs have a task.
 enum class QueryOf { render, job };
 
+/// The names that read_query knows.
+std::vector<std::string_view> query_names(QueryOf request);
+
 /// Reads the query of a request's target ("/render?samples=4").
 /// Throws Refusal 400 whose detail names the parameter. Integers beyond int become the nearest
 /// int, which is beyond every limit, so that the limits answer.

@@ -20,7 +20,10 @@ void post_or_get_render(Services& services, Call& call) {
     rendering = render(request.scene, services.config.limits, services.pool, progress);
     return rendering.stop != Stop::cancelled;
   });
-  answer_image(call, rendering, {queue_ms, request.parse_ms}, digest, format, services.pool);
+  services.metrics.rendered(rendering, digest);
+  const Preparation before{queue_ms, request.parse_ms};
+  services.metrics.took(Stage::encode,
+                        answer_image(call, rendering, before, digest, format, services.pool));
 }
 
 }  // namespace raytracer

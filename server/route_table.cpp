@@ -9,13 +9,13 @@
 namespace raytracer {
 namespace {
 
-/// What {} stands for if the path fits the pattern ("" for patterns without one).
+/// What {name} stands for if the path fits the pattern ("" for patterns without one).
 std::optional<std::string> fit(std::string_view pattern, std::string_view path) {
-  const std::size_t hole = pattern.find("{}");
+  const std::size_t hole = pattern.find('{');
   if (hole == std::string_view::npos)
     return path == pattern ? std::optional<std::string>("") : std::nullopt;
   const std::string_view before = pattern.substr(0, hole);
-  const std::string_view after = pattern.substr(hole + 2);
+  const std::string_view after = pattern.substr(pattern.find('}') + 1);
   if (path.size() <= before.size() + after.size()) return {};
   if (!path.starts_with(before) || !path.ends_with(after)) return {};
   const std::string_view inside =
@@ -24,10 +24,22 @@ std::optional<std::string> fit(std::string_view pattern, std::string_view path) 
   return std::string(inside);
 }
 
+/// A GET's route answers HEAD too.
+std::string_view method_of_route(std::string_view method) {
+  return method == "HEAD" ? "GET" : method;
+}
+
 }  // namespace
 
+const Route* RouteTable::find(std::string_view method, std::string_view path) const {
+  const std::string_view wanted = method_of_route(method);
+  for (const Route& route : routes_)
+    if (route.method == wanted && fit(route.pattern, path)) return &route;
+  return nullptr;
+}
+
 RouteTable::Match RouteTable::match(std::string_view method, std::string_view path) const {
-  const std::string_view wanted = method == "HEAD" ? "GET" : method;
+  const std::string_view wanted = method_of_route(method);
   std::string allowed;
   for (const Route& route : routes_) {
     std::optional<std::string> captured = fit(route.pattern, path);

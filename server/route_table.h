@@ -17,7 +17,7 @@ enum class RequestBody { none, scene };
 
 struct Route {
   std::string method;   ///< GET also answers HEAD
-  std::string pattern;  ///< a path; one {} in it stands for a segment that is not empty
+  std::string pattern;  ///< a path; one {name} in it is a segment, not empty
   RequestBody body = RequestBody::none;
   Handler handler;
 };
@@ -28,8 +28,13 @@ class RouteTable {
 
   struct Match {
     const Route& route;
-    std::string captured;  ///< what {} stood for
+    std::string captured;  ///< what {name} stood for
   };
+
+  const std::vector<Route>& routes() const { return routes_; }
+
+  /// The route, or null if there is none.
+  const Route* find(std::string_view method, std::string_view path) const;
 
   /// Throws Refusal: 404 for an unknown path, 405 with Allow for another method.
   Match match(std::string_view method, std::string_view path) const;

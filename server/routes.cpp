@@ -19,22 +19,24 @@ RouteTable make_routes(Services& services) {
       {"GET", "/render", none, with(post_or_get_render)},
       {"POST", "/plan", scene, with(post_plan)},
       {"POST", "/jobs", scene, with(post_job)},
-      {"GET", "/jobs/{}", none, with(get_job)},
-      {"GET", "/jobs/{}/image", none, with(get_job_image)},
-      {"GET", "/jobs/{}/result", none, with(get_job_result)},
-      {"DELETE", "/jobs/{}", none, with(delete_job)},
+      {"GET", "/jobs/{id}", none, with(get_job)},
+      {"GET", "/jobs/{id}/image", none, with(get_job_image)},
+      {"GET", "/jobs/{id}/result", none, with(get_job_result)},
+      {"GET", "/jobs/{id}/events", none, with(get_job_events)},
+      {"DELETE", "/jobs/{id}", none, with(delete_job)},
       {"GET", "/scenes", none, with(get_scenes)},
-      {"GET", "/scenes/{}", none, with(get_scene)},
+      {"GET", "/scenes/{name}", none, with(get_scene)},
       {"GET", "/healthz", none, with(get_health)},
       {"GET", "/readyz", none, with(get_readiness)},
+      {"GET", "/metrics", none, with(get_metrics)},
       {"GET", "/version", none, with(get_version)},
       {"GET", "/schema/scene.json", none, with(get_scene_schema)},
+      {"GET", "/openapi.json", none, with(get_openapi)},
   };
-  constexpr std::string_view page = "web";
   for (const EmbeddedFile& file : embedded_files()) {
-    if (!file.path.starts_with(page)) continue;
+    if (!file.path.starts_with(page_folder)) continue;
     const Handler handler = [&file](Call& call) { get_file(file, call); };
-    const std::string path(file.path.substr(page.size()));
+    const std::string path(file.path.substr(page_folder.size()));
     routes.push_back({"GET", path, none, handler});
     if (path == "/index.html") routes.push_back({"GET", "/", none, handler});
   }

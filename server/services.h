@@ -10,7 +10,9 @@
 #include "server/catalog.h"
 #include "server/config.h"
 #include "server/departures.h"
+#include "server/event_streams.h"
 #include "server/jobs.h"
+#include "server/metrics.h"
 #include "server/request_log.h"
 
 namespace raytracer {
@@ -26,17 +28,19 @@ struct Services {
         admission(renders_at_once, config.max_queue),
         pool(config.threads),
         machine_costs(measure_machine_costs(pool)),
-        jobs(admission, pool, config.limits, renders_at_once,
+        jobs(admission, pool, config.limits, renders_at_once, metrics,
              [this](std::string_view text) { log.note(text); }) {}
 
   const Config config;
   RequestLog log;
+  Metrics metrics{};
   const Catalog catalog{};
   BodyMemory body_memory;
   Admission admission;
   WorkerPool pool;
   const MachineCosts machine_costs;  ///< measured before anyone waits
   Departures departures{};
+  EventStreams event_streams{};
   Jobs jobs;  ///< ends first: its threads use what is above
 };
 

@@ -5,7 +5,8 @@
 namespace raytracer {
 namespace {
 
-[[noreturn]] void refuse_stopped(const Services& services) {
+[[noreturn]] void refuse_stopped(Services& services) {
+  services.metrics.cancelled();
   if (services.admission.is_closed())
     throw Refusal({503, "The server shut down before the work was finished"});
   // Nobody reads this: 499 is what the log then shows.
@@ -22,6 +23,7 @@ double take_turn(Services& services, const Call& call,
   Admission::Place place = services.admission.enter(progress);
   if (!place.wait_for_turn()) refuse_stopped(services);
   const double queue_ms = place.queue_ms();
+  services.metrics.waited(queue_ms);
   if (!work(progress)) refuse_stopped(services);
   return queue_ms;
 }

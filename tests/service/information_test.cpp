@@ -134,16 +134,5 @@ TEST_F(Information, head_is_get_without_a_body) {
   }
 }
 
-TEST_F(Information, log_has_a_line_for_each_request) {
-  const ServerProcess logging;
-  test::get(logging, "/scenes?x\x01y");
-  EXPECT_TRUE(eventually([&] { return logging.log().find("GET /scenes") != std::string::npos; }))
-      << logging.log();
-  EXPECT_EQ(logging.log().find('\x01'), std::string::npos);
-  const ServerProcess quiet({"--quiet"});
-  test::get(quiet, "/scenes");
-  EXPECT_EQ(quiet.log(), "");
-}
-
 }  // namespace
 }  // namespace raytracer::test

@@ -1,10 +1,18 @@
-// The one table from a file name to its media type.
+// Looking the embedded files up, and the one table from a name to its media type.
 #include <array>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "server/embedded.h"
 
 namespace raytracer {
+
+const EmbeddedFile& embedded_file(std::string_view path) {
+  for (const EmbeddedFile& file : embedded_files())
+    if (file.path == path) return file;
+  throw std::logic_error(std::string(path) + " is not embedded");
+}
 
 std::string_view media_type_of(std::string_view path) {
   using namespace std::string_view_literals;
