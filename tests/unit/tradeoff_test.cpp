@@ -189,10 +189,10 @@ TEST(MeasureCurve, PlainBackgroundNeedsOneSample) {
 TEST(MeasureCurve, KeepsWithinTheLimits) {
   Limits limits;
   limits.samples = 100;
-  EXPECT_EQ(*measure(mirror_scene(), limits).curve.reference.settings.samples, 48);
+  EXPECT_EQ(*measure(mirror_scene(), limits).curve.reference.settings.samples, 96);
   limits = {};
   // The least that is allowed; a ray may be reflected five times.
-  limits.work = 24 * 16 * 6 * least_curve_samples;
+  limits.work = std::int64_t{24} * 16 * 6 * least_curve_samples;
   const Curve least = measure(mirror_scene(), limits).curve;
   double samples = 48 + 12;
   for (const CurvePoint& each : least.points)
