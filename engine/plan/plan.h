@@ -22,6 +22,7 @@ struct Plan {
   Census census;
   Choice<Kernel> kernel;
   Choice<Precision> precision;  ///< never automatic
+  ArithmeticError arithmetic_error;  ///< in that precision
   Structures structures;
   Choice<Sampling> sampling;
   InstructionSet instruction_set;
