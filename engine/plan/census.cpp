@@ -61,6 +61,7 @@ class Counter {
   Counter(const Frame& frame, const Camera& camera, Census& census)
       : frame_(frame),
         census_(census),
+        pixel_angle_(pixel_angle(camera)),
         blocks_per_radian_(stretch(camera) / (block_side_px * pixel_angle(camera))),
         block_columns_(1 + camera.width / block_side_px),
         block_rows_(1 + camera.height / block_side_px) {}
@@ -78,6 +79,7 @@ class Counter {
     approach(distance_to_square(s, center, r));
     census_.farthest = std::max(census_.farthest, reach);
     census_.distance_in_radii = std::max(census_.distance_in_radii, reach / r);
+    note_size(s.center, s.radius, reach, r, 4 * std::pow(static_cast<double>(s.n), 2));
   }
 
   void operator()(const Plane& p) {
@@ -114,11 +116,20 @@ class Counter {
     farthest_but_squares_ = std::max(farthest_but_squares_, farthest);
   }
 
+  /// Of `count` spheres, none of which is farther than `distance`.
+  void note_size(const Vec3& scene_center, double scene_radius, double distance, double r,
+                 double count) {
+    constexpr double step = 0x1p-53;
+    census_.coarseness = std::max(census_.coarseness, max_abs(scene_center) * step / scene_radius);
+    if (2 * r < distance * pixel_angle_) census_.small_spheres += count;
+  }
+
   void add_sphere(const Vec3& scene_center, double scene_radius) {
     const double distance = length(frame_.frame_from_scene(scene_center));
     const double r = frame_.frame_from_scene(scene_radius);
     add(distance - r, distance + r);
     census_.distance_in_radii = std::max(census_.distance_in_radii, (distance + r) / r);
+    note_size(scene_center, scene_radius, distance, r, 1);
     const double tangent2 = (distance - r) * (distance + r);
     census_.sphere_blocks += blocks(tangent2 > 0 ? r / std::sqrt(tangent2) : 1e300);
   }
@@ -140,6 +151,7 @@ class Counter {
 
   const Frame& frame_;
   Census& census_;
+  double pixel_angle_;
   double blocks_per_radian_;
   double block_columns_;
   double block_rows_;

@@ -28,8 +28,10 @@ struct Census {
   /// and shows what it mirrors only as bright as its reflectivity.
   double magnification = 1;
   double gap = std::numeric_limits<double>::infinity();  ///< as least_gap() says
-  double brightest = 0;    ///< i of a light where it is nearest to a surface, any channel
-  double pixel_angle = 0;  ///< radians, at the image's centre
+  double coarseness = 0;  ///< the largest step between a centre's doubles, in radii of its sphere
+  double small_spheres = 0;  ///< that may be seen smaller than a pixel
+  double brightest = 0;      ///< i of a light where it is nearest to a surface, any channel
+  double pixel_angle = 0;    ///< radians, at the image's centre
 };
 
 Census take_census(const Scene& scene, const Frame& frame, const Features& features);

@@ -8,8 +8,8 @@ namespace raytracer {
 namespace {
 
 constexpr double nothing_near = std::numeric_limits<double>::infinity();
-constexpr double widest = 1e-4;          // gaps beyond this no precision has trouble with
-constexpr std::size_t most = 10'000;     // sorted and compared in about a millisecond
+constexpr double widest = 1e-4;               // gaps beyond this no precision has trouble with
+constexpr std::size_t most = 10'000;          // sorted and compared in about a millisecond
 constexpr std::ptrdiff_t most_compared = 64;  // of each with those next to it
 
 struct PlacedSphere {

@@ -39,15 +39,18 @@ ArithmeticError foresee_arithmetic_error(Precision precision, const Features& fe
       census.clearance > 0 ? census.clearance : census.pixel_angle * census.farthest;
   const double shadow_growth = nearest > 0 ? census.shadow_path / nearest : 0;
   ArithmeticError error;
-  error.displacement_px = rounding / census.pixel_angle *
-                          std::max(census.magnification, 1 + shadow_growth);
+  const double displacement_px =
+      rounding / census.pixel_angle * std::max(census.magnification, 1 + shadow_growth);
+  constexpr double beyond_every_image_px = 1e6;  // also for what is no number
+  error.displacement_px =
+      displacement_px < beyond_every_image_px ? displacement_px : beyond_every_image_px;
   // A turn of the normal changes the diffuse part by as much, a highlight by the root of its
   // exponent more.
   const double normal_error = rounding * (1 + census.distance_in_radii);
   const double shading_error =
       normal_error * (1 + std::sqrt(features.shininess)) + rounding * features.shininess;
-  error.levels =
-      std::min(255.0, 255 * (colour_rounding + std::max(census.brightest, 1.0) * shading_error));
+  const double share = colour_rounding + std::max(census.brightest, 1.0) * shading_error;
+  error.levels = share < 1 ? 255 * share : 255;
   return error;
 }
 

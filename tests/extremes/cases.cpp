@@ -18,8 +18,8 @@ std::vector<Extreme> all_extremes() {
     if (!scene.ok())
       throw std::runtime_error(entry.path().string() + ": " + scene.errors()[0].pointer + " " +
                                scene.errors()[0].detail);
-    extremes.push_back({entry.path().stem().string(),
-                        nlohmann::json::parse(text).at("description"), std::move(scene).value()});
+    extremes.push_back({entry.path().stem().string(), nlohmann::json::parse(text).at("description"),
+                        std::move(scene).value()});
   }
   std::sort(extremes.begin(), extremes.end(),
             [](const Extreme& a, const Extreme& b) { return a.name < b.name; });

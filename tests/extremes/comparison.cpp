@@ -74,8 +74,8 @@ Comparison compare(const Image& image, const ExactImage& exact, const Scene& sce
       }
       // Looking for where it is seen takes long: in a picture with many such, only for some.
       if (result.off++ < most_displacements)
-        result.displacement_px = std::max(result.displacement_px,
-                                          displacement(oracle, x + 0.5, image_y, color));
+        result.displacement_px =
+            std::max(result.displacement_px, displacement(oracle, x + 0.5, image_y, color));
     }
   }
   return result;

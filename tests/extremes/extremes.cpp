@@ -49,12 +49,13 @@ Row measure(const Extreme& extreme, Peers& peers, WorkerPool& pool) {
   const bool is_right = chosen.off == 0 && chosen.nans == 0 &&
                         chosen.displacement_px <= std::max(1e-6, foreseen.displacement_px) &&
                         chosen.levels <= foreseen.levels;
-  return {fmt::format("| {} | {} | {:.1g} px, {:.1g} | {:.1g} px, {:.1g} | {} | {} | {} | {} | {} |\n",
-                      extreme.name, is_single ? "single" : "double", foreseen.displacement_px,
-                      foreseen.levels, chosen.displacement_px, chosen.levels, pixels_text(chosen),
-                      pixels_text(single), pixels_text(in_double), peers.povray(scene, exact),
-                      peers.embree(scene, exact)),
-          is_single, is_right, single.off > 0};
+  return {
+      fmt::format("| {} | {} | {:.1g} px, {:.1g} | {:.1g} px, {:.1g} | {} | {} | {} | {} | {} |\n",
+                  extreme.name, is_single ? "single" : "double", foreseen.displacement_px,
+                  foreseen.levels, chosen.displacement_px, chosen.levels, pixels_text(chosen),
+                  pixels_text(single), pixels_text(in_double), peers.povray(scene, exact),
+                  peers.embree(scene, exact)),
+      is_single, is_right, single.off > 0};
 }
 
 }  // namespace
@@ -90,7 +91,8 @@ int main(int argc, char** argv) {
     needs_double += !row.is_single && row.single_is_wrong ? 1 : 0;
   }
   const std::string summary = fmt::format(
-      "\n{} scenes: {} right on auto, within what was predicted; {} of them in single; {} in double "
+      "\n{} scenes: {} right on auto, within what was predicted; {} of them in single; {} in "
+      "double "
       "that single gets wrong.\n",
       count, right, in_single, needs_double);
   std::cout << summary;

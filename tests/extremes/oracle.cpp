@@ -287,7 +287,9 @@ Vec3 Oracle::color(double x, double y, double dx, double dy) const {
   const Quad across = (2 * (static_cast<Quad>(x) + dx)) / camera.width - 1;
   const Quad upwards = (2 * (static_cast<Quad>(y) + dy)) / camera.height - 1;
   const QuadVec seen = radiance(unit(forward_ + right_ * across + up_ * upwards));
-  const auto clamped = [](Quad c) { return static_cast<double>(c < 0 ? Quad(0) : c > 1 ? Quad(1) : c); };
+  const auto clamped = [](Quad c) {
+    return static_cast<double>(c < 0 ? Quad(0) : c > 1 ? Quad(1) : c);
+  };
   return {clamped(seen.x), clamped(seen.y), clamped(seen.z)};
 }
 

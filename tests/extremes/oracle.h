@@ -32,7 +32,7 @@ class Oracle {
     Kind kind = Kind::none;
     std::size_t object = 0;
     std::size_t part = 0;
-    QuadVec point;  ///< relative to the eye
+    QuadVec point;   ///< relative to the eye
     QuadVec normal;  ///< unit, towards where the ray came from
     Quad radius = 0;
     Quad t = 0;

@@ -14,8 +14,7 @@ struct Peers::Programs {
   bench::PovrayPeer povray;
 };
 
-Peers::Peers(WorkerPool& pool)
-    : pool_(pool), programs_(std::make_unique<Programs>(pool)) {}
+Peers::Peers(WorkerPool& pool) : pool_(pool), programs_(std::make_unique<Programs>(pool)) {}
 
 Peers::~Peers() = default;
 
