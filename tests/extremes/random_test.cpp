@@ -1,6 +1,7 @@
-// Random scenes over sixteen orders of magnitude are the exact pictures.
+// Random scenes are the exact pictures: those over sixteen orders of magnitude, which the plan
+// gives to double, and ordinary ones, which it gives to single.
 //
-// 300 of them; RAYTRACER_RANDOM_SCENES says another number. Scene i is that of seed i + 1.
+// 300 of the former; RAYTRACER_RANDOM_SCENES says another number. Scene i is that of seed i + 1.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,16 +17,23 @@ namespace {
 
 using test::Random;
 
-/// Spheres, squares and triangles, coordinates of 10^U(-8, 8), radii of 10^U(-4, 4), seen from a
-/// point of the same kind, looking at one of them so that it is seen.
-Scene random_scene(std::uint64_t seed) {
+/// How large coordinates, radii, and distances of the eye in radii are: 10^U(-x, x), the last
+/// 10^U(0.5, x).
+struct Magnitudes {
+  double place;
+  double radius;
+  double away;
+};
+
+/// Spheres, squares and triangles, seen from where one of them fills a good part of the image.
+Scene random_scene(std::uint64_t seed, const Magnitudes& size) {
   Random random(seed);
   const auto far_point = [&] {
-    const double x = random.magnitude(-8, 8);
-    const double y = random.magnitude(-8, 8);
-    return Vec3{x, y, random.magnitude(-8, 8)};
+    const double x = random.magnitude(-size.place, size.place);
+    const double y = random.magnitude(-size.place, size.place);
+    return Vec3{x, y, random.magnitude(-size.place, size.place)};
   };
-  const auto any_radius = [&] { return std::abs(random.magnitude(-4, 4)); };
+  const auto any_radius = [&] { return std::abs(random.magnitude(-size.radius, size.radius)); };
   Scene scene;
   scene.materials = {{.ks = 0.2, .shininess = std::abs(random.magnitude(-2, 4))},
                      {.color = {0.9, 0.5, 0.2}, .reflectivity = random.between(0, 0.5)}};
@@ -52,7 +60,7 @@ Scene random_scene(std::uint64_t seed) {
     add(Plane{middle - 3 * radius * random.direction(), random.direction()});
   scene.lights = {{DistantLight{random.direction()}},
                   {DistantLight{random.direction()}, {1, 1, 1}, 0.5}};
-  const double away = radius * std::abs(random.magnitude(0.5, 4));
+  const double away = radius * std::abs(random.magnitude(0.5, size.away));
   scene.camera = {.origin = middle + away * random.direction(),
                   .look_at = middle,
                   .fov = std::min(2.5, 8 * radius / away),
@@ -67,38 +75,54 @@ int scene_count() {
   return count == nullptr ? 300 : std::atoi(count);
 }
 
-TEST(RandomScenes, AreTheExactPictures) {
-  const int count = scene_count();
-  ASSERT_GT(count, 0) << "RAYTRACER_RANDOM_SCENES must be a number above 0";
-  WorkerPool pool(2);
+struct Outcome {
   int off = 0;
   int at_edge = 0;
   int nans = 0;
   int in_single = 0;
-  int seen = 0;
+  int seen = 0;  ///< pixels that show an object
   double levels = 0;
-  for (int i = 0; i < count; ++i) {
-    const Scene scene = random_scene(static_cast<std::uint64_t>(i) + 1);
+};
+
+/// Renders the scenes of seeds 1 to `count`, expects each to be right, and prints the sums.
+Outcome expect_exact_pictures(int count, const Magnitudes& size) {
+  WorkerPool pool(2);
+  Outcome sum;
+  for (int seed = 1; seed <= count; ++seed) {
+    const Scene scene = random_scene(static_cast<std::uint64_t>(seed), size);
     if (scene.camera.origin == scene.camera.look_at) continue;  // lost in the coordinates' rounding
     const Plan plan = make_plan(scene, this_machine(1));
-    in_single += plan.precision.value == Precision::single_precision ? 1 : 0;
+    sum.in_single += plan.precision.value == Precision::single_precision ? 1 : 0;
     const ExactImage exact = exact_image(scene, pool);
-    for (const Vec3& color : exact) seen += color == scene.background ? 0 : 1;
+    for (const Vec3& color : exact) sum.seen += color == scene.background ? 0 : 1;
     const Comparison result = compare(render_as(scene, Precision::automatic, pool), exact, scene);
-    EXPECT_EQ(result.off, 0) << "seed " << i + 1 << ", " << result.displacement_px << " px; "
+    EXPECT_EQ(result.off, 0) << "seed " << seed << ", " << result.displacement_px << " px; "
                              << plan.precision.reason;
-    EXPECT_EQ(result.nans, 0) << "seed " << i + 1;
-    EXPECT_LE(result.levels, plan.arithmetic_error.levels) << "seed " << i + 1;
-    off += result.off;
-    at_edge += result.at_edge;
-    nans += result.nans;
-    levels = std::max(levels, result.levels);
+    EXPECT_EQ(result.nans, 0) << "seed " << seed;
+    EXPECT_LE(result.levels, plan.arithmetic_error.levels) << "seed " << seed;
+    sum.off += result.off;
+    sum.at_edge += result.at_edge;
+    sum.nans += result.nans;
+    sum.levels = std::max(sum.levels, result.levels);
   }
   fmt::print(
       "seeds 1 to {}: {} pixels wrong, {} right within 1e-6 pixel, {} not numbers, the largest "
       "difference {:.2g} levels; {} scenes in single, {} pixels show an object\n",
-      count, off, at_edge, nans, levels, in_single, seen);
-  EXPECT_GT(seen, 50 * count);
+      count, sum.off, sum.at_edge, sum.nans, sum.levels, sum.in_single, sum.seen);
+  return sum;
+}
+
+TEST(RandomScenes, OverSixteenOrdersOfMagnitudeAreTheExactPictures) {
+  const int count = scene_count();
+  ASSERT_GT(count, 0) << "RAYTRACER_RANDOM_SCENES must be a number above 0";
+  const Outcome sum = expect_exact_pictures(count, {8, 4, 4});
+  EXPECT_GT(sum.seen, 50 * count);
+}
+
+TEST(RandomScenes, OfOrdinarySizesAreTheExactPicturesInSingle) {
+  constexpr int count = 100;
+  const Outcome sum = expect_exact_pictures(count, {1, 0.5, 1});
+  EXPECT_GT(sum.in_single, count / 2);
 }
 
 }  // namespace
