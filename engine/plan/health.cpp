@@ -58,13 +58,16 @@ class Report {
   }
 
   void say_what_is_displaced() {
-    constexpr double visible_px = 0.25;
+    // Single is chosen below 1/64 pixel; what double moves by more than 1/1024 is at its end.
+    constexpr double usual_in_single_px = 1.0 / 64;
+    constexpr double usual_in_double_px = 1.0 / 1024;
     const ArithmeticError& error = plan_.arithmetic_error;
     const bool is_single = plan_.precision.value == Precision::single_precision;
     const char* const help =
         is_single ? "ask for precision \"auto\" or \"double\""
-                  : "widen camera.fov, move the camera nearer, or away from the nearest surface";
-    if (error.displacement_px > visible_px)
+                  : "double holds no more digits, so widen camera.fov, move the camera away from "
+                    "the nearest surface, or make small mirrors larger";
+    if (error.displacement_px > (is_single ? usual_in_single_px : usual_in_double_px))
       add(
           fmt::format("Rounding may displace edges, shadows or reflections by up to {:.2g} pixels: "
                       "{}.",
