@@ -25,7 +25,7 @@ define test_in
 	$(3) ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
 endef
 
-.PHONY: all test check sanitize tsan tradeoff bench install clean help
+.PHONY: all test check sanitize tsan tradeoff bench extremes fuzz install clean help
 
 all:
 	$(call configure,build)
@@ -68,12 +68,33 @@ bench:
 	build-bench/raytracer_bench --runs tests/bench/runs \
 	  --commit "$$(git describe --always --dirty --exclude='*')"
 
+# Against the exact pictures, the peers beside it; fails if one picture is not right.
+extremes:
+	.ci/install build test bench
+	$(call configure,build-bench,-DRAYTRACER_TESTS=ON -DRAYTRACER_BENCH=ON)
+	@cmake --build build-bench --parallel $(JOBS) --target raytracer_extremes
+	@mkdir -p tests/extremes/runs
+	build-bench/raytracer_extremes --write tests/extremes/runs/extremes.md
+
+# Both start from the shipped scenes and the extremes. A finding is left in build-fuzz.
+fuzz_sanitizers = address$(comma)undefined$(comma)fuzzer-no-link
+fuzz_seconds ?= 60
+fuzz:
+	.ci/install build test fuzz
+	$(call configure,build-fuzz,-DRAYTRACER_TESTS=ON -DRAYTRACER_FUZZ=ON \
+	  -DCMAKE_CXX_COMPILER=clang++ -DRAYTRACER_SANITIZE=$(fuzz_sanitizers))
+	@cmake --build build-fuzz --parallel $(JOBS) --target fuzz_read_scene fuzz_render
+	@mkdir -p build-fuzz/documents build-fuzz/scenes
+	cd build-fuzz && ./fuzz_read_scene -max_total_time=$(fuzz_seconds) -timeout=10 \
+	  -dict=../tests/fuzz/scene.dict -max_len=4096 documents ../server/scenes ../tests/extremes/scenes
+	cd build-fuzz && ./fuzz_render -max_total_time=$(fuzz_seconds) -timeout=20 -max_len=600 scenes
+
 # DESTDIR, as packagers use it, is read by cmake itself.
 install: all
 	cmake --install build --prefix $(PREFIX)
 
 clean:
-	rm -rf build build-sanitize build-tsan build-bench
+	rm -rf build build-sanitize build-tsan build-bench build-fuzz
 
 help:
 	@echo "make           build/raytracer-server and build/raytracer"
@@ -83,6 +104,8 @@ help:
 	@echo "make tsan      all tests with ThreadSanitizer"
 	@echo "make tradeoff  the demo's error and time for growing numbers of samples"
 	@echo "make bench     times against Embree and POV-Ray, written to tests/bench/runs"
+	@echo "make extremes  scenes at the extremes against exact pictures, written to tests/extremes/runs"
+	@echo "make fuzz      a minute each of random documents and of random scenes, with libFuzzer"
 	@echo "make install   both programs to PREFIX ($(PREFIX)), below DESTDIR if that is set"
 	@echo "make clean     remove what was built"
 

@@ -106,6 +106,14 @@ std::string prediction_text(const Json& prediction, int columns) {
          entry("", prediction.value("error_reason", ""), columns);
 }
 
+std::string health_text(const Json& strains, int columns) {
+  if (strains.empty()) return entry("health", "nothing strains the arithmetic", columns);
+  std::string text;
+  for (const Json& strain : strains)
+    text += entry(text.empty() ? "health" : "", "- " + word_of(strain), columns);
+  return text;
+}
+
 }  // namespace
 
 std::string plan_text(const std::string& json, int columns) {
@@ -118,6 +126,8 @@ std::string plan_text(const std::string& json, int columns) {
       text += features_text(value, columns);
     else if (key == "prediction")
       text += prediction_text(value, columns);
+    else if (key == "health")
+      text += health_text(value, columns);
     else if (value.is_object() && value.contains("choice"))
       text += choice_text(name, value, columns);
   }

@@ -11,6 +11,18 @@
 namespace raytracer {
 namespace {
 
+/// The direction across a triangle; zero for one of no area. Of the two shorter sides, which meet
+/// opposite the longest: a needle's short side is a difference without rounding, so that the normal
+/// keeps its digits.
+Vec3 normal_across(const std::array<Vec3, 3>& corners) {
+  std::array<Vec3, 3> sides;
+  for (std::size_t i = 0; i < 3; ++i) sides[i] = corners[(i + 1) % 3] - corners[i];
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (max_abs(sides[i]) > max_abs(sides[longest])) longest = i;
+  return unit(cross(unit(sides[(longest + 1) % 3]), unit(sides[(longest + 2) % 3])));
+}
+
 /// Appends each object's primitives to the scene's arrays.
 struct Packer {
   const Frame& frame;
@@ -61,8 +73,10 @@ struct Packer {
       for (std::size_t i = begin; i < end; ++i) {
         const auto& [a, b, c] = m.triangles[i];
         PackedTriangle triangle{{vertices[a], vertices[b], vertices[c]}, {}, {object, i}};
-        triangle.normal =
-            unit(cross(unit(vertices[b] - vertices[a]), unit(vertices[c] - vertices[a])));
+        // In the scene's coordinates, which are not yet rounded, if their differences are finite.
+        triangle.normal = normal_across({m.vertices[a], m.vertices[b], m.vertices[c]});
+        if (!std::isfinite(max_abs(triangle.normal)))
+          triangle.normal = normal_across(triangle.vertices);
         begin_of_mesh[static_cast<std::ptrdiff_t>(i)] = triangle;
       }
     });

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "engine/plan/coincidence.h"
+
 namespace raytracer {
 namespace {
 
@@ -59,6 +61,7 @@ class Counter {
   Counter(const Frame& frame, const Camera& camera, Census& census)
       : frame_(frame),
         census_(census),
+        pixel_angle_(pixel_angle(camera)),
         blocks_per_radian_(stretch(camera) / (block_side_px * pixel_angle(camera))),
         block_columns_(1 + camera.width / block_side_px),
         block_rows_(1 + camera.height / block_side_px) {}
@@ -73,14 +76,15 @@ class Counter {
     const Vec3 center = frame_.frame_from_scene(s.center);
     const double r = frame_.frame_from_scene(s.radius);
     const double reach = length(center) + 2 * std::sqrt(2.0) * static_cast<double>(s.n) * r + r;
-    census_.nearest = std::min(census_.nearest, std::max(distance_to_square(s, center, r), 0.0));
+    approach(distance_to_square(s, center, r));
     census_.farthest = std::max(census_.farthest, reach);
     census_.distance_in_radii = std::max(census_.distance_in_radii, reach / r);
+    note_size(s.center, s.radius, reach, r, 4 * std::pow(static_cast<double>(s.n), 2));
   }
 
   void operator()(const Plane& p) {
     const double height = std::abs(dot(unit(p.normal), frame_.frame_from_scene(p.point)));
-    census_.nearest = std::min(census_.nearest, height);
+    approach(height);
   }
 
   void operator()(const Mesh& m) {
@@ -92,7 +96,7 @@ class Counter {
     }
     for (const auto& corners : m.triangles) {
       const TriangleBall ball(vertices[corners[0]], vertices[corners[1]], vertices[corners[2]]);
-      add(ball.distance, 0);
+      add(std::max(ball.distance, 0.0), 0);
       census_.triangle_blocks += blocks(ball.reach / ball.distance);
     }
   }
@@ -100,10 +104,24 @@ class Counter {
   double farthest_but_squares() const { return farthest_but_squares_; }
 
  private:
+  /// To a surface; negative inside of it.
+  void approach(double distance) {
+    census_.nearest = std::min(census_.nearest, std::max(distance, 0.0));
+    census_.clearance = std::min(census_.clearance, std::abs(distance));
+  }
+
   void add(double nearest, double farthest) {
-    census_.nearest = std::min(census_.nearest, std::max(nearest, 0.0));
+    approach(nearest);
     census_.farthest = std::max(census_.farthest, farthest);
     farthest_but_squares_ = std::max(farthest_but_squares_, farthest);
+  }
+
+  /// Of `count` spheres, none of which is farther than `distance`.
+  void note_size(const Vec3& scene_center, double scene_radius, double distance, double r,
+                 double count) {
+    constexpr double step = 0x1p-53;
+    census_.coarseness = std::max(census_.coarseness, max_abs(scene_center) * step / scene_radius);
+    if (2 * r < distance * pixel_angle_) census_.small_spheres += count;
   }
 
   void add_sphere(const Vec3& scene_center, double scene_radius) {
@@ -111,6 +129,7 @@ class Counter {
     const double r = frame_.frame_from_scene(scene_radius);
     add(distance - r, distance + r);
     census_.distance_in_radii = std::max(census_.distance_in_radii, (distance + r) / r);
+    note_size(scene_center, scene_radius, distance, r, 1);
     const double tangent2 = (distance - r) * (distance + r);
     census_.sphere_blocks += blocks(tangent2 > 0 ? r / std::sqrt(tangent2) : 1e300);
   }
@@ -132,6 +151,7 @@ class Counter {
 
   const Frame& frame_;
   Census& census_;
+  double pixel_angle_;
   double blocks_per_radian_;
   double block_columns_;
   double block_rows_;
@@ -260,17 +280,25 @@ Census take_census(const Scene& scene, const Frame& frame, const Features& featu
   // What the eye's distances are to the eye, a light's are to the light.
   for (const Light& light : scene.lights) {
     const auto* point = std::get_if<PointLight>(&light.source);
-    if (point == nullptr) continue;
+    const double emitted = max_abs(light.color) * light.intensity;
+    if (point == nullptr) {
+      census.brightest = std::max(census.brightest, emitted);
+      continue;
+    }
     Census around_light;
     const Frame light_frame(point->position, frame.exponent());
     Counter light_counter(light_frame, scene.camera, around_light);
     for (const Object& object : scene.objects)
       std::visit([&](const auto& shape) { light_counter(shape); }, object.shape);
     census.light_clearance =
-        std::min(census.light_clearance, around_light.nearest / census.farthest);
+        std::min(census.light_clearance, around_light.clearance / census.farthest);
+    const double clearance = std::ldexp(around_light.clearance, frame.exponent());
+    census.brightest =
+        std::max(census.brightest, emitted / (4 * std::numbers::pi) / clearance / clearance);
   }
   census.shadow_path = shadow_path(scene, frame, census.farthest, counter.farthest_but_squares());
   if (features.reflects) census.magnification = magnification(scene, frame, features, census);
+  census.gap = least_gap(scene, frame);
   census.pixel_angle = pixel_angle(scene.camera);
   return census;
 }

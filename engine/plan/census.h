@@ -16,6 +16,8 @@ struct Census {
   double sphere_blocks = 0;
   double triangle_blocks = 0;
   double nearest = std::numeric_limits<double>::infinity();  ///< surface; 0 inside a sphere
+  /// Distance from the eye to the nearest surface, on whichever side of it the eye is.
+  double clearance = std::numeric_limits<double>::infinity();
   double farthest = 0;           ///< point of a sphere, square or mesh, and point light
   double distance_in_radii = 0;  ///< the largest of farthest distance / radius
   double shadow_path = 0;        ///< no occluder stands farther than this from what it shadows
@@ -25,7 +27,11 @@ struct Census {
   /// mirroring sphere of radius r spreads neighbouring rays 2 d / r times as far at a distance d,
   /// and shows what it mirrors only as bright as its reflectivity.
   double magnification = 1;
-  double pixel_angle = 0;  ///< radians, at the image's centre
+  double gap = std::numeric_limits<double>::infinity();  ///< as least_gap() says
+  double coarseness = 0;  ///< the largest step between a centre's doubles, in radii of its sphere
+  double small_spheres = 0;  ///< that may be seen smaller than a pixel
+  double brightest = 0;      ///< i of a light where it is nearest to a surface, any channel
+  double pixel_angle = 0;    ///< radians, at the image's centre
 };
 
 Census take_census(const Scene& scene, const Frame& frame, const Features& features);

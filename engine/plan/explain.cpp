@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "engine/plan/health.h"
+
 namespace raytracer {
 namespace {
 
@@ -119,6 +121,8 @@ std::string explain(const Scene& scene, const Plan& plan, const Prediction& pred
   json["kernel"] = kernel_json(plan.kernel);
   json["instruction_set"] = instruction_set_json(plan.instruction_set);
   json["precision"] = choice(is_single ? "single" : "double", plan.precision.reason);
+  json["precision"]["displacement_px"] = rounded(plan.arithmetic_error.displacement_px);
+  json["precision"]["levels"] = rounded(plan.arithmetic_error.levels);
   json["geometry"] = geometry_json(scene, plan);
   json["sampling"] =
       choice(plan.sampling.value == Sampling::contract ? Json("passes")
@@ -127,6 +131,7 @@ std::string explain(const Scene& scene, const Plan& plan, const Prediction& pred
   json["tiles"] = choice(plan.tile_side_px.value, plan.tile_side_px.reason);
   json["frame"] = frame_json(plan.frame);
   json["prediction"] = prediction_json(prediction);
+  json["health"] = find_strains(scene, plan);
   return json.dump(2) + "\n";
 }
 

@@ -10,8 +10,10 @@
 namespace raytracer {
 
 /// An object with `features`, `instruction_set`, `kernel`, `precision`, `geometry`, `sampling`,
-/// `tiles`, `frame` and `prediction`; choices as {"choice": ..., "reason": "..."}. `plan` and
-/// `prediction` are the scene's.
+/// `tiles`, `frame` and `prediction`; choices as {"choice": ..., "reason": "..."}. `precision` also
+/// has what its rounding may do at most: `displacement_px` of edges, `levels` of colours. `health`
+/// is a list of sentences, empty for a scene that strains nothing. `plan` and `prediction` are the
+/// scene's.
 std::string explain(const Scene& scene, const Plan& plan, const Prediction& prediction);
 
 }  // namespace raytracer

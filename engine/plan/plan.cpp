@@ -33,6 +33,8 @@ Plan make_plan(const Scene& scene, const Machine& machine) {
   plan.census = take_census(scene, plan.frame, plan.features);
   plan.kernel = choose_kernel(plan.features, plan.census);
   plan.precision = precision_for(scene, plan);
+  plan.arithmetic_error =
+      foresee_arithmetic_error(plan.precision.value, plan.features, plan.census);
   plan.structures = choose_structures(plan.features, plan.census);
   plan.sampling = choose_sampling(scene.render);
   plan.instruction_set = machine.instruction_set;

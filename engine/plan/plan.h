@@ -21,7 +21,8 @@ struct Plan {
   Frame frame;
   Census census;
   Choice<Kernel> kernel;
-  Choice<Precision> precision;  ///< never automatic
+  Choice<Precision> precision;       ///< never automatic
+  ArithmeticError arithmetic_error;  ///< in that precision
   Structures structures;
   Choice<Sampling> sampling;
   InstructionSet instruction_set;

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/plan/counted.h"
 
 namespace raytracer {
@@ -19,7 +22,37 @@ constexpr double triangle_tolerance_px = 1.0 / 256;  // at whose edges more is l
 constexpr double mirror_tolerance_px = 1.0 / 16;
 constexpr double surface_tolerance = 1.0 / 192;  // of a radius: of a normal, and of a contact
 
+// What every picture's values are rounded to, and the few roundings of a colour before it.
+constexpr double colour_rounding = 16 * single_rounding;
+
+double rounding_of(Precision precision) {
+  return precision == Precision::double_precision ? 0x1p-53 : single_rounding;
+}
+
 }  // namespace
+
+ArithmeticError foresee_arithmetic_error(Precision precision, const Features& features,
+                                         const Census& census) {
+  const double rounding = kappa * rounding_of(precision);
+  // Of a sphere on which the eye is, all but what is seen within a pixel of its horizon is farther.
+  const double nearest =
+      census.clearance > 0 ? census.clearance : census.pixel_angle * census.farthest;
+  const double shadow_growth = nearest > 0 ? census.shadow_path / nearest : 0;
+  ArithmeticError error;
+  const double displacement_px =
+      rounding / census.pixel_angle * std::max(census.magnification, 1 + shadow_growth);
+  constexpr double beyond_every_image_px = 1e6;  // also for what is no number
+  error.displacement_px =
+      displacement_px < beyond_every_image_px ? displacement_px : beyond_every_image_px;
+  // A turn of the normal changes the diffuse part by as much, a highlight by the root of its
+  // exponent more.
+  const double normal_error = rounding * (1 + census.distance_in_radii);
+  const double shading_error =
+      normal_error * (1 + std::sqrt(features.shininess)) + rounding * features.shininess;
+  const double share = colour_rounding + std::max(census.brightest, 1.0) * shading_error;
+  error.levels = share < 1 ? 255 * share : 255;
+  return error;
+}
 
 Choice<Precision> choose_precision(Precision wish, const Features& features, const Census& census) {
   using enum Precision;
@@ -59,6 +92,12 @@ Choice<Precision> choose_precision(Precision wish, const Features& features, con
     return {double_precision,
             fmt::format("single could not tell a light from the surface {:.2g} of the extent away",
                         census.light_clearance)};
+
+  if (census.gap < 4 * kappa * single_rounding)
+    return {double_precision,
+            fmt::format("single could not tell apart two surfaces that are {:.2g} of their "
+                        "distance from each other",
+                        census.gap)};
 
   constexpr std::size_t most_numbered = std::size_t{1} << 24;  // integers that a single holds
   const std::size_t primitives =

@@ -8,6 +8,16 @@
 
 namespace raytracer {
 
+/// What rounding may do to a picture, at most: the bound that the choice of precision rests on.
+struct ArithmeticError {
+  double displacement_px = 0;  ///< of edges, of shadows and of what mirrors show
+  double levels = 0;           ///< of a shaded surface, in levels of 255
+};
+
+/// Of the kernels in `precision`, single or double.
+ArithmeticError foresee_arithmetic_error(Precision precision, const Features& features,
+                                         const Census& census);
+
 /// Single where its errors stay below a small part of a pixel and half a level of shading, else
 /// double.
 /// `wish` other than automatic is granted.

@@ -13,7 +13,7 @@ struct EyeView {
   Vec3 up;
 };
 
-/// `camera.up` must not be parallel to the view, and the field of view be in (0, pi).
+/// The field of view must be in (0, pi).
 EyeView make_eye_view(const Camera& camera);
 
 }  // namespace raytracer::bench

@@ -14,7 +14,7 @@ namespace raytracer::bench {
 namespace {
 
 std::string vector_text(const Vec3& v) {
-  return fmt::format("<{:.9g},{:.9g},{:.9g}>", v.x, v.y, v.z);
+  return fmt::format("<{:.17g},{:.17g},{:.17g}>", v.x, v.y, v.z);
 }
 
 /// The length that POV-Ray's tolerances have to be small against.
@@ -99,7 +99,7 @@ class Writer {
 
   void write(const Plane& plane) {
     const Vec3 normal = unit(plane.normal);
-    fmt::print(out_, "plane {{ {}, {:.9g} }}\n", vector_text(normal),
+    fmt::print(out_, "plane {{ {}, {:.17g} }}\n", vector_text(normal),
                dot(normal, plane.point) * scale_);
   }
 
@@ -113,7 +113,7 @@ class Writer {
   }
 
   void write_sphere(const Vec3& center, double radius) {
-    fmt::print(out_, "sphere {{ {}, {:.9g} }}\n", point_text(center), radius * scale_);
+    fmt::print(out_, "sphere {{ {}, {:.17g} }}\n", point_text(center), radius * scale_);
   }
 
   const Scene& scene_;

@@ -1,0 +1,104 @@
+#include "engine/plan/health.h"
+
+#include <fmt/format.h>
+
+#include "engine/plan/counted.h"
+
+namespace raytracer {
+namespace {
+
+class Report {
+ public:
+  Report(const Scene& scene, const Plan& plan) : scene_(scene), plan_(plan) {}
+
+  std::vector<std::string> strains() && {
+    say_where_the_eye_is();
+    say_what_the_document_rounds();
+    say_what_coincides();
+    say_what_is_displaced();
+    say_what_is_small();
+    return std::move(strains_);
+  }
+
+ private:
+  void add(std::string strain) { strains_.push_back(std::move(strain)); }
+
+  void say_where_the_eye_is() {
+    const Census& census = plan_.census;
+    constexpr double close = 1e-9;
+    if (census.nearest == 0)
+      add("The eye is on or inside a surface, so that every ray begins there and is traced several "
+          "times slower: if that is not meant, move camera.origin.");
+    else if (census.clearance < close * census.farthest)
+      add(
+          fmt::format("The nearest surface is {:.2g} of the scene's extent before the eye: if what "
+                      "lies behind it is meant to be seen, move camera.origin.",
+                      census.clearance / census.farthest));
+  }
+
+  void say_what_the_document_rounds() {
+    constexpr double visible = 1.0 / 4096;
+    const double coarseness = plan_.census.coarseness;
+    if (coarseness > visible)
+      add(
+          fmt::format("Coordinates are so large that they round to steps of {:.2g} radii of a "
+                      "sphere, before anything is rendered: move the scene and the camera towards "
+                      "the coordinates' origin.",
+                      coarseness));
+  }
+
+  void say_what_coincides() {
+    constexpr double told_apart = 1e-13;  // by double, with a margin
+    if (plan_.census.gap < told_apart)
+      add(
+          fmt::format("Two surfaces are only {:.2g} of their distance apart, and rounding may "
+                      "decide which of them is seen: move them apart, or give both the same "
+                      "numbers so that the first in the document is seen.",
+                      plan_.census.gap));
+  }
+
+  void say_what_is_displaced() {
+    // Single is chosen below 1/64 pixel; what double moves by more than 1/1024 is at its end.
+    constexpr double usual_in_single_px = 1.0 / 64;
+    constexpr double usual_in_double_px = 1.0 / 1024;
+    const ArithmeticError& error = plan_.arithmetic_error;
+    const bool is_single = plan_.precision.value == Precision::single_precision;
+    const char* const help =
+        is_single ? "ask for precision \"auto\" or \"double\""
+                  : "double holds no more digits, so widen camera.fov, move the camera away from "
+                    "the nearest surface, or make small mirrors larger";
+    if (error.displacement_px > (is_single ? usual_in_single_px : usual_in_double_px))
+      add(
+          fmt::format("Rounding may displace edges, shadows or reflections by up to {:.2g} pixels: "
+                      "{}.",
+                      error.displacement_px, help));
+    if (error.levels > 1)
+      add(fmt::format("Rounding may change shaded surfaces by up to {:.2g} levels of 255: {}.",
+                      error.levels,
+                      is_single ? help : "lower the intensity of lights, or shininess"));
+  }
+
+  void say_what_is_small() {
+    const double small = plan_.census.small_spheres;
+    const int samples = scene_.render.samples.value_or(1);
+    if (!(small > 0) || scene_.render.target_rmse || scene_.render.budget_ms || samples > 1) return;
+    const std::string spheres = small < 1e18 ? counted(static_cast<std::uint64_t>(small), "sphere")
+                                             : fmt::format("{:.3g} spheres", small);
+    add(fmt::format(
+        "Up to {} may be seen smaller than a pixel, and one sample a pixel misses such: "
+        "ask for more samples or a target_rmse.",
+        spheres));
+  }
+
+  const Scene& scene_;
+  const Plan& plan_;
+  std::vector<std::string> strains_;
+};
+
+}  // namespace
+
+std::vector<std::string> find_strains(const Scene& scene, const Plan& plan) {
+  return Report(scene, plan).strains();
+}
+
+}  // namespace raytracer

@@ -1,0 +1,296 @@
+#include "tests/extremes/oracle.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace raytracer::extremes {
+namespace {
+
+/// Relative: what differs by less is the same.
+constexpr double same = 1e-24;
+
+QuadVec relative(const Vec3& point, const Vec3& eye) { return QuadVec(point) - QuadVec(eye); }
+
+Quad& component(QuadVec& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+Quad component(const QuadVec& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+/// The axis of x, y, z that is least aligned with d; ties: x, then z, then y.
+QuadVec stand_in_for_up(const QuadVec& d) {
+  const Quad x = absolute(d.x);
+  const Quad y = absolute(d.y);
+  const Quad z = absolute(d.z);
+  if (x <= y && x <= z) return {1, 0, 0};
+  if (z <= y) return {0, 0, 1};
+  return {0, 1, 0};
+}
+
+/// cosine^exponent; both factors of the exponent are near enough in double.
+double power(Quad cosine, double exponent) {
+  if (exponent == 0) return 1;
+  if (!(cosine > 0)) return 0;
+  const double below_one = static_cast<double>(cosine - 1);
+  return std::exp(exponent * std::log1p(std::min(below_one, 0.0)));
+}
+
+}  // namespace
+
+Oracle::Oracle(const Scene& scene) : scene_(scene) {
+  const Camera& camera = scene.camera;
+  const QuadVec d = unit(relative(camera.look_at, camera.origin));
+  QuadVec across = cross(unit(QuadVec(camera.up)), d);
+  if (length(across) < 1e-12) across = cross(stand_in_for_up(d), d);
+  const QuadVec u = unit(across);
+  const QuadVec v = cross(d, u);
+  const Quad turn = 2 * pi();
+  const Quad turns = std::floor(static_cast<long double>(static_cast<Quad>(camera.fov) / turn));
+  const Quad alpha = static_cast<Quad>(camera.fov) - turns * turn;
+  // tan(alpha / 2) without its pole: both sides of the division times the cosine.
+  const Quad sine_of_half = sine(alpha / 2);
+  forward_ = d * sine((pi() - alpha) / 2);
+  right_ = u * sine_of_half;
+  up_ = v * (sine_of_half * camera.height / camera.width);
+}
+
+/// One ray through all objects, for the nearest that it meets.
+class Oracle::Search {
+ public:
+  Search(const Scene& scene, const Place& from, const QuadVec& direction)
+      : scene_(scene), from_(from), direction_(direction) {}
+
+  /// The nearest at t > 0; of kind none if nothing is met.
+  Place nearest() {
+    for (object_ = 0; object_ < scene_.objects.size(); ++object_)
+      std::visit([this](const auto& shape) { show(shape); }, scene_.objects[object_].shape);
+    return best_;
+  }
+
+ private:
+  bool leaves(std::size_t part) const {
+    return from_.kind != Kind::none && from_.object == object_ && from_.part == part;
+  }
+
+  /// Farther than what rounding makes of 0, and nearer than the best by more than it.
+  bool counts(Quad t) const {
+    if (!(t > same * length(from_.point))) return false;
+    return best_.kind == Kind::none || t < best_.t * (1 - same);
+  }
+
+  void take(Kind kind, std::size_t part, Quad t, const QuadVec& normal, Quad radius) {
+    best_ = {kind, object_, part, from_.point + direction_ * t, normal, radius, t};
+  }
+
+  void show_sphere(const QuadVec& center, Quad radius, std::size_t part) {
+    const QuadVec f = from_.point - center;
+    const Quad b = -dot(f, direction_);
+    if (leaves(part)) {
+      // A sphere does not hide itself; from inside its other side is met.
+      if (from_.kind == Kind::sphere_outside) return;
+      meet_sphere(center, radius, part, 2 * b, true);
+      return;
+    }
+    const QuadVec across = f + direction_ * b;
+    const Quad room = radius * radius - dot(across, across);
+    if (room < 0) return;
+    const Quad half = square_root(room);
+    const Quad c = dot(f, f) - radius * radius;
+    if (c > 0) {
+      if (b > 0) meet_sphere(center, radius, part, c / (b + half), false);
+      return;
+    }
+    const Quad t = b >= 0 ? b + half : c / (b - half);
+    meet_sphere(center, radius, part, t, true);
+  }
+
+  void meet_sphere(const QuadVec& center, Quad radius, std::size_t part, Quad t, bool inside) {
+    if (!counts(t)) return;
+    const QuadVec outward = unit(from_.point + direction_ * t - center);
+    take(inside ? Kind::sphere_inside : Kind::sphere_outside, part, t,
+         inside ? outward * Quad(-1) : outward, radius);
+  }
+
+  void show_plane(const QuadVec& point, const QuadVec& normal, std::size_t part) {
+    if (leaves(part)) return;
+    const Quad slope = dot(normal, direction_);
+    if (slope == 0) return;
+    const Quad t = dot(normal, point - from_.point) / slope;
+    if (counts(t)) take(Kind::flat, part, t, slope > 0 ? normal * Quad(-1) : normal, 0);
+  }
+
+  void show(const Sphere& s) { show_sphere(relative(s.center, eye()), s.radius, 0); }
+
+  void show(const Spheres& s) {
+    for (std::size_t i = 0; i < s.centers.size(); ++i)
+      show_sphere(relative(s.centers[i], eye()), s.radius(i), i);
+  }
+
+  void show(const Plane& p) { show_plane(relative(p.point, eye()), unit(QuadVec(p.normal)), 0); }
+
+  void show(const Mesh& m) {
+    for (std::size_t i = 0; i < m.triangles.size(); ++i) {
+      std::array<QuadVec, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k)
+        corners[k] = relative(m.vertices[m.triangles[i][k]], eye());
+      show_triangle(corners, i);
+    }
+  }
+
+  void show_triangle(const std::array<QuadVec, 3>& corners, std::size_t part) {
+    const QuadVec normal = unit(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    if (dot(normal, normal) == 0) return;
+    bool left = true;
+    bool right = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const QuadVec a = corners[k] - from_.point;
+      const QuadVec b = corners[(k + 1) % 3] - from_.point;
+      const Quad side = dot(cross(a, b), direction_);
+      const Quad noise = same * length(a) * length(b);
+      left = left && side >= -noise;
+      right = right && side <= noise;
+    }
+    if (left || right) show_plane(corners[0], normal, part);
+  }
+
+  void show(const SphereSquare& s) {
+    constexpr std::array<std::array<int, 3>, 3> axes{{{0, 2, 1}, {0, 1, 2}, {1, 2, 0}}};
+    const auto& [first, second, across] = axes[static_cast<std::size_t>(s.axes)];
+    const QuadVec middle = relative(s.center, eye());
+    const Quad r = s.radius;
+    const std::int64_t side = 2 * s.n;
+    const auto show_cell = [&](std::int64_t i, std::int64_t k) {
+      QuadVec center = middle;
+      component(center, first) += r * static_cast<Quad>(2 * i + 1 - side);
+      component(center, second) += r * static_cast<Quad>(2 * k + 1 - side);
+      show_sphere(center, r, static_cast<std::size_t>(i * side + k));
+    };
+    if (side <= 8) {
+      for (std::int64_t i = 0; i < side; ++i)
+        for (std::int64_t k = 0; k < side; ++k) show_cell(i, k);
+      return;
+    }
+    walk_cells(middle, r, side, {first, second, across}, show_cell);
+  }
+
+  /// Shows the cells that the ray is above or below, in its order, until it has met something
+  /// nearer than the next.
+  template <typename ShowCell>
+  void walk_cells(const QuadVec& middle, Quad r, std::int64_t side, const std::array<int, 3>& axes,
+                  const ShowCell& show_cell) {
+    const QuadVec from = from_.point - middle;
+    const Quad half = r * static_cast<Quad>(side);
+    Quad begin = 0;
+    Quad end = best_.kind == Kind::none ? Quad(1e300) * Quad(1e300) : best_.t;
+    for (const int axis : axes) {
+      const Quad reach = (axis == axes[2] ? r : half) * (1 + Quad(same));
+      const Quad slope = component(direction_, axis);
+      const Quad place = component(from, axis);
+      if (slope == 0) {
+        if (absolute(place) > reach) return;
+        continue;
+      }
+      const Quad t1 = (-reach - place) / slope;
+      const Quad t2 = (reach - place) / slope;
+      begin = std::max(begin, std::min(t1, t2));
+      end = std::min(end, std::max(t1, t2));
+    }
+    if (begin > end) return;
+
+    std::array<std::int64_t, 2> cell{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Quad at = component(from, axes[k]) + begin * component(direction_, axes[k]);
+      const auto index = static_cast<std::int64_t>((at + half) / (2 * r));
+      cell[k] = std::clamp<std::int64_t>(index, 0, side - 1);
+    }
+    for (;;) {
+      show_cell(cell[0], cell[1]);
+      std::size_t nearer = 0;
+      std::array<Quad, 2> leave{};
+      for (std::size_t k = 0; k < 2; ++k) {
+        const Quad slope = component(direction_, axes[k]);
+        const Quad border = 2 * r * static_cast<Quad>(cell[k] + (slope > 0 ? 1 : 0)) - half;
+        leave[k] = slope == 0 ? 2 * end + 1 : (border - component(from, axes[k])) / slope;
+      }
+      if (leave[1] < leave[0]) nearer = 1;
+      if (leave[nearer] > end) return;
+      if (best_.kind != Kind::none && best_.object == object_) return;
+      cell[nearer] += component(direction_, axes[nearer]) > 0 ? 1 : -1;
+      if (cell[nearer] < 0 || cell[nearer] >= side) return;
+    }
+  }
+
+  const Vec3& eye() const { return scene_.camera.origin; }
+
+  const Scene& scene_;
+  const Place& from_;
+  const QuadVec direction_;
+  std::size_t object_ = 0;
+  Place best_;
+};
+
+bool Oracle::is_hidden(const Place& place, const QuadVec& towards, Quad distance) const {
+  if (scene_.shadows == Shadows::off) return false;
+  const Place met = Search(scene_, place, towards).nearest();
+  return met.kind != Kind::none && (distance == 0 || met.t < distance * (1 - same));
+}
+
+QuadVec Oracle::shade(const Place& place, const QuadVec& view) const {
+  const Material& m = scene_.materials[scene_.objects[place.object].material];
+  const Quad ambient = static_cast<Quad>(m.ka) * scene_.ambient;
+  const bool brings_ambient = scene_.shadows == Shadows::black;
+  std::array<Quad, 3> sum{};
+  const std::array<double, 3> color{m.color.x, m.color.y, m.color.z};
+  if (!brings_ambient) sum = {ambient * color[0], ambient * color[1], ambient * color[2]};
+  for (const Light& light : scene_.lights) {
+    QuadVec towards;
+    Quad distance = 0;  // infinite
+    Quad share = light.intensity;
+    if (const auto* distant = std::get_if<DistantLight>(&light.source)) {
+      towards = unit(QuadVec(distant->direction)) * Quad(-1);
+    } else {
+      const auto& point = std::get<PointLight>(light.source);
+      const QuadVec path = relative(point.position, scene_.camera.origin) - place.point;
+      distance = length(path);
+      if (distance == 0) continue;
+      towards = unit(path);
+      share = share / (4 * pi() * distance * distance);
+    }
+    const Quad incidence = dot(place.normal, towards);
+    if (!(incidence > 0) || is_hidden(place, towards, distance)) continue;
+    const QuadVec half = unit(towards + view);
+    const Quad direct =
+        (m.kd * incidence + m.ks * static_cast<Quad>(power(dot(half, place.normal), m.shininess))) *
+        share;
+    const std::array<double, 3> light_color{light.color.x, light.color.y, light.color.z};
+    for (std::size_t c = 0; c < 3; ++c)
+      sum[c] += color[c] * (direct * light_color[c] + (brings_ambient ? ambient : Quad(0)));
+  }
+  return {sum[0], sum[1], sum[2]};
+}
+
+QuadVec Oracle::radiance(QuadVec direction) const {
+  QuadVec sum;
+  Quad weight = 1;
+  Place place;
+  for (int depth = 0;; ++depth) {
+    const Place met = Search(scene_, place, direction).nearest();
+    if (met.kind == Kind::none) return sum + QuadVec(scene_.background) * weight;
+    sum = sum + shade(met, direction * Quad(-1)) * weight;
+    weight *= scene_.materials[scene_.objects[met.object].material].reflectivity;
+    if (!(weight > 0) || depth == scene_.render.max_depth) return sum;
+    direction = unit(direction - met.normal * (2 * dot(direction, met.normal)));
+    place = met;
+  }
+}
+
+Vec3 Oracle::color(double x, double y, double dx, double dy) const {
+  const Camera& camera = scene_.camera;
+  const Quad across = (2 * (static_cast<Quad>(x) + dx)) / camera.width - 1;
+  const Quad upwards = (2 * (static_cast<Quad>(y) + dy)) / camera.height - 1;
+  const QuadVec seen = radiance(unit(forward_ + right_ * across + up_ * upwards));
+  const auto clamped = [](Quad c) {
+    return static_cast<double>(c < 0 ? Quad(0) : c > 1 ? Quad(1) : c);
+  };
+  return {clamped(seen.x), clamped(seen.y), clamped(seen.z)};
+}
+
+}  // namespace raytracer::extremes

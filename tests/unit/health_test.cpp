@@ -1,0 +1,78 @@
+// What strains a scene is said, and nothing of a scene that is well.
+#include "engine/plan/health.h"
+
+#include <gtest/gtest.h>
+
+namespace raytracer::test {
+namespace {
+
+const Machine machine{{1, "AVX2"}, 2};
+
+Scene scene_with(std::vector<Object> objects) {
+  Scene scene;
+  scene.camera = {.origin = {0, 2, -10}, .look_at = {}, .fov = 1, .width = 640, .height = 480};
+  scene.lights = {{DistantLight{{0, -1, 1}}}};
+  scene.materials = {Material{}};
+  scene.objects = std::move(objects);
+  return scene;
+}
+
+/// All that is said, in one string.
+std::string strains_of(const Scene& scene) {
+  std::string text;
+  for (const std::string& strain : find_strains(scene, make_plan(scene, machine)))
+    text += strain + '\n';
+  return text;
+}
+
+bool says(const Scene& scene, const std::string& words) {
+  return strains_of(scene).find(words) != std::string::npos;
+}
+
+TEST(Health, SaysNothingOfAnOrdinaryScene) {
+  EXPECT_EQ(strains_of(scene_with({{Sphere{{}, 1}, 0}, {Plane{{0, -1, 0}, {0, 1, 0}}, 0}})), "");
+  EXPECT_EQ(strains_of(scene_with({})), "");
+}
+
+TEST(Health, SaysThatTheEyeIsInside) {
+  EXPECT_TRUE(says(scene_with({{Sphere{{}, 100}, 0}}), "on or inside a surface"));
+}
+
+TEST(Health, SaysThatASurfaceIsAlmostAtTheEye) {
+  EXPECT_TRUE(says(scene_with({{Sphere{{0, 2, -9}, 1 - 1e-11}, 0}}), "before the eye"));
+}
+
+TEST(Health, SaysThatCoordinatesAreTooLargeForTheirRadius) {
+  Scene scene = scene_with({{Sphere{{1e15, 0, 0}, 1}, 0}});
+  scene.camera.origin = {1e15, 0, -10};
+  scene.camera.look_at = {1e15, 0, 0};
+  EXPECT_TRUE(says(scene, "towards the coordinates' origin"));
+}
+
+TEST(Health, SaysThatSurfacesCoincide) {
+  EXPECT_TRUE(
+      says(scene_with({{Sphere{{}, 1}, 0}, {Sphere{{}, 1 + 1e-14}, 0}}), "Two surfaces are only"));
+  EXPECT_TRUE(says(
+      scene_with({{Plane{{0, -1, 0}, {0, 1, 0}}, 0}, {Plane{{0, -1 - 1e-14, 0}, {0, -1, 0}}, 0}}),
+      "Two surfaces are only"));
+  EXPECT_EQ(strains_of(scene_with({{Sphere{{}, 1}, 0}, {Sphere{{}, 1}, 0}})), "");
+}
+
+TEST(Health, SaysThatSpheresAreSmallerThanAPixel) {
+  Scene scene = scene_with({{Spheres{{{}, {1, 0, 0}}, {1e-4}}, 0}});
+  EXPECT_TRUE(says(scene, "Up to 2 spheres may be seen smaller than a pixel"));
+  scene.render.samples = 64;
+  EXPECT_EQ(strains_of(scene), "");
+}
+
+TEST(Health, SaysThatSingleIsTooLittle) {
+  Scene scene = scene_with({{Sphere{{}, 1}, 0}});
+  scene.camera.fov = 1e-4;
+  scene.render.precision = Precision::single_precision;
+  EXPECT_TRUE(says(scene, "ask for precision \"auto\""));
+  scene.render.precision = Precision::automatic;
+  EXPECT_EQ(strains_of(scene), "");
+}
+
+}  // namespace
+}  // namespace raytracer::test
