@@ -25,9 +25,11 @@
 #include "engine/scene/canonical.h"         // IWYU pragma: export
 #include "engine/scene/limits.h"            // IWYU pragma: export
 #include "engine/scene/nearest_key.h"       // IWYU pragma: export
+#include "engine/scene/overrides.h"         // IWYU pragma: export
 #include "engine/scene/read_scene.h"        // IWYU pragma: export
 #include "engine/scene/result.h"            // IWYU pragma: export
 #include "engine/scene/scene.h"             // IWYU pragma: export
+#include "engine/scene/scene_size.h"        // IWYU pragma: export
 #include "engine/tradeoff/curve.h"          // IWYU pragma: export
 #include "engine/tradeoff/measure_curve.h"  // IWYU pragma: export
 #include "engine/tradeoff/progress.h"       // IWYU pragma: export

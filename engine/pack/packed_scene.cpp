@@ -104,7 +104,7 @@ PackedScene pack_scene(const Scene& scene, const Frame& frame, WorkerPool& pool)
     std::visit(Packer{frame, pool, packed, static_cast<std::uint32_t>(i)}, scene.objects[i].shape);
     packed.material_of_object.push_back(scene.objects[i].material);
   }
-  packed.materials = scene.materials;
+  packed.materials.assign(scene.materials.begin(), scene.materials.end());
   for (const Light& light : lights_in_use(scene)) packed.lights.push_back(pack_light(light, frame));
   packed.background = scene.background;
   packed.ambient = scene.ambient;

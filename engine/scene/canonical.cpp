@@ -1,5 +1,6 @@
 #include "engine/scene/canonical.h"
 
+#include <array>
 #include <bit>
 #include <concepts>
 #include <cstdint>
@@ -12,8 +13,10 @@ class Bytes {
  public:
   template <std::integral T>
   void add(T value) {
-    for (std::size_t i = 0; i < 8; ++i)
-      bytes_ += static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * i) & 0xff);
+    std::array<char, 8> bytes{};
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      bytes[i] = static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * i) & 0xff);
+    bytes_.append(bytes.data(), bytes.size());
   }
   template <typename T>
   requires std::is_enum_v<T>
@@ -30,8 +33,11 @@ class Bytes {
   }
   template <typename T>
   void add(const std::vector<T>& values) {
-    add(values.size());
-    for (const T& value : values) add(value);
+    add_array(values);
+  }
+  template <typename T>
+  void add(const SharedArray<T>& values) {
+    add_array(values);
   }
   template <typename... T>
   void add(const std::variant<T...>& value) {
@@ -54,17 +60,19 @@ class Bytes {
     add_all(r.samples.value_or(1), r.target_rmse, r.budget_ms, r.precision, r.max_depth,
             r.transfer);
   }
-  void add(const Scene& s) {
-    add_all(s.camera, s.background, s.ambient, s.shadows, s.lights, s.materials, s.objects,
-            s.render);
+
+  template <typename... T>
+  void add_all(const T&... values) {
+    (add(values), ...);
   }
 
   std::string take() && { return std::move(bytes_); }
 
  private:
-  template <typename... T>
-  void add_all(const T&... values) {
-    (add(values), ...);
+  template <typename Array>
+  void add_array(const Array& values) {
+    add(values.size());
+    for (const auto& value : values) add(value);
   }
 
   std::string bytes_;
@@ -72,9 +80,15 @@ class Bytes {
 
 }  // namespace
 
-std::string canonical_bytes(const Scene& scene) {
+std::string canonical_content(const Scene& s) {
   Bytes bytes;
-  bytes.add(scene);
+  bytes.add_all(s.background, s.ambient, s.shadows, s.lights, s.materials, s.objects);
+  return std::move(bytes).take();
+}
+
+std::string canonical_view(const Scene& s) {
+  Bytes bytes;
+  bytes.add_all(s.camera, s.render);
   return std::move(bytes).take();
 }
 

@@ -163,17 +163,4 @@ std::vector<Object> read_objects(const Field& field, MaterialReader& materials) 
   return objects;
 }
 
-std::int64_t count_objects(const std::vector<Object>& objects) {
-  std::int64_t count = 0;
-  for (const Object& object : objects) {
-    if (const auto* spheres = std::get_if<Spheres>(&object.shape))
-      count += static_cast<std::int64_t>(spheres->centers.size());
-    else if (const auto* mesh = std::get_if<Mesh>(&object.shape))
-      count += static_cast<std::int64_t>(mesh->triangles.size());
-    else
-      ++count;
-  }
-  return count;
-}
-
 }  // namespace raytracer

@@ -1,7 +1,6 @@
 // The array "objects": each element by its "type".
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "engine/scene/fields.h"
@@ -12,8 +11,5 @@ namespace raytracer {
 
 /// The objects as far as they are right, in the document's order.
 std::vector<Object> read_objects(const Field& field, MaterialReader& materials);
-
-/// What Limits::objects counts: each sphere of a set, each triangle, and one for all else.
-std::int64_t count_objects(const std::vector<Object>& objects);
 
 }  // namespace raytracer

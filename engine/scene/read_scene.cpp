@@ -7,28 +7,16 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/scene/camera_rules.h"
 #include "engine/scene/document.h"
 #include "engine/scene/fields.h"
 #include "engine/scene/materials.h"
 #include "engine/scene/read_objects.h"
 #include "engine/scene/read_typed.h"
+#include "engine/scene/scene_size.h"
 
 namespace raytracer {
 namespace {
-
-/// Whether the angle modulo 2 pi is strictly between 0 and pi. The double nearest to pi (or to a
-/// multiple of it) stands for that multiple, although it is a hair off.
-bool is_field_of_view(double angle) {
-  if (angle > 0 && angle < 1) return true;  // however small
-  const double sine = std::sin(angle / 2);
-  const double cosine = std::cos(angle / 2);
-  const double spacing =
-      std::nextafter(std::abs(angle), std::numeric_limits<double>::infinity()) - std::abs(angle);
-  return sine * cosine > 0 && 2 * std::abs(sine) > spacing && 2 * std::abs(cosine) > spacing;
-}
-
-constexpr std::string_view fov_rule =
-    "the field of view, taken modulo 2 pi, must lie strictly between 0 and pi";
 
 std::optional<double> read_fov(const Field& field) {
   const std::optional<double> fov = read_number(field);
@@ -53,8 +41,6 @@ std::optional<int> read_max_depth(const Field& field) {
   field.refuse(fmt::format("{} must be an integer", *depth));
   return {};
 }
-
-constexpr std::string_view look_at_rule = "must differ from origin: the camera has no direction";
 
 Camera read_camera(const Field& field) {
   const ObjectReader object(field, {"origin", "look_at", "up", "fov", "width", "height"});
@@ -175,118 +161,36 @@ Scene read_document(const Field& root) {
   return scene;
 }
 
-template <typename T>
-void override_with(T& value, const std::optional<T>& over) {
-  if (over) value = *over;
-}
-
-template <typename T>
-void override_with(std::optional<T>& value, const std::optional<T>& over) {
-  if (over) value = over;
-}
-
-Scene with_overrides(Scene scene, const Overrides& over) {
-  override_with(scene.camera.width, over.width);
-  override_with(scene.camera.height, over.height);
-  override_with(scene.camera.origin, over.origin);
-  override_with(scene.camera.look_at, over.look_at);
-  override_with(scene.camera.up, over.up);
-  override_with(scene.camera.fov, over.fov);
-  RenderSettings& render = scene.render;
-  override_with(render.precision, over.precision);
-  override_with(render.transfer, over.transfer);
-  override_with(render.max_depth, over.max_depth);
-  // A query that names its own bound replaces the document's kind of bound altogether.
-  if (over.samples) {
-    render.samples = over.samples;
-    render.target_rmse.reset();
-    render.budget_ms.reset();
-  } else if (over.target_rmse || over.budget_ms) {
-    render.samples.reset();
-    override_with(render.target_rmse, over.target_rmse);
-    override_with(render.budget_ms, over.budget_ms);
-  }
-  return scene;
-}
-
-/// The document's rules again for the values that the query may have replaced.
-void check_overridden(const Scene& scene, ErrorList& errors) {
-  const Path root;
-  const Path camera_path = root.child("camera");
-  const Path render_path = root.child("render");
-  const auto demand = [&](bool holds, const Path& parent, std::string_view key,
-                          std::string_view rule) {
-    if (!holds) errors.add(ErrorKind::invalid, parent.child(key), std::string(rule));
-  };
-  const Camera& camera = scene.camera;
-  demand(camera.width >= 1, camera_path, "width", "must be at least 1");
-  demand(camera.height >= 1, camera_path, "height", "must be at least 1");
-  const auto is_finite = [](const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-  };
-  constexpr std::string_view finite_rule = "must be three finite numbers";
-  demand(is_finite(camera.origin), camera_path, "origin", finite_rule);
-  demand(is_finite(camera.look_at), camera_path, "look_at", finite_rule);
-  demand(is_finite(camera.up), camera_path, "up", finite_rule);
-  demand(camera.origin != camera.look_at, camera_path, "look_at", look_at_rule);
-  demand(camera.up != Vec3{}, camera_path, "up", "the zero vector has no direction");
-  demand(is_field_of_view(camera.fov), camera_path, "fov", fov_rule);
-  const RenderSettings& render = scene.render;
-  demand(render.samples.value_or(1) >= 1, render_path, "samples", "must be at least 1");
-  demand(render.target_rmse.value_or(1) > 0, render_path, "target_rmse", "must be above 0");
-  demand(render.budget_ms.value_or(1) > 0, render_path, "budget_ms", "must be above 0");
-  demand(render.max_depth >= 0, render_path, "max_depth", "must be at least 0");
-}
-
-bool reflects(const Scene& scene) {
-  return std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const Material& material) { return material.reflectivity > 0; });
-}
-
-void check_limits(const Scene& scene, const Limits& limits, ErrorList& errors) {
-  const Path root;
-  const Path camera = root.child("camera");
-  const Path render = root.child("render");
-  const auto at_most = [&](double count, std::int64_t Limits::*limit, const Path& path) {
-    const LimitRow& row = row_of(limit);
-    if (count <= static_cast<double>(limits.*limit)) return;
-    errors.add(ErrorKind::limit, path,
-               fmt::format("asks for {} {}, but this service accepts {} ({})", count, row.meaning,
-                           limits.*limit, row.flag));
-  };
-  at_most(static_cast<double>(scene.camera.width) * scene.camera.height, &Limits::pixels, camera);
-  at_most(scene.render.samples.value_or(1), &Limits::samples, render.child("samples"));
-  at_most(static_cast<double>(count_objects(scene.objects)), &Limits::objects,
-          root.child("objects"));
-  at_most(count_rays(scene, scene.render.samples.value_or(1)), &Limits::work, render);
-}
-
 }  // namespace
 
 SphereSquare make_sphere_square(const Vec3& center, double radius, std::int64_t n, Axes axes) {
   return {center, radius, n, axes};
 }
 
-double count_rays(const Scene& scene, int samples) {
-  const double bounces = reflects(scene) ? 1.0 + scene.render.max_depth : 1.0;
-  return static_cast<double>(scene.camera.width) * scene.camera.height * samples * bounces;
-}
-
-Result<Scene> read_scene(std::string_view text, const Limits& limits, const Overrides& overrides) {
+Result<ViewedScene> read_viewed_scene(std::string_view text, const Limits& limits,
+                                      const Overrides& overrides) {
   Result<Document> parsed = parse_document(text);
   if (!parsed.ok()) return parsed.errors();
   Document document = std::move(parsed).value();
 
   ErrorList errors = std::move(document.errors);
   const Path root;
-  Scene scene = read_document({JsonValue(document), root, errors});
+  const Scene scene = read_document({JsonValue(document), root, errors});
   const bool document_is_valid = errors.empty();
 
-  scene = with_overrides(std::move(scene), overrides);
-  if (document_is_valid) check_overridden(scene, errors);
-  check_limits(scene, limits, errors);
+  const Scene view = with_overrides(scene, overrides);
+  if (document_is_valid) check_view_rules(view, errors);
+  check_view_limits(view, limits, errors);
+  demand_at_most(static_cast<double>(count_objects(scene)), &Limits::objects, limits,
+                 root.child("objects"), errors);
   if (!errors.empty()) return std::move(errors).take();
-  return scene;
+  return ViewedScene{scene, view};
+}
+
+Result<Scene> read_scene(std::string_view text, const Limits& limits, const Overrides& overrides) {
+  Result<ViewedScene> read = read_viewed_scene(text, limits, overrides);
+  if (!read.ok()) return read.errors();
+  return read.value().view;
 }
 
 }  // namespace raytracer

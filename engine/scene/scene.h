@@ -1,7 +1,8 @@
 // What a scene says: plain values, complete and valid once read_scene has made them.
 //
 // Lengths are in the scene's own unit, angles in radians, colours linear in [0, 1]. Nothing here
-// knows how a picture is made, and nothing changes a Scene after it was read.
+// knows how a picture is made, and nothing changes a Scene after it was read. Copies share the
+// large arrays: another view of a scene costs its camera only.
 #pragma once
 
 #include <array>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "engine/math/vec.h"
+#include "engine/memory/shared_array.h"
 
 namespace raytracer {
 
@@ -120,9 +122,9 @@ struct Scene {
   Rgb background;
   double ambient = 0.2;
   Shadows shadows = Shadows::black;
-  std::vector<Light> lights;
-  std::vector<Material> materials;  ///< those that objects use, without repetition
-  std::vector<Object> objects;      ///< in the document's order, which decides ties
+  SharedArray<Light> lights;
+  SharedArray<Material> materials;  ///< those that objects use, without repetition
+  SharedArray<Object> objects;      ///< in the document's order, which decides ties
   RenderSettings render;
 };
 

@@ -1,4 +1,4 @@
-// canonical_bytes: equal for what means the same picture, and for nothing else.
+// The canonical bytes: equal for what means the same picture, and for nothing else.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,10 @@
 namespace raytracer::test {
 namespace {
 
-std::string bytes_of(std::string_view text) { return canonical_bytes(scene_of_text(text)); }
+std::string bytes_of(std::string_view text) {
+  const Scene scene = scene_of_text(text);
+  return canonical_content(scene) + canonical_view(scene);
+}
 
 constexpr const char* plain = R"({
   "camera": {"origin": [0, 0, 0], "look_at": [0, 0, 5], "fov": 1, "width": 7, "height": 5},
