@@ -23,15 +23,28 @@ Admission::Place Admission::enter(RenderProgress& progress) {
   const std::scoped_lock lock(mutex_);
   demand_open_locked();
   auto entry = std::make_unique<Entry>(Entry{progress, Clock::now()});
-  if (running_.size() >= most_running_ && waiting_.size() >= most_waiting_)
-    throw Refusal(
-        {429,
-         fmt::format("{} renders wait already (--max-queue); try again later", waiting_.size()),
-         {},
-         {{"Retry-After", std::to_string(retry_after_s())}}});
+  if (running_.size() >= most_running_ && !may_wait()) refuse_full();
   waiting_.push_back(entry.get());
   let_in_next();
   return {*this, std::move(entry)};
+}
+
+Admission::Companion Admission::accompany() {
+  const std::scoped_lock lock(mutex_);
+  demand_open_locked();
+  if (!may_wait()) refuse_full();
+  ++companions_;
+  return Companion(*this);
+}
+
+bool Admission::may_wait() const { return waiting_.size() + companions_ < most_waiting_; }
+
+void Admission::refuse_full() const {
+  throw Refusal({429,
+                 fmt::format("{} renders wait already (--max-queue); try again later",
+                             waiting_.size() + companions_),
+                 {},
+                 {{"Retry-After", std::to_string(retry_after_s())}}});
 }
 
 void Admission::demand_open() const {
@@ -56,7 +69,7 @@ void Admission::stop_running() {
 
 Admission::Load Admission::load() const {
   const std::scoped_lock lock(mutex_);
-  return {running_.size(), waiting_.size()};
+  return {running_.size(), waiting_.size() + companions_};
 }
 
 bool Admission::is_closed() const {
@@ -66,7 +79,7 @@ bool Admission::is_closed() const {
 
 bool Admission::is_full() const {
   const std::scoped_lock lock(mutex_);
-  return running_.size() >= most_running_ && waiting_.size() >= most_waiting_;
+  return running_.size() >= most_running_ && !may_wait();
 }
 
 bool Admission::wait_until_empty(std::chrono::milliseconds timeout) const {
@@ -128,6 +141,11 @@ bool Admission::Place::wait_for_turn() {
     admission_->changed_.wait_for(lock, look_again);
   }
   return !entry_->progress.stop;
+}
+
+Admission::Companion::~Companion() {
+  const std::scoped_lock lock(admission_.mutex_);
+  --admission_.companions_;
 }
 
 double Admission::Place::queue_ms() const {

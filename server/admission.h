@@ -22,10 +22,15 @@ class Admission {
   Admission(std::size_t most_running, std::size_t most_waiting);
 
   class Place;
+  class Companion;
 
   /// Takes the last place, running or waiting. `progress` must outlive the Place.
   /// Throws Refusal: 429 with Retry-After if the queue is full, 503 after close().
   Place enter(RenderProgress& progress);
+
+  /// For who waits for somebody else's render: one of those who wait, without a turn of its own.
+  /// Throws Refusal as enter() does.
+  Companion accompany();
 
   /// Throws the 503 of a closed queue: for a look before a body is read.
   void demand_open() const;
@@ -51,6 +56,8 @@ class Admission {
   using Clock = std::chrono::steady_clock;
 
   void demand_open_locked() const;
+  bool may_wait() const;
+  [[noreturn]] void refuse_full() const;
   void leave(Entry& entry);
   void let_in_next();
   long retry_after_s() const;
@@ -61,6 +68,7 @@ class Admission {
   mutable std::condition_variable changed_;
   std::vector<Entry*> running_;
   std::deque<Entry*> waiting_;
+  std::size_t companions_ = 0;
   bool closed_ = false;
   double mean_render_s_ = 1;  ///< of late, the newest counting most
 };
@@ -85,6 +93,18 @@ class Admission::Place {
 
   Admission* admission_;
   std::unique_ptr<Entry> entry_;
+};
+
+/// Who waits beside the queue, until the end of its life.
+class Admission::Companion {
+ public:
+  explicit Companion(Admission& admission) : admission_(admission) {}
+  ~Companion();
+  Companion(const Companion&) = delete;
+  Companion& operator=(const Companion&) = delete;
+
+ private:
+  Admission& admission_;
 };
 
 }  // namespace raytracer

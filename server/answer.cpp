@@ -42,6 +42,17 @@ void answer_bytes(httplib::Response& response, std::string bytes, std::string_vi
   response.set_header("Content-Type", std::string(media_type));
 }
 
+void answer_shared_bytes(httplib::Response& response, std::shared_ptr<const std::string> bytes,
+                         std::string_view media_type) {
+  response.status = 200;
+  const std::size_t length = bytes->size();
+  response.set_content_provider(
+      length, std::string(media_type),
+      [bytes = std::move(bytes)](std::size_t offset, std::size_t count, httplib::DataSink& sink) {
+        return sink.write(bytes->data() + offset, count);
+      });
+}
+
 void answer_json(httplib::Response& response, int status, const nlohmann::ordered_json& json) {
   answer_bytes(response, json.dump(2) + "\n", "application/json");
   response.status = status;

@@ -3,6 +3,7 @@
 
 #include <httplib.h>
 
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -19,6 +20,10 @@ enum class Afterwards { keep, close };
 void answer_problem(httplib::Response& response, const Problem& problem, Afterwards afterwards);
 
 void answer_bytes(httplib::Response& response, std::string bytes, std::string_view media_type);
+
+/// The same for bytes that others use too: they are not copied.
+void answer_shared_bytes(httplib::Response& response, std::shared_ptr<const std::string> bytes,
+                         std::string_view media_type);
 
 void answer_json(httplib::Response& response, int status, const nlohmann::ordered_json& json);
 

@@ -20,6 +20,12 @@ BodyMemory::Share BodyMemory::take(std::int64_t bytes) {
 BodyMemory::Share::Share(Share&& other) noexcept
     : memory_(std::exchange(other.memory_, nullptr)), bytes_(other.bytes_) {}
 
+BodyMemory::Share& BodyMemory::Share::operator=(Share&& other) noexcept {
+  std::swap(memory_, other.memory_);
+  std::swap(bytes_, other.bytes_);
+  return *this;
+}
+
 BodyMemory::Share::~Share() {
   if (!memory_) return;
   const std::scoped_lock lock(memory_->mutex_);

@@ -20,7 +20,7 @@ class BodyMemory {
    public:
     Share() = default;
     Share(Share&& other) noexcept;
-    Share& operator=(Share&&) = delete;
+    Share& operator=(Share&& other) noexcept;
     ~Share();
 
    private:

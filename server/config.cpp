@@ -21,6 +21,7 @@ namespace {
 
 // The HTTP threads outnumber those who wait, and httplib's select() ends at 1,024 descriptors.
 constexpr std::int64_t longest_queue = 500;
+constexpr std::int64_t most_memory = 1LL << 40;  // bytes
 
 /// A value and where it came from, for messages: "--port" or "RAYTRACER_PORT".
 struct Given {
@@ -132,6 +133,12 @@ std::variant<Config, Printout> read_config(int argc, const char* const* argv,
                                std::to_string(defaults.limits.*row.value)));
   const Setting& max_queue = line.add("--max-queue", "RAYTRACER_MAX_QUEUE", "COUNT",
                                       "most renders waiting", std::to_string(defaults.max_queue));
+  const Setting& max_kept =
+      line.add("--max-kept", "RAYTRACER_MAX_KEPT", "COUNT", fmt::format("most {}", kept_meaning),
+               std::to_string(defaults.max_kept));
+  const Setting& max_cache =
+      line.add("--max-cache", "RAYTRACER_MAX_CACHE", "COUNT", fmt::format("most {}", cache_meaning),
+               std::to_string(defaults.max_cache));
   const Setting& token = line.add("--token", "RAYTRACER_TOKEN", "TOKEN",
                                   "bearer token that requests must carry; safer in its variable, "
                                   "which other users cannot list",
@@ -154,6 +161,10 @@ std::variant<Config, Printout> read_config(int argc, const char* const* argv,
       config.limits.*limit_table[i].value = integer_of(*given, 1, limit_table[i].largest);
   if (const auto given = max_queue.given(environment))
     config.max_queue = static_cast<std::size_t>(integer_of(*given, 0, longest_queue));
+  if (const auto given = max_kept.given(environment))
+    config.max_kept = static_cast<std::size_t>(integer_of(*given, 0, most_memory));
+  if (const auto given = max_cache.given(environment))
+    config.max_cache = static_cast<std::size_t>(integer_of(*given, 0, most_memory));
   if (const auto given = token.given(environment)) {
     if (!is_token(given->text))
       throw ConfigError(

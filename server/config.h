@@ -12,14 +12,20 @@
 
 namespace raytracer {
 
+inline constexpr const char* kept_meaning = "bytes of posted scenes that are kept";
+inline constexpr const char* cache_meaning =
+    "bytes of finished images, and as many of scenes read from bodies, to answer again from";
+
 struct Config {
   std::string host = "127.0.0.1";
   int port = 8080;  ///< 0: one that is free
   std::size_t threads = 1;
   Limits limits;
-  std::size_t max_queue = 64;  ///< renders waiting
-  std::string token;           ///< empty: none is asked for
-  bool quiet = false;          ///< no line per request
+  std::size_t max_queue = 64;           ///< renders waiting
+  std::size_t max_kept = 256UL << 20;   ///< see kept_meaning
+  std::size_t max_cache = 128UL << 20;  ///< see cache_meaning
+  std::string token;                    ///< empty: none is asked for
+  bool quiet = false;                   ///< no line per request
 };
 
 /// Says which flag or variable, its value, and what is allowed.

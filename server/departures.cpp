@@ -1,6 +1,7 @@
 #include "server/departures.h"
 
 #include <chrono>
+#include <utility>
 
 #include "server/connection.h"
 
@@ -23,13 +24,13 @@ void Departures::look() {
   for (;;) {
     changed_.wait(lock, [&] { return closing_ || !watched_.empty(); });
     if (changed_.wait_for(lock, interval, [&] { return closing_; })) return;
-    for (const Watch* const watch : watched_)
-      if (client_has_left(watch->socket_)) watch->stop_ = true;
+    for (Watch* const watch : watched_)
+      if (watch->left_ && client_has_left(watch->socket_)) std::exchange(watch->left_, nullptr)();
   }
 }
 
-Departures::Watch::Watch(Departures& departures, int socket, std::atomic<bool>& stop)
-    : departures_(departures), socket_(socket), stop_(stop) {
+Departures::Watch::Watch(Departures& departures, int socket, std::function<void()> left)
+    : departures_(departures), socket_(socket), left_(std::move(left)) {
   const std::scoped_lock lock(departures_.mutex_);
   departures_.watched_.push_back(this);
   departures_.changed_.notify_all();

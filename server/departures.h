@@ -1,9 +1,9 @@
-// Ends the renders of clients that have left: one thread looks at the connections of all requests
-// that render or wait, some twenty times a second.
+// Tells when clients have left: one thread looks at the connections of all requests that render or
+// wait, some twenty times a second.
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -17,10 +17,11 @@ class Departures {
   Departures(const Departures&) = delete;
   Departures& operator=(const Departures&) = delete;
 
-  /// Looks at a connection for as long as it lives.
+  /// Looks at a connection for as long as it lives, and calls `left` once if the client has left:
+  /// soon, on another thread, and never after its own life.
   class Watch {
    public:
-    Watch(Departures& departures, int socket, std::atomic<bool>& stop);
+    Watch(Departures& departures, int socket, std::function<void()> left);
     ~Watch();
     Watch(const Watch&) = delete;
     Watch& operator=(const Watch&) = delete;
@@ -29,7 +30,7 @@ class Departures {
     friend class Departures;
     Departures& departures_;
     int socket_;
-    std::atomic<bool>& stop_;  ///< set when the client has left
+    std::function<void()> left_;  ///< null once called
   };
 
  private:

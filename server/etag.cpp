@@ -21,11 +21,15 @@ std::string sha256_hex(std::string_view bytes) {
   return hex;
 }
 
-std::string scene_digest(const Scene& scene) { return sha256_hex(canonical_bytes(scene)); }
+std::string content_digest(const Scene& scene) { return sha256_hex(canonical_content(scene)); }
 
-std::string entity_tag(std::string_view scene_digest, std::string_view media_type) {
+std::string picture_digest(std::string_view content_digest, const Scene& view) {
+  return sha256_hex(fmt::format("{}\n{}", content_digest, canonical_view(view)));
+}
+
+std::string entity_tag(std::string_view picture_digest, std::string_view media_type) {
   const std::string digest =
-      sha256_hex(fmt::format("{}\n{}\n{}\n{}\n{}", scene_digest, media_type, build_id,
+      sha256_hex(fmt::format("{}\n{}\n{}\n{}\n{}", picture_digest, media_type, build_id,
                              this_machine().instruction_set.name, processor_model()));
   return fmt::format("\"{}\"", digest.substr(0, 32));
 }

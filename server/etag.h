@@ -12,12 +12,15 @@
 
 namespace raytracer {
 
-/// Hexadecimal digest of the scene's canonical bytes.
-std::string scene_digest(const Scene& scene);
+/// Hexadecimal digest of what stands in the scene: the same for all views of it.
+std::string content_digest(const Scene& scene);
 
-/// The strong entity tag, with its quotes, of the scene drawn by this build on this machine in one
-/// media type.
-std::string entity_tag(std::string_view scene_digest, std::string_view media_type);
+/// Hexadecimal digest of everything that decides the picture. Takes the same time for every scene.
+std::string picture_digest(std::string_view content_digest, const Scene& view);
+
+/// The strong entity tag, with its quotes, of the picture drawn by this build on this machine in
+/// one media type.
+std::string entity_tag(std::string_view picture_digest, std::string_view media_type);
 
 /// Whether an If-None-Match field names `tag`, by weak comparison (RFC 9110, 13.1.2), or is "*".
 bool names_tag(std::string_view if_none_match, std::string_view tag);

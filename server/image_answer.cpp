@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "server/answer.h"
 #include "server/etag.h"
 #include "server/header_text.h"
@@ -12,19 +10,6 @@
 
 namespace raytracer {
 namespace {
-
-std::string_view name_of(Stop stop) {
-  switch (stop) {
-    case Stop::target:
-      return "target";
-    case Stop::budget:
-      return "budget";
-    case Stop::samples:
-    case Stop::cancelled:
-      break;
-  }
-  return "samples";
-}
 
 std::string tag_of(const std::string& digest, ImageFormat format) {
   return entity_tag(digest, media_type(format));
@@ -41,7 +26,7 @@ void set_caching(httplib::Response& response, const Reproducible& digest, ImageF
   response.set_header("Cache-Control", "no-cache");
 }
 
-bool insists(const httplib::Request& request) {
+bool wants_anew(const httplib::Request& request) {
   bool found = false;
   const std::string directives = header_list(request, "Cache-Control");
   for_each_part(directives, ',', [&](std::string_view directive) {
@@ -50,11 +35,42 @@ bool insists(const httplib::Request& request) {
   return found;
 }
 
+/// What of the making this request waited for, and that it was no more.
+std::string server_timing(const Delivery& delivery, double parse_ms) {
+  Stages stages;
+  const char* origin = "";
+  switch (delivery.origin) {
+    case Origin::made:
+      stages = delivery.image->stages;
+      break;
+    case Origin::shared:
+      stages.queue_ms = delivery.waited_ms;
+      origin = ", cache;desc=shared";
+      break;
+    case Origin::remembered:
+      origin = ", cache;desc=hit";
+      break;
+  }
+  return fmt::format(
+      "queue;dur={:.3f}, parse;dur={:.3f}, plan;dur={:.3f}, build;dur={:.3f}, trace;dur={:.3f}, "
+      "encode;dur={:.3f}{}",
+      stages.queue_ms, parse_ms, stages.plan_ms, stages.build_ms, stages.trace_ms, stages.encode_ms,
+      origin);
+}
+
 }  // namespace
 
-Reproducible reproducible_digest(const Scene& scene) {
-  if (scene.render.budget_ms) return {};
-  return scene_digest(scene);
+Reproducible reproducible_digest(const SceneRequest& request) {
+  if (request.scene.render.budget_ms) return {};
+  return picture_digest(request.known->content_digest, request.scene);
+}
+
+ImageWish wish_of(const Call& call, const Reproducible& digest, ImageFormat format) {
+  ImageWish wish;
+  if (digest) wish.tag = tag_of(*digest, format);
+  wish.anew = wants_anew(call.request);
+  wish.socket = find_socket(ends_of(call.request));
+  return wish;
 }
 
 ImageFormat demand_format(const httplib::Request& request) {
@@ -66,7 +82,7 @@ ImageFormat demand_format(const httplib::Request& request) {
 }
 
 bool answer_not_modified(Call& call, const Reproducible& digest, ImageFormat format) {
-  if (!digest || insists(call.request)) return false;
+  if (!digest || wants_anew(call.request)) return false;
   const std::string known = header_list(call.request, "If-None-Match");
   if (!names_tag(known, tag_of(*digest, format))) return false;
   call.response.status = 304;
@@ -74,27 +90,13 @@ bool answer_not_modified(Call& call, const Reproducible& digest, ImageFormat for
   return true;
 }
 
-double answer_image(Call& call, const Rendering& rendering, const Preparation& before,
-                    const Reproducible& digest, ImageFormat format, WorkerPool& pool) {
-  const auto begin = std::chrono::steady_clock::now();
-  std::string bytes = encode(rendering.image, format, pool);
-  const std::chrono::duration<double, std::milli> encoding =
-      std::chrono::steady_clock::now() - begin;
-
+void answer_image(Call& call, const Delivery& delivery, double parse_ms, const Reproducible& digest,
+                  ImageFormat format) {
   httplib::Response& response = call.response;
-  answer_bytes(response, std::move(bytes), media_type(format));
+  answer_shared_bytes(response, {delivery.image, &delivery.image->bytes}, media_type(format));
   set_caching(response, digest, format);
-  response.set_header(
-      "Server-Timing",
-      fmt::format("queue;dur={:.3f}, parse;dur={:.3f}, plan;dur={:.3f}, build;dur={:.3f}, "
-                  "trace;dur={:.3f}, encode;dur={:.3f}",
-                  before.queue_ms, before.parse_ms, rendering.plan_ms, rendering.build_ms,
-                  rendering.trace_ms, encoding.count()));
-  response.set_header("Render-Samples", fmt::format("{:.6g}", rendering.samples_per_pixel));
-  response.set_header("Render-Precision",
-                      rendering.precision == Precision::single_precision ? "single" : "double");
-  response.set_header("Render-Stop", std::string(name_of(rendering.stop)));
-  return encoding.count();
+  response.set_header("Server-Timing", server_timing(delivery, parse_ms));
+  for (const auto& [name, value] : delivery.image->fields) response.set_header(name, value);
 }
 
 void answer_image_head(Call& call, const Reproducible& digest, ImageFormat format) {

@@ -1,4 +1,4 @@
-// A rendering as an HTTP answer: its bytes in the format that the client prefers, and the header
+// A picture as an HTTP answer: its bytes in the format that the client prefers, and the header
 // fields that say what it is and how it came about.
 #pragma once
 
@@ -7,6 +7,8 @@
 
 #include "engine/engine.h"
 #include "server/call.h"
+#include "server/images.h"
+#include "server/scene_request.h"
 
 namespace raytracer {
 
@@ -14,7 +16,7 @@ namespace raytracer {
 /// A time budget does not: how far it gets differs from run to run, so such pictures carry no
 /// entity tag and are not to be stored.
 using Reproducible = std::optional<std::string>;
-Reproducible reproducible_digest(const Scene& scene);
+Reproducible reproducible_digest(const SceneRequest& request);
 
 /// The format that the call's Accept asks for. Throws Refusal 406.
 ImageFormat demand_format(const httplib::Request& request);
@@ -23,15 +25,12 @@ ImageFormat demand_format(const httplib::Request& request);
 /// no-cache); returns whether it did.
 bool answer_not_modified(Call& call, const Reproducible& digest, ImageFormat format);
 
-/// What preceded the rendering, in milliseconds.
-struct Preparation {
-  double queue_ms = 0;
-  double parse_ms = 0;
-};
+/// What the call asks Images for.
+ImageWish wish_of(const Call& call, const Reproducible& digest, ImageFormat format);
 
-/// Returns the time that the encoding took, in milliseconds.
-double answer_image(Call& call, const Rendering& rendering, const Preparation& before,
-                    const Reproducible& digest, ImageFormat format, WorkerPool& pool);
+/// The picture, with its stages as far as this call waited for them.
+void answer_image(Call& call, const Delivery& delivery, double parse_ms, const Reproducible& digest,
+                  ImageFormat format);
 
 /// The fields that a GET would have, without drawing anything: for HEAD.
 void answer_image_head(Call& call, const Reproducible& digest, ImageFormat format);

@@ -1,4 +1,4 @@
-// What the server says about itself: its scenes, its health, its version, its schema, its page.
+// What the server says about itself: its health, its version, its schema, its page.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -6,24 +6,8 @@
 #include "server/answer.h"
 #include "server/handlers.h"
 #include "server/openapi.h"
-#include "server/problem.h"
 
 namespace raytracer {
-void get_scenes(Services& services, Call& call) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const ShippedScene& scene : services.catalog.scenes())
-    list.push_back({{"name", scene.name},
-                    {"title", scene.title},
-                    {"description", scene.description},
-                    {"width", scene.width_px},
-                    {"height", scene.height_px}});
-  answer_json(call.response, 200, {{"scenes", list}});
-}
-
-void get_scene(Services& services, Call& call) {
-  const ShippedScene& scene = services.catalog.at(call.captured);
-  answer_bytes(call.response, std::string(scene.document), "application/json");
-}
 
 void get_health(Services&, Call& call) { answer_json(call.response, 200, {{"status", "ok"}}); }
 
@@ -47,6 +31,9 @@ void get_version(Services& services, Call& call) {
     add(row.flag, row.variable, config.limits.*row.value, row.meaning);
   add("--max-queue", "RAYTRACER_MAX_QUEUE", static_cast<std::int64_t>(config.max_queue),
       "renders waiting");
+  add("--max-kept", "RAYTRACER_MAX_KEPT", static_cast<std::int64_t>(config.max_kept), kept_meaning);
+  add("--max-cache", "RAYTRACER_MAX_CACHE", static_cast<std::int64_t>(config.max_cache),
+      cache_meaning);
   answer_json(call.response, 200,
               {{"version", version},
                {"build_id", build_id},

@@ -1,6 +1,7 @@
 // /jobs: images and curves that are asked for now and fetched later.
 #include <fmt/format.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -84,8 +85,10 @@ void get_job_image(Services& services, Call& call) {
   if (!rendering) refuse_without("image", *job);
   if (answer_not_modified(call, job->digest, format)) return;
   if (call.is_head()) return answer_image_head(call, job->digest, format);
-  services.metrics.took(Stage::encode, answer_image(call, *rendering, job->preparation(),
-                                                    job->digest, format, services.pool));
+  const auto image = std::make_shared<const FinishedImage>(
+      finish_image(*rendering, job->queue_ms(), format, services.pool));
+  services.metrics.took(Stage::encode, image->stages.encode_ms);
+  answer_image(call, {image}, job->parse_ms, job->digest, format);
 }
 
 void get_job_result(Services& services, Call& call) {

@@ -54,7 +54,7 @@ bool has_ended(JobStatus status) {
 Job::Job(std::string job_id, JobTask job_task, SceneRequest request)
     : id(std::move(job_id)),
       task(job_task),
-      digest(reproducible_digest(request.scene)),
+      digest(reproducible_digest(request)),
       parse_ms(request.parse_ms),
       request_(std::move(request)) {}
 
@@ -82,9 +82,9 @@ const Curve* Job::curve() const {
   return task == JobTask::tradeoff && status_ == JobStatus::done ? &curve_ : nullptr;
 }
 
-Preparation Job::preparation() const {
+double Job::queue_ms() const {
   const std::scoped_lock lock(mutex_);
-  return {queue_ms_, parse_ms};
+  return queue_ms_;
 }
 
 void Job::begin() {

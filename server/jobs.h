@@ -71,9 +71,10 @@ class Job {
   /// Returns when the job has ended, or after `longest`.
   void wait_for_end(std::chrono::milliseconds longest) const;
 
-  /// The rendering and what preceded it, once a render is done; null before.
+  /// The rendering, once a render is done; null before.
   const Rendering* rendering() const;
-  Preparation preparation() const;
+  /// How long it waited for its turn.
+  double queue_ms() const;
   /// Once a tradeoff is done; null before.
   const Curve* curve() const;
 

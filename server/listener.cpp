@@ -40,8 +40,6 @@ Afterwards after_refusal(const httplib::Request& request) {
   return may_have_body ? Afterwards::close : Afterwards::keep;
 }
 
-Problem internal_error() { return {500, "The server failed on this request; its log says why"}; }
-
 std::string bracketed(const std::string& host) {
   return host.find(':') == std::string::npos ? host : fmt::format("[{}]", host);
 }

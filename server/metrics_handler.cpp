@@ -1,4 +1,7 @@
 // GET /metrics: what Prometheus scrapes. It waits for no render and reads no scene.
+#include <array>
+#include <string_view>
+
 #include "engine/engine.h"
 #include "server/answer.h"
 #include "server/exposition.h"
@@ -29,6 +32,31 @@ void write_present(Exposition& out, const Services& services) {
               static_cast<double>(services.event_streams.open_count()));
 }
 
+void write_caches(Exposition& out, const Services& services) {
+  struct Row {
+    std::string_view cache;
+    LruCounts counts;
+  };
+  const std::array<Row, 3> rows{{{"images", services.images.remembered()},
+                                 {"kept_scenes", services.scenes.kept()},
+                                 {"read_scenes", services.scenes.read_lately()}}};
+  const auto write = [&](std::string_view name, std::string_view type, std::string_view help,
+                         auto LruCounts::*value) {
+    out.family(name, type, help);
+    for (const Row& row : rows)
+      out.sample(static_cast<double>(row.counts.*value), {{"cache", row.cache}});
+  };
+  write("raytracer_cache_hits_total", "counter", "Look-ups that found it.", &LruCounts::hits);
+  write("raytracer_cache_misses_total", "counter", "Look-ups that did not.", &LruCounts::misses);
+  write("raytracer_cache_evictions_total", "counter", "What went because the memory was full.",
+        &LruCounts::evictions);
+  write("raytracer_cache_entries", "gauge", "What is kept now.", &LruCounts::entries);
+  write("raytracer_cache_bytes", "gauge", "The memory that it takes.", &LruCounts::bytes);
+  out.family("raytracer_renders_shared_total", "counter",
+             "Requests that waited for another's render of the same picture.");
+  out.sample(static_cast<double>(services.images.shared_count()));
+}
+
 void write_process(Exposition& out, const Services& services) {
   out.family("raytracer_build_info", "gauge", "What this server is; its value is always 1.");
   out.sample(1, {{"version", version},
@@ -51,6 +79,7 @@ void get_metrics(Services& services, Call& call) {
   Exposition out;
   services.metrics.write(out);
   write_present(out, services);
+  write_caches(out, services);
   write_process(out, services);
   answer_bytes(call.response, out.text(), "text/plain; version=0.0.4; charset=utf-8");
   call.response.set_header("Cache-Control", "no-store");

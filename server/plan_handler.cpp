@@ -20,7 +20,7 @@ void post_plan(Services& services, Call& call) {
                         services.pool, progress);
     return foreseen.has_value();
   });
-  services.metrics.predicted(reproducible_digest(request.scene), foreseen->prediction);
+  services.metrics.predicted(reproducible_digest(request), foreseen->prediction);
   answer_bytes(call.response, explain(request.scene, foreseen->plan, foreseen->prediction),
                "application/json");
   // Its times are those of a moment.

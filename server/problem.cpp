@@ -28,6 +28,10 @@ Problem scene_problem(std::vector<Error> errors) {
   return {status, std::move(detail), std::move(errors)};
 }
 
+Problem internal_error() { return {500, "The server failed on this request; its log says why"}; }
+
+Problem client_left() { return {499, "The client has left"}; }
+
 std::string_view title_of(int status) {
   switch (status) {
     case 400:

@@ -39,6 +39,12 @@ int status_of(std::span<const Error> errors);
 /// The answer to a document with these errors, all of them.
 Problem scene_problem(std::vector<Error> errors);
 
+/// 500: what is wrong is the server's business, and in its log.
+Problem internal_error();
+
+/// 499, which nobody reads: it is what the log then shows.
+Problem client_left();
+
 /// HTTP's own phrase for a status.
 std::string_view title_of(int status);
 

@@ -19,7 +19,7 @@ namespace raytracer {
 std::vector<std::pair<std::string, std::string>> split_query(std::string_view target);
 
 struct RenderQuery {
-  std::optional<std::string> scene;  ///< the name of a shipped scene; otherwise the body is one
+  std::optional<std::string> scene;  ///< a name or an id; without it the body is the scene
   std::string task = "render";       ///< /jobs only
   Overrides overrides;
 };

@@ -25,6 +25,7 @@ RouteTable make_routes(Services& services) {
       {"GET", "/jobs/{id}/events", none, with(get_job_events)},
       {"DELETE", "/jobs/{id}", none, with(delete_job)},
       {"GET", "/scenes", none, with(get_scenes)},
+      {"POST", "/scenes", scene, with(post_scene)},
       {"GET", "/scenes/{name}", none, with(get_scene)},
       {"GET", "/healthz", none, with(get_health)},
       {"GET", "/readyz", none, with(get_readiness)},

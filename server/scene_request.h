@@ -5,19 +5,19 @@
 #include "server/body_memory.h"
 #include "server/call.h"
 #include "server/query.h"
+#include "server/scenes.h"
 
 namespace raytracer {
 
 struct Services;
 
-struct SceneRequest {
-  Scene scene;
-  double parse_ms = 0;
-  BodyMemory::Share memory;  ///< of the body that the scene was read from
+struct SceneRequest : SceneView {
+  double parse_ms = 0;       ///< to find or read the scene, and to judge the view
+  BodyMemory::Share memory;  ///< of the body that came with the request
 };
 
-/// Reads the shipped scene that the query names, or else the body, with the query's values over
-/// it. Throws Refusal for everything that can be wrong with either, and 503 while draining.
+/// The scene that the query names, or else the body's, with the query's values over its own.
+/// Throws Refusal for everything that can be wrong with either, and 503 while draining.
 SceneRequest read_scene_request(Call& call, const RenderQuery& query, Services& services);
 
 }  // namespace raytracer

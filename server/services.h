@@ -11,9 +11,11 @@
 #include "server/config.h"
 #include "server/departures.h"
 #include "server/event_streams.h"
+#include "server/images.h"
 #include "server/jobs.h"
 #include "server/metrics.h"
 #include "server/request_log.h"
+#include "server/scenes.h"
 
 namespace raytracer {
 
@@ -28,6 +30,8 @@ struct Services {
         admission(renders_at_once, config.max_queue),
         pool(config.threads),
         machine_costs(measure_machine_costs(pool)),
+        scenes(catalog, config.limits, config.max_kept, config.max_cache),
+        images(config.max_cache, admission, departures),
         jobs(admission, pool, config.limits, renders_at_once, metrics,
              [this](std::string_view text) { log.note(text); }) {}
 
@@ -41,6 +45,8 @@ struct Services {
   const MachineCosts machine_costs;  ///< measured before anyone waits
   Departures departures{};
   EventStreams event_streams{};
+  Scenes scenes;
+  Images images;
   Jobs jobs;  ///< ends first: its threads use what is above
 };
 

@@ -1,5 +1,5 @@
-// A turn at the worker pool for a client that waits: in the queue, then at work, given up when the
-// client leaves or the server ends.
+// A turn at the worker pool for a client that waits: in the queue, then at work, given up when it
+// is told to stop or the server ends.
 #pragma once
 
 #include <functional>
@@ -10,10 +10,13 @@
 
 namespace raytracer {
 
-/// Calls work(progress) when it is this request's turn, and returns how long it waited, in
-/// milliseconds. Throws Refusal if the queue is full or closed, or if work returns false: it was
-/// stopped.
-double take_turn(Services& services, const Call& call,
-                 const std::function<bool(RenderProgress&)>& work);
+/// Calls work() when it is this request's turn, and returns how long it waited, in milliseconds.
+/// Throws Refusal if the queue is full or closed, if `progress.stop` is set before the turn, or if
+/// work returns false: it was stopped.
+double take_turn(Services& services, RenderProgress& progress, const std::function<bool()>& work);
+
+/// The same for a call of its own: stopped when its client leaves.
+void take_turn(Services& services, const Call& call,
+               const std::function<bool(RenderProgress&)>& work);
 
 }  // namespace raytracer

@@ -31,7 +31,7 @@ TEST(Departure, render_ends_when_its_client_leaves) {
   const auto is_full = [&] { return get(server, "/readyz").status == 503; };
   for (int i = 0; i < 4; ++i) {
     clients.push_back(std::make_unique<RawConnection>(server.port()));
-    clients.back()->send(render_request(endless_scene()));
+    clients.back()->send(render_request(as_another_picture(endless_scene(), i)));
   }
   ASSERT_TRUE(eventually(is_full));
   clients.clear();

@@ -24,6 +24,11 @@ inline const std::string small_scene = R"({
                "material": {"color": [0.9, 0.1, 0.1]}}]
 })";
 
+/// Another picture that takes as long, for each number: equal ones would be rendered once.
+inline std::string as_another_picture(std::string document, int number) {
+  return document.replace(0, 1, fmt::format(R"({{"ambient": {},)", number));
+}
+
 /// The same sphere in `side` x `side` pixels, each of `samples`: work as much as one likes.
 inline std::string square_scene(int side, int samples) {
   return fmt::format(

@@ -196,6 +196,10 @@ TEST_F(OpenApi, answers_are_as_written) {
     expect_documented(get(path), "get", path);
   expect_documented(get("/scenes/demo"), "get", "/scenes/{name}");
 
+  const Answer kept = post("/scenes", small_scene);
+  expect_documented(kept, "post", "/scenes");
+  expect_documented(get(kept.get_header_value("Location")), "get", "/scenes/{name}");
+
   const Answer accepted = post("/jobs", small_scene);
   expect_documented(accepted, "post", "/jobs");
   const std::string job = accepted.get_header_value("Location");
@@ -213,6 +217,7 @@ TEST_F(OpenApi, refusals_are_as_written) {
   expect_documented(post("/render", "x", {{"Content-Type", "text/plain"}}), "post", "/render");
   expect_documented(get("/render?scene=dmeo"), "get", "/render");
   expect_documented(get("/scenes/dmeo"), "get", "/scenes/{name}");
+  expect_documented(post("/scenes", "{}"), "post", "/scenes");
   expect_documented(get("/jobs/1"), "get", "/jobs/{id}");
   const ServerProcess closed({"--token", "word"});
   expect_documented(test::get(closed, "/version"), "get", "/version");

@@ -24,10 +24,11 @@ class Busy {
   Busy(const ServerProcess& server, const std::string& document, const std::string& query = "") {
     for (int i = 0; i < 4; ++i) {
       clients_.push_back(std::make_unique<RawConnection>(server.port()));
+      const std::string own = as_another_picture(document, i);
       clients_.back()->send(
           fmt::format("POST /render{} HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
                       "Connection: close\r\nContent-Length: {}\r\n\r\n{}",
-                      query, document.size(), document));
+                      query, own.size(), own));
     }
     EXPECT_TRUE(eventually([&] { return get(server, "/readyz").status == 503; }));
   }

@@ -1,0 +1,47 @@
+#include "server/finished_image.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <string_view>
+
+namespace raytracer {
+namespace {
+
+std::string_view name_of(Stop stop) {
+  switch (stop) {
+    case Stop::target:
+      return "target";
+    case Stop::budget:
+      return "budget";
+    case Stop::samples:
+    case Stop::cancelled:
+      break;
+  }
+  return "samples";
+}
+
+}  // namespace
+
+std::size_t FinishedImage::memory() const {
+  constexpr std::size_t field_bytes = 128;  // two short texts
+  return sizeof *this + bytes.capacity() + fields.size() * field_bytes;
+}
+
+FinishedImage finish_image(const Rendering& rendering, double queue_ms, ImageFormat format,
+                           WorkerPool& pool) {
+  FinishedImage image;
+  const auto begin = std::chrono::steady_clock::now();
+  image.bytes = encode(rendering.image, format, pool);
+  const std::chrono::duration<double, std::milli> encoding =
+      std::chrono::steady_clock::now() - begin;
+  image.stages = {queue_ms, rendering.plan_ms, rendering.build_ms, rendering.trace_ms,
+                  encoding.count()};
+  image.fields = {{"Render-Samples", fmt::format("{:.6g}", rendering.samples_per_pixel)},
+                  {"Render-Precision",
+                   rendering.precision == Precision::single_precision ? "single" : "double"},
+                  {"Render-Stop", std::string(name_of(rendering.stop))}};
+  return image;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,36 @@
+// A picture as it goes over the wire, and what an answer says about it: everything that is left of
+// a rendering once it is encoded.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/engine.h"
+
+namespace raytracer {
+
+/// What making a picture took, in milliseconds; parsing is each request's own.
+struct Stages {
+  double queue_ms = 0;
+  double plan_ms = 0;
+  double build_ms = 0;
+  double trace_ms = 0;
+  double encode_ms = 0;
+};
+
+struct FinishedImage {
+  std::string bytes;
+  std::vector<std::pair<std::string, std::string>> fields;  ///< Render-Samples and the like
+  Stages stages;
+
+  /// What it takes in memory.
+  std::size_t memory() const;
+};
+
+/// Encodes the rendering, which waited for its turn for `queue_ms`, on the pool's threads.
+FinishedImage finish_image(const Rendering& rendering, double queue_ms, ImageFormat format,
+                           WorkerPool& pool);
+
+}  // namespace raytracer

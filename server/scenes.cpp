@@ -1,0 +1,77 @@
+#include "server/scenes.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "server/etag.h"
+#include "server/problem.h"
+
+namespace raytracer {
+namespace {
+
+constexpr std::size_t id_length = 32;
+
+/// No shipped scene is called like this.
+bool is_scene_id(std::string_view name) {
+  return name.size() == id_length && name.find_first_not_of("0123456789abcdef") == name.npos;
+}
+
+}  // namespace
+
+std::size_t KnownScene::bytes() const {
+  return sizeof *this + memory_bytes(scene) + document.capacity() + content_digest.capacity() +
+         id.capacity();
+}
+
+Scenes::Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_kept,
+               std::size_t most_read)
+    : catalog_(catalog), limits_(limits), kept_(most_kept), read_(most_read) {}
+
+SceneView Scenes::read(std::string document, const Overrides& overrides) {
+  const std::string text_digest = sha256_hex(document);
+  if (auto known = read_.find(text_digest)) return view(std::move(known), overrides);
+  Result<ViewedScene> read = read_viewed_scene(document, limits_, overrides);
+  if (!read.ok()) throw Refusal(scene_problem(read.errors()));
+  auto known = std::make_shared<KnownScene>();
+  known->scene = read.value().scene;
+  known->content_digest = content_digest(known->scene);
+  known->id = picture_digest(known->content_digest, known->scene).substr(0, id_length);
+  document.shrink_to_fit();
+  known->document = std::move(document);
+  read_.keep(text_digest, known, known->bytes() + text_digest.size());
+  return {std::move(known), read.value().view};
+}
+
+SceneView Scenes::view(std::shared_ptr<const KnownScene> known, const Overrides& overrides) const {
+  Result<Scene> view = view_scene(known->scene, limits_, overrides);
+  if (!view.ok()) throw Refusal(scene_problem(view.errors()));
+  return {std::move(known), view.value()};
+}
+
+void Scenes::keep(const std::shared_ptr<const KnownScene>& scene) {
+  const std::size_t bytes = scene->bytes() + id_length;
+  if (kept_.keep(scene->id, scene, bytes)) return;
+  throw Refusal({413, fmt::format("The scene takes {} bytes in memory, but this server keeps {} in "
+                                  "all (--max-kept); POST it to /render instead",
+                                  bytes, kept_.most_bytes())});
+}
+
+std::shared_ptr<const KnownScene> Scenes::kept_at(std::string_view id) {
+  if (auto scene = kept_.find(id)) return scene;
+  throw Refusal({404, fmt::format("There is no scene \"{}\": it was never posted, or was forgotten "
+                                  "because others needed the memory; POST it to /scenes again",
+                                  id)});
+}
+
+SceneView Scenes::at(std::string_view name, const Overrides& overrides) {
+  if (is_scene_id(name)) return view(kept_at(name), overrides);
+  return read(std::string(catalog_.at(name).document), overrides);
+}
+
+std::string Scenes::document(std::string_view name) {
+  if (is_scene_id(name)) return kept_at(name)->document;
+  return std::string(catalog_.at(name).document);
+}
+
+}  // namespace raytracer

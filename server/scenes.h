@@ -1,0 +1,70 @@
+// Every scene that a request may mean: shipped, posted to be kept, or sent as a body.
+//
+// A scene is read from its text once, without the query's values; a view of it shares what was
+// read. Two bounded memories: the posted scenes by their ids, which clients count on, and scenes
+// by the digests of their texts, which nobody sees: a text that comes again is not read again.
+// Reading a text takes ten times as long as its digest.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "engine/engine.h"
+#include "server/catalog.h"
+#include "server/lru_memory.h"
+
+namespace raytracer {
+
+/// A scene with all that is worth knowing of it more than once.
+struct KnownScene {
+  Scene scene;                 ///< as its document says it; only views are within all limits
+  std::string content_digest;  ///< see etag.h
+  std::string document;
+  std::string id;  ///< 32 hexadecimal digits, the same for all documents that mean this scene
+
+  /// What it takes in memory.
+  std::size_t bytes() const;
+};
+
+/// A scene as one request wants to see it.
+struct SceneView {
+  std::shared_ptr<const KnownScene> known;
+  Scene scene;
+};
+
+/// Every member function may be called from any thread.
+class Scenes {
+ public:
+  /// `most_kept` bytes of posted scenes and `most_read` bytes of scenes by their texts.
+  Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_kept,
+         std::size_t most_read);
+
+  /// A view of the document's scene. Throws Refusal with all errors of both.
+  SceneView read(std::string document, const Overrides& overrides);
+
+  /// A view of the shipped scene of that name or the posted one with that id. Throws Refusal: 404,
+  /// or with the view's errors.
+  SceneView at(std::string_view name, const Overrides& overrides);
+
+  /// Keeps it, so that at() finds it by its id. Throws Refusal 413 if it is too large for that.
+  void keep(const std::shared_ptr<const KnownScene>& scene);
+
+  /// Its document, which is not read for that. Throws Refusal 404.
+  std::string document(std::string_view name);
+
+  LruCounts kept() const { return kept_.counts(); }
+  LruCounts read_lately() const { return read_.counts(); }
+
+ private:
+  std::shared_ptr<const KnownScene> kept_at(std::string_view id);
+  SceneView view(std::shared_ptr<const KnownScene> known, const Overrides& overrides) const;
+
+  const Catalog& catalog_;
+  const Limits limits_;
+  LruMemory<KnownScene> kept_;
+  LruMemory<KnownScene> read_;
+};
+
+}  // namespace raytracer
