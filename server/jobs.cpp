@@ -210,7 +210,7 @@ void Jobs::run(Job& job) {
   try {
     if (!job.place_->wait_for_turn()) return job.end(JobStatus::cancelled, "stopped");
     job.begin();
-    metrics_.waited(job.preparation().queue_ms);
+    metrics_.waited(job.queue_ms());
     if (!make_result(job)) return job.end(JobStatus::cancelled, "stopped");
     job.end(JobStatus::done, "");
   } catch (const Refusal& refusal) {
