@@ -1,5 +1,6 @@
 #include "engine/scene/canonical.h"
 
+#include <array>
 #include <bit>
 #include <concepts>
 #include <cstdint>
@@ -12,8 +13,10 @@ class Bytes {
  public:
   template <std::integral T>
   void add(T value) {
-    for (std::size_t i = 0; i < 8; ++i)
-      bytes_ += static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * i) & 0xff);
+    std::array<char, 8> bytes;
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      bytes[i] = static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * i) & 0xff);
+    bytes_.append(bytes.data(), bytes.size());
   }
   template <typename T>
   requires std::is_enum_v<T>
@@ -31,6 +34,7 @@ class Bytes {
   template <typename T>
   void add(const std::vector<T>& values) {
     add(values.size());
+    bytes_.reserve(bytes_.size() + values.size() * sizeof(T));  // growing, it would be held twice
     for (const T& value : values) add(value);
   }
   template <typename... T>
