@@ -16,7 +16,8 @@ enum class ImageFormat {
 
 /// The 8-bit value of a channel in [0, 1]: floor(255 c + 1/2), exact in double.
 inline unsigned char to_byte(float channel) {
-  return static_cast<unsigned char>(static_cast<int>(255 * static_cast<double>(channel) + 0.5));
+  const double raised = 255 * static_cast<double>(channel) + 0.5;
+  return static_cast<unsigned char>(static_cast<int>(raised));
 }
 
 /// The file's bytes, made on the pool's threads; the same however many there are.

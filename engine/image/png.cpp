@@ -1,14 +1,12 @@
 #include "engine/image/png.h"
 
-#include <isa-l/crc.h>
-
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <memory>
 #include <new>
 
-#include "engine/image/zlib_stream.h"
+#include "engine/image/isal.h"
 
 namespace raytracer {
 namespace {
@@ -36,16 +34,12 @@ unsigned char* compress(unsigned char* bytes, int size, int* compressed_size) {
   }
 }
 
-unsigned int crc32(const unsigned char* bytes, int size) {
-  return crc32_gzip_refl(0, bytes, static_cast<std::uint64_t>(size));
-}
-
 }  // namespace
 }  // namespace raytracer
 
 #define STBIW_ZLIB_COMPRESS(bytes, size, compressed_size, level) \
   raytracer::compress(bytes, size, compressed_size)
-#define STBIW_CRC32(bytes, size) raytracer::crc32(bytes, size)
+#define STBIW_CRC32(bytes, size) raytracer::crc32({bytes, static_cast<std::size_t>(size)})
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb_image_write.h>

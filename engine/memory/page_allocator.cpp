@@ -23,11 +23,11 @@ void* allocate_pages(std::size_t bytes) {
   void* const memory = std::malloc(bytes);
   if (memory == nullptr && bytes > 0) throw std::bad_alloc();
 #ifdef __linux__
-  const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t first = (begin + huge_page - 1) / huge_page * huge_page;
-  const std::uintptr_t last = (begin + bytes) / huge_page * huge_page;
-  if (first < last)  // a wish: a refusal changes nothing
-    madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+  const std::size_t past_page = reinterpret_cast<std::uintptr_t>(memory) % huge_page;
+  const std::size_t before_page = past_page == 0 ? 0 : huge_page - past_page;
+  if (bytes > before_page + huge_page)  // a wish: a refusal changes nothing
+    madvise(static_cast<char*>(memory) + before_page, (bytes - before_page) / huge_page * huge_page,
+            MADV_HUGEPAGE);
 #endif
   return memory;
 }

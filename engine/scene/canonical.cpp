@@ -72,6 +72,8 @@ class Bytes {
   template <typename Array>
   void add_array(const Array& values) {
     add(values.size());
+    // Growing, it would be held twice.
+    bytes_.reserve(bytes_.size() + values.size() * sizeof(typename Array::value_type));
     for (const auto& value : values) add(value);
   }
 

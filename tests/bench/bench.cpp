@@ -95,13 +95,14 @@ void write_file(const std::filesystem::path& path, const std::string& content) {
   if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
-void write_pictures(const CaseFigures& figures, const std::filesystem::path& directory) {
+void write_pictures(const CaseFigures& figures, const std::filesystem::path& directory,
+                    WorkerPool& pool) {
   const auto write = [&](const Image& image, const std::string& peer) {
     if (image.values.empty()) return;
     std::string name = figures.measured.name() + ", " + peer + ".png";
     std::replace(name.begin(), name.end(), ' ', '-');
     std::erase(name, ',');
-    write_file(directory / name, encode(image, ImageFormat::png));
+    write_file(directory / name, encode(image, ImageFormat::png, pool));
   };
   write(figures.pictures.project, "project");
   write(figures.pictures.project_without_ambient, "project-without-ambient");
@@ -143,7 +144,7 @@ Report measure_all(const Options& options, const std::string& command) {
                                    .costs = costs,
                                    .embree = embree ? &*embree : nullptr,
                                    .povray = povray ? &*povray : nullptr});
-    if (!options.pictures.empty()) write_pictures(figures, options.pictures);
+    if (!options.pictures.empty()) write_pictures(figures, options.pictures, pool);
     figures.pictures = Pictures();
     report.cases.push_back(std::move(figures));
     if (!options.runs.empty()) write_report(report, options.runs);

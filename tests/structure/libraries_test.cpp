@@ -55,10 +55,8 @@ TEST(Libraries, png_encoder_is_in_one_file) {
                [](const std::string& path) { return path == "engine/image/png.cpp"; });
 }
 
-TEST(Libraries, compression_is_beside_it) {
-  expect_users("isa-l/", [](const std::string& path) {
-    return path == "engine/image/png.cpp" || path == "engine/image/zlib_stream.cpp";
-  });
+TEST(Libraries, compression_is_in_one_file) {
+  expect_users("isa-l/", [](const std::string& path) { return path == "engine/image/isal.cpp"; });
 }
 
 TEST(Libraries, digests_are_in_two_files) {
