@@ -17,9 +17,15 @@ struct WorkerPool::Batch {
   const std::atomic<bool>& stop;
   std::size_t begun = 0;
   std::size_t running = 0;
+  double had_s = 0;    ///< where the batch stands in virtual time: its begin and what it was given
+  double ended_s = 0;  ///< what its ended tasks took
   std::exception_ptr failure{};
   std::condition_variable finished{};
 
+  double mean_task_s() const {
+    const std::size_t ended = begun - running;
+    return ended == 0 ? 0 : ended_s / static_cast<double>(ended);
+  }
   bool has_more() const { return begun < count && !failure && !stop; }
 };
 
@@ -43,6 +49,7 @@ void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)>& 
   const auto batch = std::make_shared<Batch>(count, task, stop);
   std::unique_lock lock(mutex_);
   if (!batch->has_more()) return;
+  batch->had_s = virtual_time_s_;
   batches_.push_back(batch);
   ++arrivals_;
   work_arrived_.notify_one();  // who takes a task wakes the next
@@ -58,6 +65,11 @@ void WorkerPool::watch_for_arrival(std::uint64_t seen) const {
   while (arrivals_ == seen && std::chrono::steady_clock::now() < end) std::this_thread::yield();
 }
 
+std::shared_ptr<WorkerPool::Batch> WorkerPool::next_batch() const {
+  return *std::min_element(batches_.begin(), batches_.end(),
+                           [](const auto& a, const auto& b) { return a->had_s < b->had_s; });
+}
+
 void WorkerPool::work() {
   std::unique_lock lock(mutex_);
   for (;;) {
@@ -69,26 +81,33 @@ void WorkerPool::work() {
     }
     work_arrived_.wait(lock, [this] { return closing_ || !batches_.empty(); });
     if (batches_.empty()) return;
-    const std::shared_ptr<Batch> batch = batches_.front();
-    batches_.pop_front();
+    const std::shared_ptr<Batch> batch = next_batch();
     if (!batch->has_more()) {
+      std::erase(batches_, batch);
       if (batch->running == 0) batch->finished.notify_all();
       continue;
     }
+    const double expected_s = batch->mean_task_s();
+    virtual_time_s_ = std::max(virtual_time_s_, batch->had_s);
+    batch->had_s += expected_s;
     const std::size_t index = batch->begun++;
     ++batch->running;
-    if (batch->has_more()) batches_.push_back(batch);  // behind the others: a task of each in turn
+    if (!batch->has_more()) std::erase(batches_, batch);
     const bool is_more_to_do = !batches_.empty();
 
     lock.unlock();
     if (is_more_to_do) work_arrived_.notify_one();
     std::exception_ptr failure;
+    const auto began = Clock::now();
     try {
       batch->task(index);
     } catch (...) {
       failure = std::current_exception();
     }
+    const std::chrono::duration<double> took = Clock::now() - began;
     lock.lock();
+    batch->had_s += took.count() - expected_s;
+    batch->ended_s += took.count();
     if (failure) batch->failure = failure;
     --batch->running;
     if (batch->running == 0 && !batch->has_more()) batch->finished.notify_all();

@@ -1,11 +1,19 @@
-// Threads that trace the tiles of several requests at once, a tile of each in turn.
+// Threads that trace the tiles of several requests at once, with the same time for each request.
+//
+// In turn by tasks, a small render beside a huge one would wait for one of its long tiles before
+// each of its own short ones. Here a batch's tasks are paid for in time, and the batch that has had
+// least of it comes next; one that arrives begins where the one served last stands, so that it need
+// not wait for what others had before, nor can a stream of small batches starve a long one. This is
+// start-time fair queueing: Goyal, Vin, Cheng, SIGCOMM 1996. The length of a task that runs is not
+// known: until it ends it counts as its batch's mean. Nothing interrupts a task, so a batch waits
+// at most for those that run when it arrives.
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -27,7 +35,7 @@ class WorkerPool {
   std::size_t thread_count() const { return threads_.size(); }
 
   /// Calls task(0) ... task(count - 1), each once, on the pool's threads, and returns when all
-  /// have returned. Batches of different callers take turns task by task. Once `stop` is set no
+  /// have returned. Batches of different callers share the threads by time. Once `stop` is set no
   /// further task begins. An exception of a task stops the batch and is thrown here.
   /// Not to be called from a task.
   void run(std::size_t count, const std::function<void(std::size_t)>& task,
@@ -35,15 +43,20 @@ class WorkerPool {
 
  private:
   struct Batch;
+  using Clock = std::chrono::steady_clock;
+
   void work();
+  /// The batch whose turn it is.
+  std::shared_ptr<Batch> next_batch() const;
   /// Returns when a batch has arrived after the one numbered `seen`, or soon: a render is several
   /// batches in a row, and waking a thread takes as long as a small one.
   void watch_for_arrival(std::uint64_t seen) const;
 
   std::mutex mutex_;
   std::condition_variable work_arrived_;
-  std::deque<std::shared_ptr<Batch>> batches_;  ///< those with tasks not yet begun, in turn
-  std::atomic<std::uint64_t> arrivals_{0};      ///< batches so far
+  std::vector<std::shared_ptr<Batch>> batches_;  ///< those with tasks not yet begun
+  double virtual_time_s_ = 0;                    ///< where the batch stood that was served last
+  std::atomic<std::uint64_t> arrivals_{0};       ///< batches so far
   bool closing_ = false;
   std::vector<std::thread> threads_;
 };
