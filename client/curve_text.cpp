@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "client/log_axis.h"
@@ -42,10 +43,10 @@ std::string plot(const std::vector<CurvePoint>& points) {
   const LogAxis across(times);
   const LogAxis up(errors);
   const auto column_of = [&](double ms) {
-    return static_cast<std::size_t>(across.place(ms) * (width - 1) + 0.5);
+    return static_cast<std::size_t>(std::lround(across.place(ms) * (width - 1)));
   };
   const auto row_of = [&](double rmse) {
-    return height - 1 - static_cast<std::size_t>(up.place(rmse) * (height - 1) + 0.5);
+    return height - 1 - static_cast<std::size_t>(std::lround(up.place(rmse) * (height - 1)));
   };
   std::vector<std::string> rows(height, std::string(margin, ' ') + '|' + std::string(width, ' '));
   for (const double tick : up.ticks()) {

@@ -32,7 +32,7 @@ double LogAxis::place(double value) const {
 std::vector<double> LogAxis::ticks() const {
   const auto within = [&](const std::vector<double>& steps) {
     std::vector<double> ticks;
-    for (double decade = std::floor(begin_); decade <= end_; ++decade)
+    for (int decade = static_cast<int>(std::floor(begin_)); decade <= end_; ++decade)
       for (const double step : steps) {
         const double tick = step * std::pow(10, decade);
         if (std::log10(tick) >= begin_ && std::log10(tick) <= end_) ticks.push_back(tick);

@@ -174,15 +174,15 @@ class Series {
 
   /// Whether it can tell more than its cheaper neighbour did, and will probably be done in time.
   bool is_worth_it(const CurveSettings& settings) const {
-    for (auto before = measured_.rbegin(); before != measured_.rend(); ++before) {
-      const CurvePoint& point = before->point;
-      if (!are_of_a_kind(point.settings, settings)) continue;
-      if (settings.samples && point.error.rmse <= reference_.description.estimated_error)
-        return false;
-      return trials_.affords(settings, growth * point.samples_per_pixel, growth * before->call_ms,
-                             share_of_first_pictures);
-    }
-    return trials_.affords(settings, growth, 0, share_of_first_pictures);
+    const Measurement* before = nullptr;
+    for (const Measurement& measurement : measured_)
+      if (are_of_a_kind(measurement.point.settings, settings)) before = &measurement;
+    if (!before) return trials_.affords(settings, growth, 0, share_of_first_pictures);
+    const CurvePoint& point = before->point;
+    if (settings.samples && point.error.rmse <= reference_.description.estimated_error)
+      return false;
+    return trials_.affords(settings, growth * point.samples_per_pixel, growth * before->call_ms,
+                           share_of_first_pictures);
   }
 
   Trials& trials_;

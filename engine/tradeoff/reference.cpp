@@ -1,5 +1,6 @@
 #include "engine/tradeoff/reference.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -15,10 +16,8 @@ constexpr double share_of_allowance = 0.6;
 /// How many images will probably follow the one after an image of this error, if each is off by
 /// samples^-3/4.
 int expected_to_follow(double error, double wanted_error) {
-  const double fall = std::pow(usual_growth, 0.75);
-  int count = 0;
-  for (double next = error / fall; next > wanted_error; next /= fall) ++count;
-  return count;
+  const double all = std::log(error / wanted_error) / std::log(std::pow(usual_growth, 0.75));
+  return std::max(0, static_cast<int>(std::ceil(all)) - 1);
 }
 
 /// The first one's part of the time of that many images more, each `usual_growth` times as long.

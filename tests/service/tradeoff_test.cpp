@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 #include "tests/process/patience.h"
 #include "tests/service/documents.h"
@@ -105,6 +106,7 @@ TEST_F(Tradeoff, result_of_a_running_job_is_409_and_it_can_be_cancelled) {
 TEST_F(Tradeoff, deleted_one_makes_room) {
   const ServerProcess full({"--threads", "1", "--max-queue", "0"});
   std::vector<std::string> paths;
+  paths.reserve(4);
   for (int i = 0; i < 4; ++i)
     paths.push_back(
         test::post(full, "/jobs?task=tradeoff", endless_scene()).get_header_value("Location"));
