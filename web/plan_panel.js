@@ -27,7 +27,7 @@ function expected({ trace_ms, error, threads }) {
 
 function features({ objects, lights, shadows, shading, reflections, materials }) {
   const some = (counts) => Object.entries(counts).filter(([, count]) => count > 0)
-    .map(([name, count]) => `${count} ${plain(name)}`).join(", ") || "none";
+    .map(([name, count]) => `${count} ${plain(count === 1 ? name.replace(/s$/, "") : name)}`).join(", ") || "none";
   return `Objects: ${some(objects)}. Lights: ${some(lights)}. Shadows: ${shadows}. ${counted(materials, "material")}, `
     + `shading ${shading.join(", ") || "none"}, ${reflections ? `up to ${counted(reflections, "reflection")}` : "no reflections"}.`;
 }
