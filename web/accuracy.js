@@ -18,23 +18,26 @@ export function createAccuracy(box, onChange) {
   const [slider, asWritten, says, outcome] = ["accuracy", "as-written", "accuracy-says", "outcome"].map((id) => box.querySelector(`#${id}`));
   slider.max = steps.length - 1;
   let isWritten = true;
+  let other = null;  // {settings, words} that no step stands for
 
   function show() {
     const [name, means] = steps[slider.valueAsNumber];
-    const words = isWritten ? "As the scene says" : `${name}: ${means}`;
+    const words = other?.words ?? (isWritten ? "As the scene says" : `${name}: ${means}`);
     says.textContent = words;
     slider.setAttribute("aria-valuetext", words);
-    asWritten.setAttribute("aria-pressed", String(isWritten));
-    box.classList.toggle("is-written", isWritten);
+    asWritten.hidden = isWritten && !other;
+    box.classList.toggle("is-written", isWritten || other !== null);
   }
 
   slider.addEventListener("input", () => {
+    other = null;
     isWritten = false;
     show();
     onChange();
   });
   asWritten.addEventListener("click", () => {
-    isWritten = !isWritten;
+    other = null;
+    isWritten = true;
     show();
     onChange();
   });
@@ -44,20 +47,29 @@ export function createAccuracy(box, onChange) {
     slider,
     /// What stands over the document's own, as query parameters.
     get settings() {
+      if (other) return other.settings;
       return isWritten ? {} : steps[slider.valueAsNumber][2];
     },
     /// What is chosen, in words.
     get words() {
       return says.textContent;
     },
-    /// The step's number, or null for the document's own.
+    /// The step's number, or null where there is none: the document's own, or others.
     get step() {
-      return isWritten ? null : slider.valueAsNumber;
+      return isWritten || other ? null : slider.valueAsNumber;
     },
     set step(step) {
+      other = null;
       isWritten = step === null || !(step >= 0 && step < steps.length);
       if (!isWritten) slider.value = step;
       show();
+    },
+
+    /// Settings that no step stands for.
+    choose(settings, words) {
+      other = { settings, words };
+      show();
+      onChange();
     },
 
     /// Before the render: its plan's prediction, or null if none was to be had.

@@ -50,6 +50,25 @@ export async function plan(what, signal) {
   return ask(`plan?${new URLSearchParams(what.query)}`, request, (answer) => answer.json());
 }
 
+/// Starts a job of that task on a document; its id.
+export async function startJob(task, text, signal) {
+  return ask(`jobs?${new URLSearchParams({ task })}`, posted(text, signal), async (answer) => (await answer.json()).id);
+}
+
+/// {status, progress, detail, ...} of a job.
+export async function jobState(id, signal) {
+  return ask(`jobs/${id}`, { signal }, (answer) => answer.json());
+}
+
+export async function jobResult(id, signal) {
+  return ask(`jobs/${id}/result`, { signal }, (answer) => answer.json());
+}
+
+/// Also for when the page is being left; whether it succeeds is nobody's business then.
+export function cancelJob(id) {
+  fetch(`jobs/${id}`, { method: "DELETE", keepalive: true }).catch(() => {});
+}
+
 function requestOf({ body }, accept, signal) {
   const request = body === undefined ? { signal, headers: {} } : posted(body, signal);
   request.headers.Accept = accept;

@@ -4,25 +4,26 @@
 // data-state of the root element says where it stands: loading, moving, rendering, done or error.
 import { createAccuracy } from "./accuracy.js";
 import { listScenes, Problem, renderFrame, sceneText } from "./api.js";
-import { cameraOf, dollied, orbited } from "./camera.js";
+import { createBoard } from "./board.js";
+import { cameraOf } from "./camera.js";
 import { createCompare } from "./compare.js";
+import { createCurvePanel } from "./curve_panel.js";
 import { createEditor } from "./editor.js";
 import { createGallery } from "./gallery.js";
-import { watchHand } from "./hand.js";
 import { createHistory } from "./history.js";
 import { withElement, withoutElement, withValue } from "./json_edit.js";
 import { createLive } from "./live.js";
-import { createSphereMover, newSphere } from "./move_sphere.js";
+import { newSphere } from "./move_sphere.js";
 import { showPicture } from "./picture.js";
 import { showPlan } from "./plan_panel.js";
-import { hideProblem, marksOf, renumber, showProblem } from "./problem.js";
 import { refine } from "./refine.js";
 import { createSceneForm } from "./scene_form.js";
 import { createSource } from "./scene_source.js";
 import { fragmentOf, readFragment } from "./share.js";
 import { createTabs } from "./tabs.js";
 import { createTakeAway } from "./take_away.js";
-import { counted, duration } from "./units.js";
+import { createTrouble, problemFrom } from "./trouble.js";
+import { duration } from "./units.js";
 import { sameCamera, withView } from "./view.js";
 import { startWaiting } from "./waiting.js";
 
@@ -31,8 +32,8 @@ const edited = "Edited since this picture";
 
 const root = document.documentElement;
 const at = (id) => document.getElementById(id);
-const [status, elapsed, cancel, dated, restore, sceneSelect, board] =
-  ["status", "elapsed", "cancel", "dated", "restore", "scene-select", "board"].map(at);
+const [status, elapsed, cancel, restore, sceneSelect] =
+  ["status", "elapsed", "cancel", "restore", "scene-select"].map(at);
 
 const source = createSource();
 let loaded = { name: first_scene, text: "" };  // what the text began as; name "": it came in a link
@@ -40,8 +41,6 @@ let laidAside = null;   // {loaded, text}: edits that another scene has replaced
 let own = null;         // the document's camera; null: it has none that can be read
 let view = null;        // {origin, look_at, up} as the hand left them; null: the document's own
 let shown = { blob: null, words: "" };  // the picture in sight
-let renderedAt = null;  // when it was rendered
-let marks = [];         // what is marked in the editor and listed below it
 let running = null;     // the AbortController of what is under way
 
 const camera = () => ({ ...own, ...view });
@@ -51,8 +50,14 @@ const editor = createEditor(at("editor-box"), {
     if (root.dataset.state === "done") status.textContent = edited;
     takeText();
   },
-  onMarksMoved() {
-    renumber(marks);
+  onMarksMoved: () => trouble.renumber(),
+});
+const trouble = createTrouble({
+  editor, dated: at("dated"),
+  overriding: () => new Map(Object.keys(accuracy.settings).map((key) => [`/render/${key}`, accuracy.slider])),
+  reveal(mark) {
+    chooseTab("tab-json");
+    editor.reveal(mark);
   },
 });
 const chooseTab = createTabs(at("tabs"), () => form.show(editor.text));
@@ -63,8 +68,7 @@ const form = createSceneForm(at("panel-form"), {
 });
 const history = createHistory(at("undo"), (text) => revise(text, null));
 const accuracy = createAccuracy(at("accuracy-box"), () => instead(rest));
-const compare = createCompare(board, at("compare"), { current: () => shown });
-const mover = createSphereMover(at("outline"));
+const compare = createCompare(at("board"), at("compare"), { current: () => shown });
 const live = createLive(at("motion"), {
   size: camera,
   ask(settings, signal) {
@@ -82,10 +86,6 @@ const live = createLive(at("motion"), {
 function enter(state, words) {
   root.dataset.state = state;
   status.textContent = words;
-}
-
-function problemFrom(error) {
-  return error instanceof Problem ? error : new Problem({ title: "This page failed", detail: String(error) });
 }
 
 // Does `work(signal)` in place of what is under way. Its failure is shown; being replaced is none.
@@ -108,26 +108,8 @@ function stop() {
 }
 
 function fail(problem, text = editor.text) {
-  const overriding = new Map(Object.keys(accuracy.settings).map((key) => [`/render/${key}`, accuracy.slider]));
-  marks = marksOf(problem, text, overriding);
-  showProblem(problem, marks, (mark) => {
-    if (mark.control) return mark.control.focus();
-    chooseTab("tab-json");
-    editor.reveal(mark);
-  });
-  editor.mark(marks.filter((mark) => !mark.control), text);
-  at("problem").scrollIntoView({ block: "nearest" });
   live.hide();
-  dated.hidden = renderedAt === null;
-  const what = marks.length > 0 ? "Picture of the last valid scene" : "Picture of the last render";
-  dated.textContent = `${what}, ${renderedAt?.toLocaleTimeString()}`;
-  enter("error", marks.length > 0 ? `Not rendered: ${counted(Math.max(marks.length, problem.errors.length), "error")}` : "Not rendered");
-}
-
-function forgetProblem() {
-  marks = [];
-  editor.mark(marks, editor.text);
-  hideProblem();
+  enter("error", trouble.show(problem, text));
 }
 
 // The hand rests: the picture, as accurate as was chosen.
@@ -136,7 +118,7 @@ async function rest(signal) {
   const words = accuracy.words;
   enter("rendering", "Refining");
   // A refusal would have come early, so what was said about the text before is out of date then.
-  const waiting = startWaiting(elapsed, cancel, () => marks.length > 0 && forgetProblem());
+  const waiting = startWaiting(elapsed, cancel, () => trouble.forget());
   try {
     const rendering = await refine({
       source, text, view, settings: accuracy.settings,
@@ -153,9 +135,7 @@ async function rest(signal) {
     accuracy.report(rendering);
     shown = { blob: rendering.blob, words };
     compare.after(words);
-    renderedAt = new Date();
-    dated.hidden = true;
-    forgetProblem();
+    trouble.rendered();
     enter("done", editor.text === text ? `Rendered in ${duration(total_ms)}` : edited);
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
@@ -178,10 +158,8 @@ function move() {
 }
 
 function look(next) {
-  if (!own) return;
   view = { origin: next.origin, look_at: next.look_at, up: next.up };
   at("view-tools").hidden = false;
-  mover.hide();
   move();
 }
 
@@ -194,7 +172,7 @@ function takeText() {
   form.show(editor.text);
 }
 
-// The text as the form or the hand changed it; `what` they changed, null for an undo.
+// The text as the form or the hand changed it. `what` they changed, for the history; null: not for it.
 function revise(text, what) {
   if (what !== null) history.keep(editor.text, what);
   editor.revise(text);
@@ -217,7 +195,7 @@ async function load(signal) {
 
 async function begin(text, signal, from = null) {
   restore.hidden = laidAside === null;
-  forgetProblem();
+  trouble.forget();
   history.forget();
   editor.text = text;
   view = null;
@@ -249,27 +227,12 @@ async function start(signal) {
   else await load(signal);
 }
 
-watchHand(board, {
-  grab(x, y, event) {
-    const isMove = at("tool-move").checked || event.shiftKey;
-    if (!isMove || !own || !mover.grab(camera(), editor.text, x, y)) return false;
-    history.keep(editor.text, Symbol("a drag"));
-    return true;
-  },
-  drag(dx, dy, x, y) {
-    editor.revise(mover.drag(camera(), x, y));
-    takeText();
-    move();
-  },
-  drop: () => mover.hide(),
-  orbit: (sideways, over) => own && look(orbited(camera(), sideways, over)),
-  dolly: (factor) => own && look(dollied(camera(), factor)),
-  hover(x, y, event) {
-    const isMove = at("tool-move").checked || event.shiftKey;
-    board.classList.toggle("over-sphere", isMove && own !== null && mover.point(camera(), editor.text, x, y));
-    if (!isMove) mover.hide();
-  },
-  leave: () => mover.hide(),
+createBoard(at("board"), at("tool-move"), {
+  camera: () => own && camera(),
+  text: () => editor.text,
+  onGrab: () => history.keep(editor.text, Symbol("a drag")),
+  onDrag: (text) => revise(text, null),
+  onLook: look,
 });
 at("keep-view").addEventListener("click", () => {
   const text = withView(editor.text, view);
@@ -282,6 +245,11 @@ at("reset-view").addEventListener("click", () => {
   view = null;
   at("view-tools").hidden = true;
   instead(rest);
+});
+createCurvePanel(at("panel-curve"), {
+  state: () => ({ text: editor.text, view }),
+  onSettings: (settings, words) => accuracy.choose(settings, words),
+  onFail: (error) => fail(problemFrom(error)),
 });
 createTakeAway({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") }, () => ({
   name: editor.text === loaded.text ? loaded.name : "", title: loaded.name || "scene", text: editor.text, view,
