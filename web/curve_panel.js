@@ -47,7 +47,7 @@ export function createCurvePanel(box, { state, onSettings, onFail }) {
 
   function show(text, curve) {
     says.textContent = `${curve.points.length} settings at ${curve.width} × ${curve.height}, against ${curve.reference.samples} samples per pixel. `
-      + "The line joins those that nothing beats. Choose a point to see its picture.";
+      + "The line joins those that nothing beats; rings leave something out. Choose a point to see its picture.";
     plot.replaceChildren(curvePlot(curve.points, { nameOf, onChoose: (point) => choose(text, curve, point) }));
     figures.replaceChildren();
   }

@@ -23,7 +23,7 @@ export function curvePlot(points, { nameOf, onChoose }) {
     svg.append(text(room.left - 8, y + 4, errorText(power), "end"));
   }
   svg.append(text((room.left + width) / 2, height - 6, "tracing time", "middle"));
-  const best = drawn.filter((point) => point.pareto).sort((a, b) => a.trace_ms - b.trace_ms);
+  const best = drawn.filter((point) => kindOf(point) === "point pareto").sort((a, b) => a.trace_ms - b.trace_ms);
   svg.append(make("polyline", { class: "best", points: best.map((point) => `${across.place(point.trace_ms)},${up.place(point.rmse)}`).join(" ") }));
   for (const point of drawn) {
     const mark = make("g", { role: "button", tabindex: 0, "aria-label": nameOf(point), class: kindOf(point) });
@@ -48,7 +48,8 @@ export function curvePlot(points, { nameOf, onChoose }) {
 }
 
 function kindOf(point) {
-  return point.pareto ? "point pareto" : point.changes_picture ? "point changed" : "point";
+  if (point.changes_picture) return "point changed";
+  return point.pareto ? "point pareto" : "point";
 }
 
 /// From the power of ten below the least value to the one above the largest.
