@@ -22,7 +22,10 @@ export async function sceneText(name, signal) {
 
 /// Keeps a document at the server; the name by which `scene=` then finds it.
 export async function keepScene(text, signal) {
-  return ask("scenes", posted(text, signal), async (answer) => answer.headers.get("Location").split("/").pop());
+  return ask("scenes", posted(text, signal), async (answer) => {
+    await answer.text();  // unread, it would hold the connection
+    return answer.headers.get("Location").split("/").pop();
+  });
 }
 
 /// Renders `what`: {query} names a scene of the server's, {query, body} is a document.

@@ -29,6 +29,7 @@ import { startWaiting } from "./waiting.js";
 
 const first_scene = "demo";
 const edited = "Edited since this picture";
+const reading_after_ms = 250;  // of a pause in typing: a long text takes a while to be read
 
 const root = document.documentElement;
 const at = (id) => document.getElementById(id);
@@ -42,13 +43,15 @@ let own = null;         // the document's camera; null: it has none that can be 
 let view = null;        // {origin, look_at, up} as the hand left them; null: the document's own
 let shown = { blob: null, words: "" };  // the picture in sight
 let running = null;     // the AbortController of what is under way
+let reading = 0;        // the timer until typed text is read
 
 const camera = () => ({ ...own, ...view });
 
 const editor = createEditor(at("editor-box"), {
   onInput() {
     if (root.dataset.state === "done") status.textContent = edited;
-    takeText();
+    clearTimeout(reading);
+    reading = setTimeout(takeText, reading_after_ms);
   },
   onMarksMoved: () => trouble.renumber(),
 });
@@ -165,6 +168,7 @@ function look(next) {
 
 // The camera follows the text; a view of another camera is none of this one.
 function takeText() {
+  clearTimeout(reading);
   const former = own;
   own = cameraOf(editor.text);
   if (!own || !former || !sameCamera(own, former)) view = null;
@@ -207,6 +211,7 @@ async function begin(text, signal, from = null) {
 }
 
 function choose(name) {
+  if (name === "" && !sceneSelect.querySelector('[value=""]')) sceneSelect.prepend(new Option("Scene of a link", ""));
   sceneSelect.value = name;
   at("scene-about").textContent = sceneSelect.selectedOptions[0]?.dataset.description ?? "A scene that came in a link.";
 }
@@ -260,6 +265,7 @@ createTakeAway({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog")
 
 at("settings").addEventListener("submit", (event) => {
   event.preventDefault();
+  takeText();
   instead(rest);
 });
 document.addEventListener("keydown", (event) => {
