@@ -127,6 +127,7 @@ async function rest(signal) {
       source, text, view, settings: accuracy.settings,
       onPlan(foreseen) {
         accuracy.foresee(foreseen.prediction);
+        waiting.expect(foreseen.prediction.trace_ms);
         showPlan(at("plan"), foreseen);
       },
       onPreview: (bytes) => live.show(bytes),

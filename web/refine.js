@@ -1,8 +1,8 @@
-// From a view at rest to its picture: what is to be expected, a preview if that is long, the picture.
+// From a view at rest to its picture: what is to be expected, previews if that is long, the picture.
 import { plan, render, renderFrame } from "./api.js";
 
-const preview_after_ms = 600;  // of tracing
-const preview = { budget_ms: 150 };
+const previews_ms = [150, 1000];  // of tracing
+const worth = 4;                  // times as long the picture has to take, for a preview
 
 /// `source`: see scene_source.js. onPlan(plan) and onPreview(bytes of a PPM) come before what this
 /// resolves to, api.js's render(). Rejects as that does.
@@ -10,9 +10,10 @@ export async function refine({ source, text, view, settings, onPlan, onPreview }
   return source.with(text, view, settings, signal, async (what) => {
     const foreseen = await plan(what, signal);
     onPlan(foreseen);
-    if (foreseen.prediction.trace_ms > preview_after_ms) {
-      const { samples, target_rmse, ...rest } = what.query;
-      onPreview(await renderFrame({ ...what, query: { ...rest, ...preview } }, signal));
+    const { samples, target_rmse, ...rest } = what.query;
+    for (const budget_ms of previews_ms) {
+      if (foreseen.prediction.trace_ms < worth * budget_ms) break;
+      onPreview(await renderFrame({ ...what, query: { ...rest, budget_ms } }, signal));
     }
     return render(what, signal);
   });
