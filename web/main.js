@@ -124,7 +124,7 @@ async function rest(signal) {
   const waiting = startWaiting(elapsed, cancel, () => trouble.forget());
   try {
     const rendering = await refine({
-      source, text, view, settings: accuracy.settings,
+      source, text, view, settings: accuracy.settings, size: camera(),
       onPlan(foreseen) {
         accuracy.foresee(foreseen.prediction);
         waiting.expect(foreseen.prediction.trace_ms);

@@ -47,8 +47,10 @@ TEST_F(Editing, long_render_can_be_cancelled) {
   const std::string former = picture();
   edit(endless_scene());
   press_ctrl_enter();
-  ASSERT_TRUE(
-      eventually([] { return value("document.getElementById('cancel').hidden") == false; }));
+  // Beyond the previews, into the render itself.
+  ASSERT_TRUE(eventually([] {
+    return value("parseFloat(document.getElementById('elapsed').textContent) > 3") == true;
+  }));
   browser().click("#cancel");
   await("done");
   EXPECT_EQ(picture(), former);
