@@ -92,6 +92,32 @@ TEST_F(Orbit, view_is_an_address) {
   EXPECT_TRUE(was_asked("/render?scene=demo&origin="));
 }
 
+TEST_F(Orbit, edited_scene_is_posted_once_and_then_viewed_by_its_address) {
+  if (server().client().Post("/scenes", page_scene, "application/json")->status == 405)
+    GTEST_SKIP() << "this server keeps no scenes";
+  open();
+  show_panel("json");
+  std::string former = picture();
+  edit(page_scene);
+  browser().requested();
+  press_ctrl_enter();
+  await("done", former);
+  former = picture();
+  orbit(300);
+  await("done", former);
+  int posted = 0;
+  int viewed = 0;
+  for (const std::string& address : browser().requested()) {
+    posted += address.ends_with("/scenes");
+    viewed += address.find("/render?scene=") != std::string::npos;
+    EXPECT_FALSE(address.find("/render?") != std::string::npos &&
+                 address.find("scene=") == std::string::npos)
+        << address;
+  }
+  EXPECT_EQ(posted, 1);
+  EXPECT_GE(viewed, 3);
+}
+
 TEST_F(Orbit, keys_and_wheel_move_the_view) {
   open();
   std::string former = picture();
