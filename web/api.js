@@ -10,7 +10,7 @@ export class Problem extends Error {
   }
 }
 
-/// [{name, title, description}], in the server's order.
+/// [{name, title, description, width, height}], in the server's order.
 export async function listScenes() {
   return ask("scenes", {}, async (answer) => (await answer.json()).scenes);
 }
@@ -20,17 +20,18 @@ export async function sceneText(name, signal) {
   return ask(`scenes/${encodeURIComponent(name)}`, { signal }, (answer) => answer.text());
 }
 
-/// Renders `text`. `settings`: query parameters; those that are empty are left to the document.
+/// Keeps a document at the server; the name by which `scene=` then finds it.
+export async function keepScene(text, signal) {
+  return ask("scenes", posted(text, signal), async (answer) => {
+    await answer.text();  // unread, it would hold the connection
+    return answer.headers.get("Location").split("/").pop();
+  });
+}
+
+/// Renders `what`: {query} names a scene of the server's, {query, body} is a document.
 /// Returns the PNG and what its headers say; rejects with a Problem, or AbortError by `signal`.
-export async function render(text, settings, signal) {
-  const query = new URLSearchParams(Object.entries(settings).filter(([, value]) => value !== ""));
-  const request = {
-    method: "POST",
-    headers: { "Content-Type": "application/json", Accept: "image/png" },
-    body: text,
-    signal,
-  };
-  return ask(`render?${query}`, request, async (answer) => ({
+export async function render(what, signal) {
+  return ask(`render?${new URLSearchParams(what.query)}`, requestOf(what, "image/png", signal), async (answer) => ({
     blob: await answer.blob(),
     samples: answer.headers.get("Render-Samples"),
     precision: answer.headers.get("Render-Precision"),
@@ -38,6 +39,47 @@ export async function render(text, settings, signal) {
     stop: answer.headers.get("Render-Stop"),
     stages: stagesOf(answer.headers.get("Server-Timing") ?? ""),
   }));
+}
+
+/// The bytes of a render as a PPM, which takes no time to pack and unpack.
+export async function renderFrame(what, signal) {
+  const address = `render?${new URLSearchParams(what.query)}`;
+  return ask(address, requestOf(what, "image/x-portable-pixmap", signal), (answer) => answer.arrayBuffer());
+}
+
+/// What the engine chose for `what` and why, and the time and error to expect.
+export async function plan(what, signal) {
+  const request = { method: "POST", ...requestOf(what, "application/json", signal) };
+  return ask(`plan?${new URLSearchParams(what.query)}`, request, (answer) => answer.json());
+}
+
+/// Starts a job of that task on a document; its id.
+export async function startJob(task, text, signal) {
+  return ask(`jobs?${new URLSearchParams({ task })}`, posted(text, signal), async (answer) => (await answer.json()).id);
+}
+
+/// {status, progress, detail, ...} of a job.
+export async function jobState(id, signal) {
+  return ask(`jobs/${id}`, { signal }, (answer) => answer.json());
+}
+
+export async function jobResult(id, signal) {
+  return ask(`jobs/${id}/result`, { signal }, (answer) => answer.json());
+}
+
+/// Also for when the page is being left; whether it succeeds is nobody's business then.
+export function cancelJob(id) {
+  fetch(`jobs/${id}`, { method: "DELETE", keepalive: true }).catch(() => {});
+}
+
+function requestOf({ body }, accept, signal) {
+  const request = body === undefined ? { signal, headers: {} } : posted(body, signal);
+  request.headers.Accept = accept;
+  return request;
+}
+
+function posted(body, signal) {
+  return { method: "POST", headers: { "Content-Type": "application/json" }, body, signal };
 }
 
 /// Server-Timing's value ("parse;dur=0.3, trace;dur=120") as [{name, ms}], in its order.

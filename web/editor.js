@@ -109,6 +109,17 @@ export function createEditor(box, { onInput, onMarksMoved }) {
       repaint();
     },
 
+    /// Another state of the same document: what is in sight stays so.
+    revise(next) {
+      const before = text;
+      const { scrollTop, scrollLeft } = area;
+      area.value = next;
+      take(area.value);
+      moveMarks(marks, before, text);
+      area.scrollTo(scrollLeft, scrollTop);
+      repaint();
+    },
+
     /// Marks what is wrong in `about`, the text or a former state of it: [{start, end, line,
     /// message}]. The numbers are kept up to date with the text in the objects that were given.
     mark(next, about) {

@@ -10,6 +10,7 @@ const token = /[\s,:]*(?:("[^"\\]*(?:\\.[^"\\]*)*")|([{}[\]])|([^\s{}[\],:"]+))/
 ///   value: {start, end}, offsets of the value, or, if it is missing, of the object or array
 ///          that it is missing from (of a container, its opening bracket alone);
 ///   key:   {start, end} of the member's name, or null: the root, an array's element, missing.
+///   whole: {start, end} of the value with all that is in it, or null if it is missing.
 /// Of duplicate keys, the last one counts.
 export function locator(text) {
   const root = positionsIn(text);
@@ -18,10 +19,10 @@ export function locator(text) {
     for (const part of pointer.split("/").slice(1)) {
       const name = part.replaceAll("~1", "/").replaceAll("~0", "~");
       const child = node.children?.get(name);
-      if (!child) return { value: placeOf(node), key: null };
+      if (!child) return { value: placeOf(node), key: null, whole: null };
       node = child;
     }
-    return { value: placeOf(node), key: node.key };
+    return { value: placeOf(node), key: node.key, whole: { start: node.start, end: node.close ?? node.end } };
   };
 }
 
@@ -64,7 +65,8 @@ function positionsIn(text) {
     const start = end - (string ?? bracket ?? match[3]).length;
     const parent = open.at(-1);
     if (bracket === "}" || bracket === "]") {
-      open.pop();
+      const closed = open.pop();
+      if (closed) closed.close = end;
       if (open.length === 0) break;
     } else if (string && parent?.isObject && !key) {
       key = { start, end, name: nameOf(string) };

@@ -1,35 +1,89 @@
-// The page's course: a scene is loaded, its text is rendered, the picture or the problem is shown.
+// The studio's course: a scene is loaded, a hand moves the view or edits the scene, and when it rests
+// the picture is refined to the accuracy chosen.
 //
-// data-state of the root element says where it stands: loading, rendering, done or error.
-import { listScenes, Problem, render, sceneText } from "./api.js";
+// data-state of the root element says where it stands: loading, moving, rendering, done or error.
+import { createAccuracy } from "./accuracy.js";
+import { listScenes, Problem, renderFrame, sceneText } from "./api.js";
+import { createBoard } from "./board.js";
+import { cameraOf } from "./camera.js";
+import { createCompare } from "./compare.js";
+import { createCurvePanel } from "./curve_panel.js";
 import { createEditor } from "./editor.js";
+import { createGallery } from "./gallery.js";
+import { createHistory } from "./history.js";
+import { withElement, withoutElement, withValue } from "./json_edit.js";
+import { createLive } from "./live.js";
+import { newSphere } from "./move_sphere.js";
 import { showPicture } from "./picture.js";
-import { hideProblem, marksOf, renumber, showProblem } from "./problem.js";
-import { counted, duration } from "./units.js";
+import { showPlan } from "./plan_panel.js";
+import { refine } from "./refine.js";
+import { createSceneForm } from "./scene_form.js";
+import { createSource } from "./scene_source.js";
+import { fragmentOf, readFragment } from "./share.js";
+import { createTabs } from "./tabs.js";
+import { createTakeAway } from "./take_away.js";
+import { createTrouble, problemFrom } from "./trouble.js";
+import { duration } from "./units.js";
+import { sameCamera, withView } from "./view.js";
+import { startWaiting } from "./waiting.js";
 
 const first_scene = "demo";
-const patience_ms = 200;  // shorter renders need no sign of life
 const edited = "Edited since this picture";
+const reading_after_ms = 250;  // of a pause in typing: a long text takes a while to be read
 
 const root = document.documentElement;
-const [status, elapsed, cancel, dated, restore, sceneSelect, about, form, samples, transfer] = [
-  "status", "elapsed", "cancel", "dated", "restore", "scene-select", "scene-about", "settings",
-  "samples", "transfer",
-].map((id) => document.getElementById(id));
+const at = (id) => document.getElementById(id);
+const [status, elapsed, cancel, restore, sceneSelect] =
+  ["status", "elapsed", "cancel", "restore", "scene-select"].map(at);
 
-let loaded = { name: first_scene, text: "" };  // the shipped scene that the text began as
+const source = createSource();
+let loaded = { name: first_scene, text: "" };  // what the text began as; name "": it came in a link
 let laidAside = null;   // {loaded, text}: edits that another scene has replaced
-let renderedAt = null;  // when the picture in sight was rendered
-let marks = [];         // what is marked in the editor and listed below it
+let own = null;         // the document's camera; null: it has none that can be read
+let view = null;        // {origin, look_at, up} as the hand left them; null: the document's own
+let shown = { blob: null, words: "" };  // the picture in sight
 let running = null;     // the AbortController of what is under way
+let reading = 0;        // the timer until typed text is read
 
-const editor = createEditor(document.getElementById("editor-box"), {
+const camera = () => ({ ...own, ...view });
+
+const editor = createEditor(at("editor-box"), {
   onInput() {
     if (root.dataset.state === "done") status.textContent = edited;
+    clearTimeout(reading);
+    reading = setTimeout(takeText, reading_after_ms);
   },
-  onMarksMoved() {
-    renumber(marks);
+  onMarksMoved: () => trouble.renumber(),
+});
+const trouble = createTrouble({
+  editor, dated: at("dated"),
+  overriding: () => new Map(Object.keys(accuracy.settings).map((key) => [`/render/${key}`, accuracy.slider])),
+  reveal(mark) {
+    chooseTab("tab-json");
+    editor.reveal(mark);
   },
+});
+const chooseTab = createTabs(at("tabs"), () => form.show(editor.text));
+const form = createSceneForm(at("panel-form"), {
+  onEdit: (pointer, value) => revise(withValue(editor.text, pointer, value), pointer),
+  onAdd: () => revise(withElement(editor.text, "/objects", newSphere(camera())), "add"),
+  onRemove: (index) => revise(withoutElement(editor.text, "/objects", index), "remove"),
+});
+const history = createHistory(at("undo"), (text) => revise(text, null));
+const accuracy = createAccuracy(at("accuracy-box"), () => instead(rest));
+const compare = createCompare(at("board"), at("compare"), { current: () => shown });
+const live = createLive(at("motion"), {
+  size: camera,
+  ask(settings, signal) {
+    const { text } = editor;
+    if (source.knows(text)) return source.with(text, view, settings, signal, (what) => renderFrame(what, signal));
+    return renderFrame({ query: settings, body: withView(text, view) }, signal);
+  },
+  onFrame(perSecond) {
+    elapsed.textContent = `${Math.round(perSecond)} frames a second`;
+  },
+  onRest: () => instead(rest),
+  onFail: (error) => fail(problemFrom(error)),
 });
 
 function enter(state, words) {
@@ -39,67 +93,59 @@ function enter(state, words) {
 
 // Does `work(signal)` in place of what is under way. Its failure is shown; being replaced is none.
 async function instead(work) {
-  running?.abort();
+  stop();
   const mine = new AbortController();
   running = mine;
   try {
     await work(mine.signal);
   } catch (error) {
-    if (mine.signal.aborted) return;
-    fail(error instanceof Problem ? error : new Problem({ title: "This page failed", detail: String(error) }));
+    if (!mine.signal.aborted) fail(problemFrom(error));
   } finally {
     if (running === mine) running = null;
   }
 }
 
+function stop() {
+  running?.abort();
+  live.stop();
+}
+
 function fail(problem, text = editor.text) {
-  const overriding = new Map([["/render/samples", samples], ["/render/transfer", transfer]]
-    .filter(([, control]) => control.value !== ""));
-  marks = marksOf(problem, text, overriding);
-  showProblem(problem, marks, (mark) => (mark.control ? mark.control.focus() : editor.reveal(mark)));
-  editor.mark(marks.filter((mark) => !mark.control), text);
-  document.getElementById("problem").scrollIntoView({ block: "nearest" });
-  dated.hidden = renderedAt === null;
-  const what = marks.length > 0 ? "Picture of the last valid scene" : "Picture of the last render";
-  dated.textContent = `${what}, ${renderedAt?.toLocaleTimeString()}`;
-  enter("error", marks.length > 0 ? `Not rendered: ${counted(Math.max(marks.length, problem.errors.length), "error")}` : "Not rendered");
+  live.hide();
+  enter("error", trouble.show(problem, text));
 }
 
-function forgetProblem() {
-  marks = [];
-  editor.mark(marks, editor.text);
-  hideProblem();
-}
-
-async function renderText(signal) {
+// The hand rests: the picture, as accurate as was chosen.
+async function rest(signal) {
   const { text } = editor;
-  const started_ms = performance.now();
-  elapsed.textContent = "";
-  cancel.hidden = true;
-  enter("rendering", "Rendering");
-  const clock = setInterval(() => {
-    const passed_ms = performance.now() - started_ms;
-    if (passed_ms < patience_ms) return;
-    // A refusal would have come by now, so what was said about the text before is out of date.
-    if (marks.length > 0) forgetProblem();
-    elapsed.textContent = `${(passed_ms / 1000).toFixed(1)} s`;
-    cancel.hidden = false;
-  }, 100);
+  const words = accuracy.words;
+  enter("rendering", "Refining");
+  // A refusal would have come early, so what was said about the text before is out of date then.
+  const waiting = startWaiting(elapsed, cancel, () => trouble.forget());
   try {
-    const rendering = await render(text, { samples: samples.value, transfer: transfer.value }, signal);
-    const total_ms = performance.now() - started_ms;
-    await showPicture(rendering, loaded.name, total_ms);
+    const rendering = await refine({
+      source, text, view, settings: accuracy.settings, size: camera(),
+      onPlan(foreseen) {
+        accuracy.foresee(foreseen.prediction);
+        waiting.expect(foreseen.prediction.trace_ms);
+        showPlan(at("plan"), foreseen);
+      },
+      onPreview: (bytes) => live.show(bytes),
+    }, signal);
+    const total_ms = waiting.passed_ms();
+    await showPicture(rendering, loaded.name || "scene", total_ms);
     signal.throwIfAborted();
-    renderedAt = new Date();
-    dated.hidden = true;
-    forgetProblem();
-    document.getElementById("picture").scrollIntoView({ block: "nearest" });
+    live.hide();
+    accuracy.report(rendering);
+    shown = { blob: rendering.blob, words };
+    compare.after(words);
+    trouble.rendered();
     enter("done", editor.text === text ? `Rendered in ${duration(total_ms)}` : edited);
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
     fail(error, text);
   } finally {
-    clearInterval(clock);
+    waiting.end();
     if (running.signal === signal) {
       elapsed.textContent = "";
       cancel.hidden = true;
@@ -107,26 +153,72 @@ async function renderText(signal) {
   }
 }
 
-async function loadScene(signal) {
-  const name = new URLSearchParams(location.hash.slice(1)).get("scene") ?? first_scene;
-  enter("loading", `Loading ${name}`);
-  choose(name);
-  const text = await sceneText(name, signal);
-  laidAside = editor.text === loaded.text ? null : { loaded, text: editor.text };
-  loaded = { name, text };
-  await begin(text, signal);
+// Something moves: frames now, the picture when it rests.
+function move() {
+  running?.abort();
+  if (root.dataset.state !== "moving") enter("moving", "Moving");
+  cancel.hidden = true;
+  live.move();
 }
 
-async function begin(text, signal) {
+function look(next) {
+  view = { origin: next.origin, look_at: next.look_at, up: next.up };
+  at("view-tools").hidden = false;
+  move();
+}
+
+// The camera follows the text; a view of another camera is none of this one.
+function takeText() {
+  clearTimeout(reading);
+  const former = own;
+  own = cameraOf(editor.text);
+  if (!own || !former || !sameCamera(own, former)) view = null;
+  at("view-tools").hidden = view === null;
+  form.show(editor.text);
+}
+
+// The text as the form or the hand changed it. `what` they changed, for the history; null: not for it.
+function revise(text, what) {
+  if (what !== null) history.keep(editor.text, what);
+  editor.revise(text);
+  takeText();
+  move();
+}
+
+async function load(signal) {
+  const asked = await readFragment(location.hash);
+  const name = asked.text === null ? asked.name ?? first_scene : "";
+  enter("loading", `Loading ${name || "the scene of the link"}`);
+  choose(name);
+  const text = asked.text ?? (await sceneText(name, signal));
+  laidAside = editor.text === loaded.text ? null : { loaded, text: editor.text };
+  loaded = { name, text };
+  if (name) source.know(name, text);
+  if (location.hash.includes("accuracy=")) accuracy.step = asked.step;
+  await begin(text, signal, asked.view);
+}
+
+async function begin(text, signal, from = null) {
   restore.hidden = laidAside === null;
-  forgetProblem();
+  trouble.forget();
+  history.forget();
   editor.text = text;
-  await renderText(signal);
+  view = null;
+  takeText();
+  view = own && from;
+  at("view-tools").hidden = view === null;
+  live.hide();
+  await rest(signal);
 }
 
 function choose(name) {
+  if (name === "" && !sceneSelect.querySelector('[value=""]')) sceneSelect.prepend(new Option("Scene of a link", ""));
   sceneSelect.value = name;
-  about.textContent = sceneSelect.selectedOptions[0]?.dataset.description ?? "";
+  at("scene-about").textContent = sceneSelect.selectedOptions[0]?.dataset.description ?? "A scene that came in a link.";
+}
+
+function open(name) {
+  location.hash = new URLSearchParams({ scene: name });
 }
 
 async function start(signal) {
@@ -136,35 +228,67 @@ async function start(signal) {
     option.dataset.description = description;
     return option;
   }));
+  createGallery(at("gallery"), at("open-gallery"), { scenes, current: () => loaded.name, onChoose: open });
   if (signal.aborted) choose(loaded.name);
-  else await loadScene(signal);
+  else await load(signal);
 }
 
-form.addEventListener("submit", (event) => {
+createBoard(at("board"), at("tool-move"), {
+  camera: () => own && camera(),
+  text: () => editor.text,
+  onGrab: () => history.keep(editor.text, Symbol("a drag")),
+  onDrag: (text) => revise(text, null),
+  onLook: look,
+});
+at("keep-view").addEventListener("click", () => {
+  const text = withView(editor.text, view);
+  history.keep(editor.text, "view");
+  editor.revise(text);
+  takeText();
+  instead(rest);
+});
+at("reset-view").addEventListener("click", () => {
+  view = null;
+  at("view-tools").hidden = true;
+  instead(rest);
+});
+createCurvePanel(at("panel-curve"), {
+  state: () => ({ text: editor.text, view }),
+  onSettings: (settings, words) => accuracy.choose(settings, words),
+  onFail: (error) => fail(problemFrom(error)),
+});
+createTakeAway({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") }, () => ({
+  name: editor.text === loaded.text ? loaded.name : "", title: loaded.name || "scene", text: editor.text, view,
+  written: withView(editor.text, view), step: accuracy.step, settings: accuracy.settings,
+}), (words) => {
+  status.textContent = words;
+});
+
+at("settings").addEventListener("submit", (event) => {
   event.preventDefault();
-  instead(renderText);
+  takeText();
+  instead(rest);
 });
 document.addEventListener("keydown", (event) => {
   if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
   event.preventDefault();
-  form.requestSubmit();
+  at("settings").requestSubmit();
 });
-sceneSelect.addEventListener("change", () => {
-  location.hash = new URLSearchParams({ scene: sceneSelect.value });
-});
-window.addEventListener("hashchange", () => instead(loadScene));
+sceneSelect.addEventListener("change", () => open(sceneSelect.value));
+window.addEventListener("hashchange", () => instead(load));
 cancel.addEventListener("click", () => {
-  running?.abort();
+  stop();
   enter("done", "Cancelled");
 });
-restore.addEventListener("click", () => {
+restore.addEventListener("click", async () => {
   const { text } = laidAside;
   loaded = laidAside.loaded;
   laidAside = null;
   choose(loaded.name);
-  history.replaceState(null, "", `#${new URLSearchParams({ scene: loaded.name })}`);
+  window.history.replaceState(null, "", await fragmentOf({ ...loaded, view: null, step: accuracy.step }));
   instead((signal) => begin(text, signal));
 });
 
-if (/Mac|iPhone|iPad/.test(navigator.platform)) document.getElementById("shortcut").textContent = "⌘ ↵";
+if (/Mac|iPhone|iPad/.test(navigator.platform)) at("shortcut").textContent = "⌘ ↵";
+chooseTab("tab-form");
 instead(start);

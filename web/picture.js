@@ -8,6 +8,7 @@ const stops = { samples: "sample count", target: "accuracy target", budget: "tim
 export async function showPicture(rendering, name, total_ms) {
   const image = document.querySelector("#picture");
   const download = document.querySelector("#download");
+  const board = document.querySelector("#board");
   const former = image.src;
   const address = URL.createObjectURL(rendering.blob);
 
@@ -18,8 +19,9 @@ export async function showPicture(rendering, name, total_ms) {
   image.src = address;
   image.width = decoded.naturalWidth;
   image.height = decoded.naturalHeight;
-  image.style.setProperty("--ratio", decoded.naturalWidth / decoded.naturalHeight);
-  image.style.setProperty("--width-px", decoded.naturalWidth);
+  board.style.setProperty("--ratio", decoded.naturalWidth / decoded.naturalHeight);
+  board.style.setProperty("--width-px", decoded.naturalWidth);
+  board.hidden = false;
   image.alt = `Rendered picture of the scene ${name}`;
   image.hidden = false;
   if (former) URL.revokeObjectURL(former);

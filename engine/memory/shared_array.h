@@ -16,6 +16,8 @@ namespace raytracer {
 template <typename T>
 class SharedArray {
  public:
+  using value_type = T;
+
   SharedArray() = default;
   SharedArray(std::vector<T> values)  // NOLINT: implicit, it is the same value
       : values_(std::make_shared<std::vector<T>>(std::move(values))) {}

@@ -57,6 +57,16 @@ void BrowserPage::await(const std::string& state, const std::string& former) {
          << "\"), not \"" << state << "\"; see stuck.png";
 }
 
+void BrowserPage::show_panel(const std::string& name) { browser().click("#tab-" + name); }
+
+std::string BrowserPage::text() { return value("document.getElementById('editor').value"); }
+
+void BrowserPage::choose_accuracy(int step) {
+  browser().run(
+      "const dial = document.getElementById('accuracy'); dial.value = " + std::to_string(step) +
+      "; dial.dispatchEvent(new Event('input', { bubbles: true }));");
+}
+
 void BrowserPage::edit(const std::string& text) {
   browser().run(
       "const editor = document.getElementById('editor'); editor.focus(); editor.value = " +

@@ -26,7 +26,7 @@ class BrowserPage : public testing::Test {
   /// Opens the page, `address` behind the server's, and waits for its first picture.
   static void open(const std::string& address = "/");
 
-  /// "loading", "rendering", "done" or "error".
+  /// "loading", "moving", "rendering", "done" or "error".
   static std::string state();
   /// Waits until the state is `state` and the picture another than `former`, if that is given.
   static void await(const std::string& state, const std::string& former = "");
@@ -34,6 +34,13 @@ class BrowserPage : public testing::Test {
   static std::string picture();
   /// What `expression` is in the page.
   static nlohmann::json value(const std::string& expression);
+
+  /// Shows one of the scene's panels: "form", "json" or "plan".
+  static void show_panel(const std::string& name);
+  /// The scene's text.
+  static std::string text();
+  /// Moves the accuracy's control to one of its steps, from 0.
+  static void choose_accuracy(int step);
 
   /// Puts another text into the editor, as a paste would.
   static void edit(const std::string& text);

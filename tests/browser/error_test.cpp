@@ -12,7 +12,10 @@ namespace {
 
 class Errors : public BrowserPage {
  protected:
-  void SetUp() override { open("/#scene=first-sphere"); }
+  void SetUp() override {
+    open("/#scene=first-sphere");
+    show_panel("json");
+  }
 
   /// The lines that the listed errors point to.
   static std::vector<std::string> lines() {
@@ -61,10 +64,11 @@ TEST_F(Errors, are_gone_after_a_valid_render) {
   EXPECT_EQ(list(), "");
 }
 
-TEST_F(Errors, lead_to_their_place) {
+TEST_F(Errors, lead_to_their_place_from_any_panel) {
   edit(broken_scene);
   press_ctrl_enter();
   await("error");
+  show_panel("form");
   browser().click("#errors li:last-child button");
   EXPECT_EQ(value("document.activeElement.id"), "editor");
   const int start = value("document.getElementById('editor').selectionStart");

@@ -145,6 +145,11 @@ json WebDriver::run(const std::string& script) {
   return command("POST", session_ + "/execute/sync", {{"script", script}, {"args", json::array()}});
 }
 
+json WebDriver::run_until_called(const std::string& script) {
+  return command("POST", session_ + "/execute/async",
+                 {{"script", script}, {"args", json::array()}});
+}
+
 std::string WebDriver::element(const std::string& selector) {
   const json found =
       command("POST", session_ + "/element", {{"using", "css selector"}, {"value", selector}});
@@ -153,6 +158,22 @@ std::string WebDriver::element(const std::string& selector) {
 
 void WebDriver::click(const std::string& selector) {
   command("POST", element(selector) + "/click");
+}
+
+void WebDriver::drag(std::array<int, 2> from, std::array<int, 2> to) {
+  const auto move = [](std::array<int, 2> place, int duration_ms) {
+    return json{
+        {"type", "pointerMove"}, {"x", place[0]}, {"y", place[1]}, {"duration", duration_ms}};
+  };
+  const json steps{move(from, 0),
+                   {{"type", "pointerDown"}, {"button", 0}},
+                   move(to, 300),
+                   {{"type", "pointerUp"}, {"button", 0}}};
+  const json mouse{{"type", "pointer"},
+                   {"id", "mouse"},
+                   {"parameters", {{"pointerType", "mouse"}}},
+                   {"actions", steps}};
+  command("POST", session_ + "/actions", {{"actions", json::array({mouse})}});
 }
 
 void WebDriver::type(const std::string& selector, const std::string& keys) {
@@ -168,6 +189,13 @@ void WebDriver::resize(int width, int height) {
           {{"cmd", "Emulation.setDeviceMetricsOverride"},
            {"params",
             {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}}}});
+}
+
+void WebDriver::prefer_dark(bool dark) {
+  const json feature{{"name", "prefers-color-scheme"}, {"value", dark ? "dark" : "light"}};
+  command(
+      "POST", session_ + "/goog/cdp/execute",
+      {{"cmd", "Emulation.setEmulatedMedia"}, {"params", {{"features", json::array({feature})}}}});
 }
 
 std::vector<json> WebDriver::log(const std::string& type) {

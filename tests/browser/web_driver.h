@@ -4,6 +4,7 @@
 
 #include <httplib.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -35,13 +36,20 @@ class WebDriver {
   void open(const std::string& url);
   /// What `return ...;` in the function body `script` gives.
   nlohmann::json run(const std::string& script);
+  /// What the function body `script` gives to the callback that is its last argument.
+  nlohmann::json run_until_called(const std::string& script);
   void click(const std::string& selector);
+  /// A mouse goes to `from`, is pressed, goes to `to` and is released; CSS pixels of the window.
+  void drag(std::array<int, 2> from, std::array<int, 2> to);
   /// Presses keys in the element.
   void type(const std::string& selector, const std::string& keys);
   /// A PNG of the window.
   std::string screenshot();
   /// Pretends to be a screen of this size, in CSS pixels.
   void resize(int width, int height);
+
+  /// Pretends that the person has asked for dark colours, or for light ones.
+  void prefer_dark(bool dark);
 
   /// Entries of the console since the last call: {"level", "message", ...}.
   std::vector<nlohmann::json> console();

@@ -1,0 +1,130 @@
+// The page for those who listen, use a keyboard, or see little: the rules that can be checked by a
+// program, by hand, since no checker is packaged. Names of controls and pictures, one h1,
+// landmarks, references that lead somewhere, focus that shows, and WCAG's contrast of text in both
+// schemes.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/browser/browser_page.h"
+
+namespace raytracer::test {
+namespace {
+
+class Access : public BrowserPage {
+ protected:
+  void SetUp() override { open(); }
+};
+
+/// Text in sight whose contrast is below 4.5, or 3 where it is large; disabled controls are exempt.
+const std::string low_contrast = R"((() => {
+  const paper = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+  const parts = (colour) => {
+    paper.clearRect(0, 0, 1, 1);
+    paper.fillStyle = colour;
+    paper.fillRect(0, 0, 1, 1);
+    const [r, g, b, a] = paper.getImageData(0, 0, 1, 1).data;
+    return [r / 255, g / 255, b / 255, a / 255];
+  };
+  const over = (top, below) => [0, 1, 2].map((i) => top[i] * top[3] + below[i] * (1 - top[3]));
+  const light = (rgb) => rgb.map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
+    .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+  const behind = (element) => {
+    const layers = [];
+    for (let each = element; each; each = each.parentElement)
+      layers.push(parts(getComputedStyle(each).backgroundColor));
+    return layers.reverse().reduce((below, top) => over(top, below), [1, 1, 1]);
+  };
+  const found = [];
+  for (const element of document.querySelectorAll('body *')) {
+    const says = [...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim());
+    const style = getComputedStyle(element);
+    if (!says || !element.checkVisibility({ visibilityProperty: true }) || element.disabled) continue;
+    if (element.closest('.unseen, textarea, noscript, select')) continue;
+    const ground = behind(element);
+    const ink = over(parts(style.color), ground);
+    const [bright, dim] = [light(ink), light(ground)].sort((a, b) => b - a);
+    const contrast = (bright + 0.05) / (dim + 0.05);
+    const size = parseFloat(style.fontSize);
+    const isLarge = size >= 24 || (size >= 18.66 && style.fontWeight >= 700);
+    if (contrast < (isLarge ? 3 : 4.5))
+      found.push(`${element.textContent.trim().slice(0, 40)}: ${contrast.toFixed(2)}`);
+  }
+  return found;
+})())";
+
+TEST_F(Access, controls_and_pictures_have_names) {
+  for (const char* const panel : {"form", "json", "plan"}) {
+    show_panel(panel);
+    const std::vector<std::string> nameless = value(
+        "[...document.querySelectorAll('input, select, textarea, button, a, img, [role], "
+        "[tabindex]')]"
+        ".filter((each) => each.checkVisibility())"
+        ".filter((each) => each.tagName === 'IMG' ? !each.hasAttribute('alt')"
+        "  : !(each.labels?.length || each.textContent.trim() || each.ariaLabel"
+        "  || each.hasAttribute('aria-labelledby')))"
+        ".map((each) => each.outerHTML)");
+    EXPECT_EQ(nameless, std::vector<std::string>{}) << panel;
+  }
+  EXPECT_NE(value("document.getElementById('picture').alt"), "");
+  EXPECT_EQ(value("document.documentElement.lang"), "en");
+}
+
+TEST_F(Access, page_has_landmarks_and_one_heading_above_all) {
+  EXPECT_EQ(value("document.querySelectorAll('h1').length"), 1);
+  EXPECT_EQ(value("document.querySelectorAll('main').length"), 1);
+  EXPECT_EQ(value("[...document.querySelectorAll('section, main')].filter((each) => "
+                  "!each.ariaLabel && each.parentElement.id !== 'plan').length"),
+            0);
+}
+
+TEST_F(Access, references_lead_somewhere_and_ids_are_unique) {
+  const std::vector<std::string> dangling = value(
+      "[...document.querySelectorAll('*')].flatMap((each) => "
+      "['for', 'aria-controls', 'aria-describedby', 'aria-labelledby'].flatMap((name) => "
+      "(each.getAttribute(name) ?? '').split(' ').filter((id) => id && "
+      "!document.getElementById(id))))");
+  EXPECT_EQ(dangling, std::vector<std::string>{});
+  const std::vector<std::string> ids = value(
+      "[...document.querySelectorAll('[id]')].map((each) => each.id).filter((id, i, all) => "
+      "all.indexOf(id) !== i)");
+  EXPECT_EQ(ids, std::vector<std::string>{});
+}
+
+TEST_F(Access, text_has_contrast_in_light_and_dark) {
+  for (const bool dark : {false, true}) {
+    browser().prefer_dark(dark);
+    for (const char* const panel : {"form", "json", "plan"}) {
+      show_panel(panel);
+      EXPECT_EQ(value(low_contrast).get<std::vector<std::string>>(), std::vector<std::string>{})
+          << panel << (dark ? ", dark" : ", light");
+    }
+  }
+  browser().prefer_dark(false);
+}
+
+TEST_F(Access, tabs_follow_the_arrow_keys) {
+  browser().type("#tab-form", "\xee\x80\x94");  // arrow right
+  EXPECT_EQ(value("document.activeElement.id"), "tab-json");
+  EXPECT_EQ(value("document.getElementById('panel-json').hidden"), false);
+}
+
+TEST_F(Access, focus_is_seen_on_every_control) {
+  const std::vector<std::string> unseen = value(R"((() => {
+    const bad = [];
+    const controls = 'a[href], button, select, input, textarea, [tabindex="0"]';
+    for (const each of document.querySelectorAll(controls)) {
+      if (!each.checkVisibility() || each.disabled) continue;
+      each.focus({ focusVisible: true });
+      if (document.activeElement !== each) continue;
+      const shower = each.type === 'radio' ? each.nextElementSibling : each;
+      if (getComputedStyle(shower).outlineStyle === 'none') bad.push(each.outerHTML);
+    }
+    return bad;
+  })())");
+  EXPECT_EQ(unseen, std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace raytracer::test

@@ -1,0 +1,57 @@
+// The scene's own curve of error against time, measured, drawn, and each point a picture.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/browser/browser_page.h"
+#include "tests/process/patience.h"
+
+namespace raytracer::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Curve : public BrowserPage {
+ protected:
+  void SetUp() override {
+    open("/#scene=first-sphere");
+    show_panel("curve");
+  }
+
+  static int count(const std::string& selector) {
+    return value("document.querySelectorAll('" + selector + "').length");
+  }
+};
+
+TEST_F(Curve, is_drawn_and_its_points_are_pictures) {
+  const std::string former = picture();
+  browser().click("#measure");
+  ASSERT_TRUE(eventually([] { return count("#curve-plot .point") > 0; }, 60s))
+      << value("document.getElementById('curve-says').textContent");
+  EXPECT_GE(count("#curve-plot .pareto"), 2);
+  EXPECT_EQ(value("document.getElementById('curve-progress').hidden"), true);
+  browser().requested();
+  browser().type("#curve-plot .pareto", key_enter);
+  ASSERT_TRUE(eventually([] { return count("#curve-figures canvas") == 1; }, 30s));
+  await("done", former);
+  keep_screenshot("curve");
+  bool was_asked = false;
+  for (const std::string& address : browser().requested())
+    was_asked =
+        was_asked || address.find("/render?scene=first-sphere&samples=") != std::string::npos;
+  EXPECT_TRUE(was_asked);
+}
+
+TEST_F(Curve, measuring_can_be_stopped) {
+  browser().click("#measure");
+  ASSERT_TRUE(eventually(
+      [] { return value("document.getElementById('curve-progress').value > 0") == true; }, 30s));
+  browser().click("#measure");
+  EXPECT_TRUE(eventually(
+      [] { return value("document.getElementById('curve-says').textContent") == "Stopped."; }));
+  EXPECT_TRUE(eventually([] { return server().log().find("DELETE /jobs/") != std::string::npos; }))
+      << server().log();
+}
+
+}  // namespace
+}  // namespace raytracer::test

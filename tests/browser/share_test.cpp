@@ -1,0 +1,77 @@
+// A link holds the scene and the view; a command renders the same picture without the page.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/browser/browser_page.h"
+#include "tests/golden/picture.h"
+#include "tests/process/patience.h"
+
+namespace raytracer::test {
+namespace {
+
+class Share : public BrowserPage {
+ protected:
+  /// What `button` puts into the clipboard.
+  static std::string copied_by(const std::string& button) {
+    browser().run(
+        "navigator.clipboard.writeText = async (text) => { window.copied = text; };"
+        "window.copied = null;");
+    browser().click(button);
+    eventually([] { return !value("window.copied").is_null(); });
+    return value("window.copied");
+  }
+};
+
+TEST_F(Share, link_opens_the_same_scene_view_and_accuracy) {
+  open();
+  show_panel("json");
+  std::string former = picture();
+  edit(page_scene + "\n");
+  press_ctrl_enter();
+  await("done", former);
+  former = picture();
+  browser().type("#board", "\xee\x80\x92");  // arrow left
+  await("done", former);
+  former = picture();
+  choose_accuracy(3);
+  await("done", former);
+  const std::string link = copied_by("#share");
+  ASSERT_TRUE(link.starts_with(server().url() + "/#")) << link;
+  const std::string query_before = value("document.getElementById('accuracy-says').textContent");
+  open(link.substr(server().url().size()));
+  EXPECT_EQ(text(), page_scene + "\n");
+  EXPECT_EQ(value("document.getElementById('view-tools').hidden"), false);
+  EXPECT_EQ(value("document.getElementById('accuracy-says').textContent"), query_before);
+  EXPECT_EQ(value("document.getElementById('picture').naturalWidth"), 60);
+}
+
+TEST_F(Share, link_to_a_shipped_scene_names_it) {
+  open("/#scene=mesh");
+  EXPECT_EQ(copied_by("#share"), server().url() + "/#scene=mesh");
+}
+
+TEST_F(Share, damaged_link_is_said_to_be) {
+  browser().open("about:blank");
+  browser().open(server().url() + "/#document=AAAA");
+  await("error");
+}
+
+TEST_F(Share, command_renders_the_picture_in_sight) {
+  open("/#scene=first-sphere");
+  std::string former = picture();
+  browser().type("#board", "\xee\x80\x92");  // arrow left
+  await("done", former);
+  const TemporaryFolder folder;
+  const Outcome outcome = run({"sh", {}, copied_by("#curl"), {}, folder.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Picture rendered = decode_png(read_file(folder.path() / "first-sphere.png"));
+  browser().click("#download");
+  const std::filesystem::path file = downloads() / "first-sphere.png";
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file); }));
+  EXPECT_EQ(rendered, decode_png(read_file(file)));
+}
+
+}  // namespace
+}  // namespace raytracer::test

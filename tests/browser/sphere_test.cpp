@@ -1,0 +1,98 @@
+// Common edits without JSON: the form and the hand write the same document, and leave its rest
+// alone.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "tests/browser/browser_page.h"
+
+namespace raytracer::test {
+namespace {
+
+class Spheres : public BrowserPage {
+ protected:
+  void SetUp() override { open(); }
+
+  static std::string set_value(const std::string& label, const std::string& input) {
+    return "const control = document.querySelector('[aria-label=\"" + label +
+           "\"]'); control.value = '" + input +
+           "'; control.dispatchEvent(new Event('input', { bubbles: true }));";
+  }
+
+  /// In pixels of the window, from parts of the picture.
+  static std::array<int, 2> place(double x, double y) {
+    const nlohmann::json box = value(
+        "(() => { const box = document.getElementById('board').getBoundingClientRect();"
+        " return [box.left, box.top, box.width, box.height]; })()");
+    return {static_cast<int>(box[0].get<double>() + x * box[2].get<double>()),
+            static_cast<int>(box[1].get<double>() + y * box[3].get<double>())};
+  }
+
+  static std::string without(std::string text, const std::string& part) {
+    const std::size_t at = text.find(part);
+    EXPECT_NE(at, std::string::npos) << part;
+    return text.erase(at, part.size());
+  }
+};
+
+TEST_F(Spheres, form_moves_one_and_nothing_else) {
+  const std::string before = text();
+  const std::string former = picture();
+  browser().run(set_value("Sphere 1, x", "-1.5"));
+  await("done", former);
+  EXPECT_EQ(without(text(), "\"center\": [-1.5, 2.9, -2]"),
+            without(before, "\"center\": [-3.2, 2.9, -2]"));
+}
+
+TEST_F(Spheres, drag_in_the_picture_moves_one_and_nothing_else) {
+  const auto before = nlohmann::json::parse(text());
+  const std::string former = picture();
+  browser().click("label:has(#tool-move)");
+  browser().drag(place(0.36, 0.33), place(0.46, 0.2));
+  await("done", former);
+  keep_screenshot("dragged_sphere");
+  auto after = nlohmann::json::parse(text());
+  nlohmann::json& center = after["objects"][0]["center"];
+  EXPECT_GT(center[0].get<double>(), -3.2 + 0.5);  // to the right
+  EXPECT_GT(center[1].get<double>(), 2.9 + 0.5);   // and up
+  center = before.at("objects")[0].at("center");
+  EXPECT_EQ(after, before);
+  EXPECT_EQ(value("document.getElementById('view-tools').hidden"), true);
+}
+
+TEST_F(Spheres, undo_brings_the_text_back) {
+  const std::string before = text();
+  std::string former = picture();
+  browser().run(set_value("red, colour", "#00ff00"));
+  await("done", former);
+  EXPECT_NE(text().find("\"color\": [0, 1, 0]"), std::string::npos) << text();
+  former = picture();
+  browser().click("#undo");
+  await("done", former);
+  EXPECT_EQ(text(), before);
+}
+
+TEST_F(Spheres, one_can_be_added_and_removed) {
+  const auto before = nlohmann::json::parse(text());
+  std::string former = picture();
+  browser().run(
+      "[...document.querySelectorAll('#panel-form button')].find((each) => each.textContent === "
+      "'Add a sphere').click()");
+  await("done", former);
+  EXPECT_EQ(nlohmann::json::parse(text()).at("objects").size(), before.at("objects").size() + 1);
+  former = picture();
+  browser().click("[aria-label='Remove Sphere 3']");
+  await("done", former);
+  EXPECT_EQ(nlohmann::json::parse(text()), before);
+}
+
+TEST_F(Spheres, member_that_is_missing_is_added) {
+  const std::string former = picture();
+  browser().run(set_value("sand, reflectivity", "0.5"));
+  await("done", former);
+  EXPECT_EQ(nlohmann::json::parse(text()).at("materials").at("sand").at("reflectivity"), 0.5);
+}
+
+}  // namespace
+}  // namespace raytracer::test

@@ -1,0 +1,104 @@
+// The one control between "instant" and "exact": what it asks for, and beside it the time and
+// error that were foreseen and those that came true.
+import { duration } from "./units.js";
+
+const steps = [
+  ["Instant", "what 10 ms give", { budget_ms: 10 }],
+  ["Quick", "what 50 ms give", { budget_ms: 50 }],
+  ["Draft", "error 0.02", { target_rmse: 0.02 }],
+  ["Fair", "error 0.01", { target_rmse: 0.01 }],
+  ["Good", "error 0.005", { target_rmse: 0.005 }],
+  ["Fine", "error 0.002", { target_rmse: 0.002 }],
+  ["Finer", "error 0.001", { target_rmse: 0.001 }],
+  ["Exact", "error 0.0005, half of what 8 bits round away", { target_rmse: 0.0005 }],
+];
+
+/// `box` holds #accuracy, #as-written, #accuracy-says and #outcome. `onChange()` follows a change.
+export function createAccuracy(box, onChange) {
+  const [slider, asWritten, says, outcome] = ["accuracy", "as-written", "accuracy-says", "outcome"].map((id) => box.querySelector(`#${id}`));
+  slider.max = steps.length - 1;
+  let isWritten = true;
+  let other = null;  // {settings, words} that no step stands for
+
+  function show() {
+    const [name, means] = steps[slider.valueAsNumber];
+    const words = other?.words ?? (isWritten ? "As the scene says" : `${name}: ${means}`);
+    says.textContent = words;
+    slider.setAttribute("aria-valuetext", words);
+    asWritten.hidden = isWritten && !other;
+    box.classList.toggle("is-written", isWritten || other !== null);
+  }
+
+  slider.addEventListener("input", () => {
+    other = null;
+    isWritten = false;
+    show();
+    onChange();
+  });
+  asWritten.addEventListener("click", () => {
+    other = null;
+    isWritten = true;
+    show();
+    onChange();
+  });
+  show();
+
+  return {
+    slider,
+    /// What stands over the document's own, as query parameters.
+    get settings() {
+      if (other) return other.settings;
+      return isWritten ? {} : steps[slider.valueAsNumber][2];
+    },
+    /// What is chosen, in words.
+    get words() {
+      return says.textContent;
+    },
+    /// The step's number, or null where there is none: the document's own, or others.
+    get step() {
+      return isWritten || other ? null : slider.valueAsNumber;
+    },
+    set step(step) {
+      other = null;
+      isWritten = step === null || !(step >= 0 && step < steps.length);
+      if (!isWritten) slider.value = step;
+      show();
+    },
+
+    /// Settings that no step stands for.
+    choose(settings, words) {
+      other = { settings, words };
+      show();
+      onChange();
+    },
+
+    /// Before the render: its plan's prediction, or null if none was to be had.
+    foresee(prediction) {
+      fill(outcome, "foreseen", prediction && {
+        trace_ms: prediction.trace_ms, error: prediction.error, samples: prediction.samples,
+      });
+      fill(outcome, "measured", null);
+    },
+    /// After it: what api.js's render() gave.
+    report({ stages, error, samples }) {
+      const trace = stages.find(({ name }) => name === "trace");
+      fill(outcome, "measured", { trace_ms: trace?.ms, error: error && Number(error), samples: samples && Number(samples) });
+    },
+  };
+}
+
+function fill(table, row, values) {
+  const shown = {
+    trace_ms: values?.trace_ms === undefined ? null : duration(values.trace_ms),
+    error: errorText(values?.error),
+    samples: values?.samples ? String(Number(values.samples.toPrecision(3))) : null,
+  };
+  for (const [name, text] of Object.entries(shown))
+    table.querySelector(`[data-row="${row}"] [data-is="${name}"]`).textContent = text ?? "–";
+}
+
+/// Two digits suffice for an estimate.
+export function errorText(error) {
+  if (error === null || error === undefined || Number.isNaN(error)) return null;
+  return String(Number(error.toPrecision(2)));
+}

@@ -1,0 +1,35 @@
+// What the hand's movements on the picture mean: the view, or a sphere where the person says so.
+import { dollied, orbited } from "./camera.js";
+import { watchHand } from "./hand.js";
+import { createSphereMover } from "./move_sphere.js";
+
+/// `board` holds the picture and #outline; `moveTool` is checked while dragging moves spheres, which
+/// Shift does as well. `camera()` is null while there is none, `text()` the document. `onGrab()`,
+/// then `onDrag(text)` follow a sphere that is moved, `onLook(camera)` a view.
+export function createBoard(board, moveTool, { camera, text, onGrab, onDrag, onLook }) {
+  const mover = createSphereMover(board.querySelector("#outline"));
+  const means = (event) => camera() !== null && (moveTool.checked || event.shiftKey);
+  const look = (change) => {
+    if (camera() === null) return;
+    mover.hide();
+    onLook(change(camera()));
+  };
+
+  watchHand(board, {
+    grab(x, y, event) {
+      if (!means(event) || !mover.grab(camera(), text(), x, y)) return false;
+      onGrab();
+      return true;
+    },
+    drag: (dx, dy, x, y) => onDrag(mover.drag(camera(), x, y)),
+    drop: () => mover.hide(),
+    orbit: (sideways, over) => look((now) => orbited(now, sideways, over)),
+    dolly: (factor) => look((now) => dollied(now, factor)),
+    hover(x, y, event) {
+      const isMove = means(event);
+      board.classList.toggle("over-sphere", isMove && mover.point(camera(), text(), x, y));
+      if (!isMove) mover.hide();
+    },
+    leave: () => mover.hide(),
+  });
+}

@@ -1,0 +1,119 @@
+// The scene's own speed-accuracy curve: measured by the server as a job, drawn, and each of its
+// points a picture with its difference from the reference.
+import { cancelJob, jobResult, jobState, renderFrame, startJob } from "./api.js";
+import { errorText } from "./accuracy.js";
+import { curvePlot } from "./curve_plot.js";
+import { differenceOf } from "./difference.js";
+import { withValue } from "./json_edit.js";
+import { readPpm } from "./ppm.js";
+import { duration } from "./units.js";
+import { withView } from "./view.js";
+
+const look_again_ms = 250;
+const gain = 16;  // of the difference
+
+/// `box` holds #measure, #curve-progress, #curve-says, #curve-plot and #curve-figures.
+/// `state()` gives {text, view}; `onSettings(settings, words)` follows the choice of a point that a
+/// query can ask for; `onFail(error)` a failure.
+export function createCurvePanel(box, { state, onSettings, onFail }) {
+  const [measure, progress, says, plot, figures] =
+    ["measure", "curve-progress", "curve-says", "curve-plot", "curve-figures"].map((id) => box.querySelector(`#${id}`));
+  let running = null;   // the AbortController of the job
+  let choosing = null;  // and of the point's pictures
+
+  async function run(signal) {
+    const { text, view } = state();
+    const written = withView(text, view);
+    says.textContent = "Measuring: the same picture with many settings, against a reference.";
+    const id = await startJob("tradeoff", written, signal);
+    const leave = () => cancelJob(id);
+    signal.addEventListener("abort", leave);
+    window.addEventListener("pagehide", leave);
+    try {
+      for (;;) {
+        const job = await jobState(id, signal);
+        progress.value = job.progress;
+        if (job.status === "done") break;
+        if (job.status !== "queued" && job.status !== "running") throw new Error(job.detail ?? `the job ${job.status}`);
+        await new Promise((wake) => setTimeout(wake, look_again_ms));
+        signal.throwIfAborted();
+      }
+      show(written, await jobResult(id, signal));
+    } finally {
+      signal.removeEventListener("abort", leave);
+      window.removeEventListener("pagehide", leave);
+    }
+  }
+
+  function show(text, curve) {
+    says.textContent = `${curve.points.length} settings at ${curve.width} × ${curve.height}, against ${curve.reference.samples} samples per pixel. `
+      + "The line joins those that nothing beats; rings leave something out. Choose a point to see its picture.";
+    plot.replaceChildren(curvePlot(curve.points, { nameOf, onChoose: (point) => choose(text, curve, point) }));
+    figures.replaceChildren();
+  }
+
+  async function choose(text, curve, point) {
+    const { shadows, ...settings } = point.settings;
+    choosing?.abort();
+    choosing = new AbortController();
+    const { signal } = choosing;
+    try {
+      if (!shadows) onSettings(settings, settingsText(point.settings));
+      const size = { width: curve.width, height: curve.height };
+      const about = document.createElement("p");
+      about.textContent = `${nameOf(point)}. Largest error ${errorText(point.max_error)}.`;
+      figures.replaceChildren(about, waiting());
+      const body = shadows ? withValue(text, "/shadows", shadows) : text;
+      const picture = readPpm(await renderFrame({ query: { ...settings, ...size }, body }, signal));
+      const { samples, ...rest } = curve.reference.settings;
+      const reference = readPpm(await renderFrame({ query: { ...rest, samples: curve.reference.samples, ...size }, body: text }, signal));
+      // What a query can ask for is in the large picture already.
+      figures.replaceChildren(about, ...(shadows ? [figure(picture, "The picture")] : []),
+        figure(differenceOf(picture, reference, gain), `Its difference from the reference, ${gain} times enlarged; grey is none`));
+    } catch (error) {
+      if (!signal.aborted) onFail(error);
+    }
+  }
+
+  measure.addEventListener("click", async () => {
+    if (running) return running.abort();
+    const mine = new AbortController();
+    running = mine;
+    measure.textContent = "Stop measuring";
+    progress.hidden = false;
+    progress.value = 0;
+    try {
+      await run(mine.signal);
+    } catch (error) {
+      says.textContent = mine.signal.aborted ? "Stopped." : "Not measured.";
+      if (!mine.signal.aborted) onFail(error);
+    } finally {
+      running = null;
+      progress.hidden = true;
+      measure.textContent = "Measure the curve";
+    }
+  });
+}
+
+function settingsText({ samples, target_rmse, precision, shadows, max_depth }) {
+  return [
+    samples && `${samples} sample${samples === 1 ? "" : "s"}`, target_rmse && `target ${target_rmse}`,
+    precision && `${precision} precision`, shadows && "no shadows", max_depth === 0 && "no reflections",
+  ].filter(Boolean).join(", ");
+}
+
+function nameOf({ settings, trace_ms, rmse }) {
+  return `${settingsText(settings)}: ${duration(trace_ms)}, error ${errorText(rmse)}`;
+}
+
+function waiting() {
+  return Object.assign(document.createElement("p"), { className: "reason", textContent: "Rendering it and the reference…" });
+}
+
+function figure(image, words) {
+  const made = document.createElement("figure");
+  const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height, role: "img", ariaLabel: words });
+  canvas.getContext("2d").putImageData(image, 0, 0);
+  made.append(canvas, Object.assign(document.createElement("figcaption"), { textContent: words }));
+  return made;
+}

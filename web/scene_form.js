@@ -1,0 +1,159 @@
+// The common edits as a form beside the JSON: each control stands for one value of the document,
+// by its pointer, and writes that value alone into the text.
+
+const most_spheres = 50;  // with a row each; nobody moves more by hand
+
+/// `box` is filled anew by show(). `onEdit(pointer, value)` follows each change of a value;
+/// `onAdd()` and `onRemove(index)` the buttons of the spheres.
+export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
+  let shape = "";   // of the document that the controls were made for
+  let fields = [];  // {pointer, read(value)}
+
+  function number(label, pointer, { step = 0.1, min } = {}) {
+    const input = Object.assign(document.createElement("input"), { type: "number", step: "any", ariaLabel: label });
+    if (min !== undefined) input.min = min;
+    input.addEventListener("input", () => {
+      if (input.value !== "" && input.checkValidity()) onEdit(pointer, input.valueAsNumber);
+    });
+    // "any" allows what was written in the document; the arrows still want a step.
+    input.addEventListener("keydown", (event) => {
+      const up = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+      if (!up || input.value === "") return;
+      event.preventDefault();
+      input.value = Number((input.valueAsNumber + up * step * (event.shiftKey ? 10 : 1)).toFixed(6));
+      input.dispatchEvent(new Event("input"));
+    });
+    fields.push({ pointer, read(value) {
+      if (document.activeElement !== input || input.valueAsNumber !== value) input.value = value ?? "";
+    } });
+    return input;
+  }
+
+  function slider(label, pointer, max = 1) {
+    const input = Object.assign(document.createElement("input"), { type: "range", min: 0, max, step: max / 100, ariaLabel: label });
+    input.addEventListener("input", () => onEdit(pointer, input.valueAsNumber));
+    fields.push({ pointer, read(value) {
+      if (Number.isFinite(value)) input.value = value;
+    } });
+    return input;
+  }
+
+  function colour(label, pointer) {
+    const input = Object.assign(document.createElement("input"), { type: "color", ariaLabel: label });
+    let isArray = true;
+    input.addEventListener("input", () => onEdit(pointer, isArray ? partsOf(input.value) : input.value));
+    fields.push({ pointer, read(value) {
+      isArray = typeof value !== "string";
+      const hex = isArray ? hexOf(value ?? [1, 1, 1]) : value;
+      if (input.value !== hex) input.value = hex;
+    } });
+    return input;
+  }
+
+  const point = (label, pointer) => ["x", "y", "z"].map((axis, index) => labelled(axis, number(`${label}, ${axis}`, `${pointer}/${index}`)));
+
+  function make(scene) {
+    fields = [];
+    const groups = [];
+    const spheres = [];
+    listIn(scene.objects).forEach((object, index) => {
+      if (object?.type !== "sphere" || !Array.isArray(object.center) || spheres.length === most_spheres) return;
+      const pointer = `/objects/${index}`;
+      const name = `Sphere ${spheres.length + 1}`;
+      const remove = button("×", () => onRemove(index));
+      remove.ariaLabel = remove.title = `Remove ${name}`;
+      spheres.push(row(name, materialOf(object), [
+        ...point(name, `${pointer}/center`), labelled("r", number(`${name}, radius`, `${pointer}/radius`, { min: 0 })), remove]));
+    });
+    spheres.push(button("Add a sphere", onAdd));
+    groups.push(group("Spheres", spheres));
+
+    const materials = Object.keys(scene.materials ?? {}).map((name) => {
+      const pointer = `/materials/${name.replaceAll("~", "~0").replaceAll("/", "~1")}`;
+      return row(name, "", [
+        colour(`${name}, colour`, `${pointer}/color`),
+        labelled("matt", slider(`${name}, diffuse`, `${pointer}/kd`)),
+        labelled("glossy", slider(`${name}, specular`, `${pointer}/ks`)),
+        labelled("mirror", slider(`${name}, reflectivity`, `${pointer}/reflectivity`))], "material");
+    });
+    if (materials.length > 0) groups.push(group("Materials", materials));
+
+    const lights = listIn(scene.lights).map((light, index) => {
+      const pointer = `/lights/${index}`;
+      const where = light?.type === "point" ? "position" : "direction";
+      const name = `Light ${index + 1}`;
+      return row(name, `${light?.type}, ${where}`, [
+        colour(`${name}, colour`, `${pointer}/color`), ...point(`${name}, ${where}`, `${pointer}/${where}`),
+        labelled("intensity", number(`${name}, intensity`, `${pointer}/intensity`, { min: 0 }))]);
+    });
+    if (lights.length > 0) groups.push(group("Lights", lights));
+    groups.push(group("Surroundings", [
+      row("Background", "", [colour("Background, colour", "/background")]),
+      row("Ambient light", "", [labelled("", slider("Ambient light", "/ambient"))], "material")]));
+    box.replaceChildren(...groups);
+  }
+
+  return {
+    /// Shows the document's values; makes the controls anew only if it has other things in it.
+    show(text) {
+      let scene;
+      try {
+        scene = JSON.parse(text);
+      } catch {
+        return;  // the editor's list of errors says where
+      }
+      if (scene === null || typeof scene !== "object") return;
+      const next = shapeOf(scene);
+      if (next !== shape) make(scene);
+      shape = next;
+      for (const { pointer, read } of fields) read(valueAt(scene, pointer) ?? defaults[pointer.split("/").pop()]);
+    },
+  };
+}
+
+const defaults = { color: [1, 1, 1], background: [0, 0, 0], ambient: 0.2, kd: 0.7, ks: 0.3, reflectivity: 0, intensity: 1 };
+
+/// What decides which controls there are.
+function shapeOf({ objects, materials, lights }) {
+  const kinds = (list) => listIn(list).map((each) => [each?.type, materialOf(each)]);
+  return JSON.stringify([kinds(objects), Object.keys(materials ?? {}), kinds(lights)]);
+}
+
+const listIn = (value) => (Array.isArray(value) ? value : []);
+const materialOf = (object) => (typeof object?.material === "string" ? object.material : "");
+
+function valueAt(scene, pointer) {
+  return pointer.split("/").slice(1).reduce((value, part) => value?.[part.replaceAll("~1", "/").replaceAll("~0", "~")], scene);
+}
+
+const hexOf = (parts) => `#${parts.map((part) => Math.round(part * 255).toString(16).padStart(2, "0")).join("")}`;
+const partsOf = (hex) => [1, 3, 5].map((at) => Number((parseInt(hex.slice(at, at + 2), 16) / 255).toFixed(3)));
+
+function group(title, rows) {
+  const made = document.createElement("fieldset");
+  made.append(Object.assign(document.createElement("legend"), { textContent: title }), ...rows);
+  return made;
+}
+
+function row(name, about, controls, kind = "") {
+  const made = document.createElement("div");
+  made.className = `form-row ${kind}`;
+  const heading = Object.assign(document.createElement("span"), { className: "form-name", textContent: name });
+  if (about) heading.append(" ", Object.assign(document.createElement("small"), { textContent: about }));
+  const rest = document.createElement("div");
+  rest.append(...controls);
+  made.append(heading, rest);
+  return made;
+}
+
+function labelled(text, input) {
+  const made = document.createElement("label");
+  made.append(Object.assign(document.createElement("span"), { textContent: text, ariaHidden: "true" }), input);
+  return made;
+}
+
+function button(text, onPress) {
+  const made = Object.assign(document.createElement("button"), { type: "button", className: "quiet", textContent: text });
+  made.addEventListener("click", onPress);
+  return made;
+}

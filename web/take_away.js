@@ -1,0 +1,18 @@
+// What leaves the page: a link to its state, and the command that renders the same picture.
+import { copy } from "./copy.js";
+import { curlCommand, fragmentOf } from "./share.js";
+
+/// `state()` gives {name, title, text, view, step, settings, written}: `name` is empty where the text
+/// is no shipped scene's; `written` is the text with the view in it. `say(words)` tells the person what happened.
+export function createTakeAway({ share, curl, dialog }, state, say) {
+  share.addEventListener("click", async () => {
+    const fragment = await fragmentOf(state());
+    // The address is the link too: for those who copy it from there.
+    window.history.replaceState(null, "", fragment);
+    if (await copy(location.href, dialog, "Link to this scene and view")) say("Link copied");
+  });
+  curl.addEventListener("click", async () => {
+    const { written, settings, title } = state();
+    if (await copy(curlCommand(written, settings, title), dialog, "Command for this picture")) say("Command copied");
+  });
+}

@@ -1,0 +1,50 @@
+// What is wrong, at all its places at once: the list below the scene, the marks in the editor, and
+// the word beside the picture that it is an older one.
+import { hideProblem, marksOf, renumber, showProblem } from "./problem.js";
+import { Problem } from "./api.js";
+import { counted } from "./units.js";
+
+/// `dated` is the picture's caption. `overriding()` gives the controls that stand over the document,
+/// by pointer; `reveal(mark)` follows a click on an error that has a place in the text.
+export function createTrouble({ editor, dated, overriding, reveal }) {
+  let marks = [];         // what is marked in the editor and listed below it
+  let renderedAt = null;  // when the picture in sight was
+
+  return {
+    /// `text` is the document that the problem is about. Returns what to say of it in two or three words.
+    show(problem, text) {
+      marks = marksOf(problem, text, overriding());
+      showProblem(problem, marks, (mark) => (mark.control ? mark.control.focus() : reveal(mark)));
+      editor.mark(marks.filter((mark) => !mark.control), text);
+      document.getElementById("problem").scrollIntoView({ block: "nearest" });
+      dated.hidden = renderedAt === null;
+      const what = marks.length > 0 ? "Picture of the last valid scene" : "Picture of the last render";
+      dated.textContent = `${what}, ${renderedAt?.toLocaleTimeString()}`;
+      return marks.length > 0 ? `Not rendered: ${counted(Math.max(marks.length, problem.errors.length), "error")}` : "Not rendered";
+    },
+
+    /// After an edit: the marks' lines may have changed.
+    renumber() {
+      renumber(marks);
+    },
+
+    /// What was said is out of date.
+    forget() {
+      marks = [];
+      editor.mark(marks, editor.text);
+      hideProblem();
+    },
+
+    /// A picture without trouble is in sight, from now.
+    rendered() {
+      renderedAt = new Date();
+      dated.hidden = true;
+      this.forget();
+    },
+  };
+}
+
+/// Any failure as a Problem.
+export function problemFrom(error) {
+  return error instanceof Problem ? error : new Problem({ title: "This page failed", detail: String(error) });
+}

@@ -1,0 +1,24 @@
+// A view: the camera as the hand left it, where that is not the document's own.
+import { withValue } from "./json_edit.js";
+
+/// `text` with the view's camera in it; `view` null: as it is.
+export function withView(text, view) {
+  if (!view) return text;
+  return ["origin", "look_at", "up"].reduce((next, key) => withValue(next, `/camera/${key}`, view[key]), text);
+}
+
+/// For a link: "x,y,z;x,y,z;x,y,z", and back; null if it is none.
+export function viewText(view) {
+  return [view.origin, view.look_at, view.up].map((point) => point.join(",")).join(";");
+}
+
+export function readView(text) {
+  const points = (text ?? "").split(";").map((point) => point.split(",").map(Number));
+  const isView = points.length === 3 && points.every((point) => point.length === 3 && point.every(Number.isFinite));
+  return isView ? { origin: points[0], look_at: points[1], up: points[2] } : null;
+}
+
+/// Whether two cameras are the same.
+export function sameCamera(a, b) {
+  return JSON.stringify(a) === JSON.stringify(b);
+}

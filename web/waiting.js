@@ -1,0 +1,28 @@
+// Signs of life of what takes long: seconds passing, and a way to end it.
+
+import { duration } from "./units.js";
+
+const patience_ms = 200;  // what is shorter needs none
+const worth_saying_ms = 1000;
+
+/// Returns {passed_ms(), expect(ms), end()}. `onLong()` follows at each tick after the patience.
+export function startWaiting(elapsed, cancel, onLong) {
+  const started_ms = performance.now();
+  const passed_ms = () => performance.now() - started_ms;
+  let expected = "";
+  elapsed.textContent = "";
+  cancel.hidden = true;
+  const clock = setInterval(() => {
+    if (passed_ms() < patience_ms) return;
+    onLong();
+    elapsed.textContent = `${(passed_ms() / 1000).toFixed(1)} s${expected}`;
+    cancel.hidden = false;
+  }, 100);
+  return {
+    passed_ms,
+    expect(ms) {
+      expected = ms > worth_saying_ms ? ` of about ${duration(ms)}` : "";
+    },
+    end: () => clearInterval(clock),
+  };
+}
