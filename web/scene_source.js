@@ -4,8 +4,7 @@
 import { keepScene, Problem } from "./api.js";
 import { withView } from "./view.js";
 
-const never_keeps = [404, 405];   // an older server
-const not_this_one = [413, 507];
+const too_large_to_keep = 413;
 
 /// The camera's part of a query: what differs from the document.
 export function viewQuery(view) {
@@ -16,19 +15,15 @@ export function viewQuery(view) {
 export function createSource() {
   const names = new Map();  // text to name, of the shipped scenes
   let kept = { text: null, name: null };
-  let keeps = true;
 
   async function keep(text, signal) {
     kept = { text, name: null };
-    if (!keeps) return;
     try {
       kept = { text, name: await keepScene(text, signal) };
     } catch (error) {
-      keeps = !never_keeps.includes(error.status);
-      if (keeps && !not_this_one.includes(error.status)) {
-        kept = { text: null, name: null };
-        throw error;
-      }
+      if (error.status === too_large_to_keep) return;
+      kept = { text: null, name: null };
+      throw error;
     }
   }
 

@@ -31,6 +31,7 @@ TEST(Libraries, json_is_where_json_is_read_or_written) {
            path == "server/problem.cpp" ||               // writes problems
            path == "server/information_handlers.cpp" ||  // writes lists and limits
            path == "server/job_handlers.cpp" ||          // writes jobs
+           path == "server/scene_handlers.cpp" ||        // writes lists of scenes
            path == "server/tradeoff.h" ||                // writes curves (forward declarations)
            path == "server/tradeoff.cpp" ||              //
            path == "server/catalog.cpp" ||               // reads the shipped scenes' descriptions
