@@ -55,7 +55,8 @@ TEST_F(Editing, long_render_can_be_cancelled) {
   await("done");
   EXPECT_EQ(picture(), former);
   // The server has noticed too.
-  EXPECT_TRUE(eventually([] { return server().log().find(" status=499 ") != std::string::npos; }, 5s))
+  EXPECT_TRUE(
+      eventually([] { return server().log().find(" status=499 ") != std::string::npos; }, 5s))
       << server().log();
 }
 
