@@ -41,6 +41,8 @@ FinishedImage finish_image(const Rendering& rendering, double queue_ms, ImageFor
                   {"Render-Precision",
                    rendering.precision == Precision::single_precision ? "single" : "double"},
                   {"Render-Stop", std::string(name_of(rendering.stop))}};
+  if (rendering.estimated_error)
+    image.fields.emplace_back("Render-Error", fmt::format("{:.3g}", *rendering.estimated_error));
   return image;
 }
 

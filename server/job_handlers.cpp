@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "server/answer.h"
 #include "server/handlers.h"
 #include "server/image_answer.h"
+#include "server/negotiate.h"
 #include "server/problem.h"
 #include "server/query.h"
 #include "server/scene_request.h"
@@ -30,6 +32,7 @@ nlohmann::ordered_json to_json(const Job& job) {
                               {"error", nullptr},
                               {"elapsed_ms", state.elapsed_ms}};
   if (rendering) json["samples"] = rendering->samples_per_pixel;
+  if (rendering && rendering->estimated_error) json["error"] = *rendering->estimated_error;
   if (!state.detail.empty()) json["detail"] = state.detail;
   return json;
 }
@@ -46,6 +49,16 @@ nlohmann::ordered_json to_json(const Job& job) {
   throw Refusal({409, fmt::format("The job has no {}: it {} ({})", product,
                                   state.status == JobStatus::failed ? "failed" : "was cancelled",
                                   state.detail)});
+}
+
+/// It will never be the same again, so it has no tag and is not to be stored.
+void answer_image_so_far(Services& services, Call& call, const Job& job, ImageFormat format) {
+  const std::optional<Image> image = job.image_so_far();
+  if (!image) refuse_without("image", job);
+  answer_bytes(call.response, encode(*image, format, services.pool),
+               std::string(media_type(format)));
+  call.response.set_header("Vary", "Accept");
+  call.response.set_header("Cache-Control", "no-store");
 }
 
 JobTask demand_task(const std::string& name) {
@@ -82,7 +95,7 @@ void get_job_image(Services& services, Call& call) {
     throw Refusal({404, fmt::format("The job is a {}: it has no image, but GET /jobs/{}/result",
                                     name_of(job->task), job->id)});
   const Rendering* const rendering = job->rendering();
-  if (!rendering) refuse_without("image", *job);
+  if (!rendering) return answer_image_so_far(services, call, *job, format);
   if (answer_not_modified(call, job->digest, format)) return;
   if (call.is_head()) return answer_image_head(call, job->digest, format);
   const auto image = std::make_shared<const FinishedImage>(

@@ -73,6 +73,8 @@ class Job {
 
   /// The rendering, once a render is done; null before.
   const Rendering* rendering() const;
+  /// A render's picture as far as it has come; nothing if there is nothing to see yet, or it ended.
+  std::optional<Image> image_so_far() const { return progress_.preview.so_far(); }
   /// How long it waited for its turn.
   double queue_ms() const;
   /// Once a tradeoff is done; null before.

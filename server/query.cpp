@@ -169,6 +169,7 @@ std::vector<std::pair<std::string, std::string>> split_query(std::string_view ta
 
 std::vector<std::string_view> query_names(QueryOf request) {
   std::vector<std::string_view> names;
+  names.reserve(std::size(rows));
   for (const Row& row : rows) names.push_back(row.name);
   if (request != QueryOf::job) names.pop_back();
   return names;

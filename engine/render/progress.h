@@ -3,6 +3,8 @@
 
 #include <atomic>
 
+#include "engine/render/preview.h"
+
 namespace raytracer {
 
 /// Shared between the one who waits for a render and the threads that make it.
@@ -10,6 +12,7 @@ namespace raytracer {
 struct RenderProgress {
   std::atomic<bool> stop{false};
   std::atomic<double> fraction{0};  ///< 0 to 1, never falls
+  Preview preview;                  ///< what there is to see of it
 };
 
 }  // namespace raytracer

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "engine/image/tile.h"
 #include "engine/measure/stopwatch.h"
@@ -40,6 +41,7 @@ struct Tracing {
                          tile_side_px(image.width, image.height, samples, pool.thread_count()));
     std::atomic<bool> stop{progress.stop.load()};
     std::atomic<std::size_t> done{0};
+    std::optional<Preview::Pass> preview(std::in_place, progress.preview, image, tiles);
     pool.run(
         tiles.size(),
         [&](std::size_t i) {
@@ -48,9 +50,11 @@ struct Tracing {
             return;
           }
           render_tile(tracer, pattern, transfer, tiles[i], image);
+          preview->finished(i);
           report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
         },
         stop);
+    preview.reset();  // before the image moves
     if (stop) return {};
     ++passes_done;
     return image;
@@ -74,6 +78,7 @@ struct Tracing {
 void render_by_contract(const RenderSettings& settings, int most, Tracing& tracing,
                         Rendering& rendering) {
   PassReport last{};
+  Preview::Whole whole(tracing.progress.preview, rendering.image);
   std::optional<int> samples = first_pass_samples;
   while (samples) {
     std::optional<Image> image = tracing.pass(*samples, last.samples > 0);
@@ -85,7 +90,7 @@ void render_by_contract(const RenderSettings& settings, int most, Tracing& traci
     const double elapsed_ms = tracing.watch.elapsed_ms();
     last.pass_ms = elapsed_ms - last.elapsed_ms;
     last.elapsed_ms = elapsed_ms;
-    rendering.image = std::move(*image);
+    whole.replace(std::move(*image));
     rendering.samples_per_pixel = last.samples;
     rendering.estimated_error = last.error;
     samples = next_pass(settings, last, most);

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <set>
@@ -60,7 +61,7 @@ Row measure(const Extreme& extreme, Peers& peers, WorkerPool& pool) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   CLI::App app{"Renders the extremes and compares them with the exact pictures."};
   std::string path;
   std::vector<std::string> names;
@@ -98,4 +99,7 @@ int main(int argc, char** argv) {
   std::cout << summary;
   if (!path.empty()) std::ofstream(path) << table << summary;
   return right == count ? 0 : 1;
+} catch (const std::exception& error) {
+  std::cerr << "extremes: " << error.what() << '\n';
+  return 2;
 }

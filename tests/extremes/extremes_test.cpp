@@ -10,6 +10,7 @@
 
 namespace raytracer::extremes {
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
 void PrintTo(const Extreme& extreme, std::ostream* out) { *out << extreme.name; }
 
 namespace {

@@ -153,7 +153,11 @@ class Oracle::Search {
 
   void show(const SphereSquare& s) {
     constexpr std::array<std::array<int, 3>, 3> axes{{{0, 2, 1}, {0, 1, 2}, {1, 2, 0}}};
-    const auto& [first, second, across] = axes[static_cast<std::size_t>(s.axes)];
+    // No structured binding: clang before 16 lets no lambda capture one.
+    const std::array<int, 3>& order = axes[static_cast<std::size_t>(s.axes)];
+    const int first = order[0];
+    const int second = order[1];
+    const int across = order[2];
     const QuadVec middle = relative(s.center, eye());
     const Quad r = s.radius;
     const std::int64_t side = 2 * s.n;

@@ -71,13 +71,28 @@ TEST_F(Jobs, image_is_that_of_render) {
   expect_problem(get(path + "/image", {{"Accept", "text/html"}}), 406, "image/png");
 }
 
-TEST_F(Jobs, image_of_a_running_job_is_answered_at_once) {
+TEST_F(Jobs, image_of_a_running_job_is_what_there_is_of_it) {
   const std::string path = start(endless_scene());
   ASSERT_TRUE(becomes(path, "running"));
+  ASSERT_TRUE(eventually([&] { return json_of(get(path)).at("progress") > 0; }));
   const auto begin = std::chrono::steady_clock::now();
-  const Answer image = get(path + "/image");
+  const Answer image = get(path + "/image", {{"Accept", std::string(ppm_type)}});
   EXPECT_LT(std::chrono::steady_clock::now() - begin, patience(5s));
-  if (image.status != 200) expect_problem(image, 409, "running");
+  ASSERT_EQ(image.status, 200) << image.body;
+  EXPECT_EQ(image.body.substr(0, 2), "P6");
+  EXPECT_FALSE(image.has_header("ETag"));
+  EXPECT_EQ(image.get_header_value("Cache-Control"), "no-store");
+  const std::size_t black = std::count(image.body.begin() + 16, image.body.end(), '\0');
+  EXPECT_GT(black, image.body.size() / 4) << "it is done already";
+  EXPECT_LT(black, image.body.size() - 100) << "nothing is seen of it";
+  EXPECT_EQ(request("DELETE", path).status, 204);
+}
+
+TEST_F(Jobs, image_under_a_contract_is_the_last_whole_one) {
+  const std::string path = start(square_scene(300, 1), "?budget_ms=3000");
+  ASSERT_TRUE(becomes(path, "running"));
+  ASSERT_TRUE(eventually([&] { return get(path + "/image").status == 200; }));
+  EXPECT_EQ(json_of(get(path)).at("status"), "running");
   EXPECT_EQ(request("DELETE", path).status, 204);
 }
 

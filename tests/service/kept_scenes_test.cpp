@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iterator>
 #include <regex>
 #include <string>
@@ -32,7 +33,7 @@ std::string crowd(int count, int number) {
       number);
   for (int i = 1; i < count; ++i)
     fmt::format_to(std::back_inserter(text), ",[{},{},{}]", i % 100 * 0.05 - 2.5,
-                   i / 100 * 0.05 - 2.5, i % 7);
+                   std::floor(i * 0.01) * 0.05 - 2.5, i % 7);
   return text + "]}]}";
 }
 

@@ -94,9 +94,10 @@ TEST_F(Render, accuracy_contract_ends_by_its_target) {
   const Answer answer = post("/render?target_rmse=0.2", small_scene);
   ASSERT_EQ(answer.status, 200) << answer.body;
   EXPECT_EQ(answer.get_header_value("Render-Stop"), "target");
-  if (answer.has_header("Render-Error")) {
-    EXPECT_LE(std::stod(answer.get_header_value("Render-Error")), 0.2);
-  }
+  ASSERT_TRUE(answer.has_header("Render-Error"));
+  const double error = std::stod(answer.get_header_value("Render-Error"));
+  EXPECT_LE(error, 0.2);
+  EXPECT_GT(error, 0);
 }
 
 TEST_F(Render, time_contract_ends_by_its_budget_and_is_not_stored) {
