@@ -3,7 +3,7 @@
 const svg_space = "http://www.w3.org/2000/svg";
 const width = 480;
 const height = 300;
-const room = { left: 58, right: 18, top: 12, bottom: 40 };
+const room = { left: 58, right: 30, top: 12, bottom: 40 };
 
 /// An SVG of `points` ({trace_ms, rmse, pareto, settings}), of which each with an error is a button:
 /// `onChoose(point)` follows a click or Enter on it. `nameOf(point)` says what it is.

@@ -101,8 +101,10 @@ TEST(WorkerPool, StreamOfShortBatchesLeavesALongOneItsShare) {
   const LongCaller long_caller(pool, 5);
   std::atomic<bool> is_over{false};
   std::atomic<int> short_calls{0};
-  std::vector<std::thread> streams;  // several, so that one of them waits at any time
-  for (int i = 0; i < 3; ++i)
+  constexpr int stream_count = 3;  // several, so that one of them waits at any time
+  std::vector<std::thread> streams;
+  streams.reserve(stream_count);
+  for (int i = 0; i < stream_count; ++i)
     streams.emplace_back([&] {
       while (!is_over)
         pool.run(
