@@ -26,8 +26,9 @@ bool is_seen_near(const Oracle& oracle, double x, double y, double away, const V
 }
 
 double displacement(const Oracle& oracle, double x, double y, const Vec3& color) {
-  constexpr double most_px = 8;
-  for (double away = edge_px; away <= most_px; away *= 2)
+  constexpr int doublings = 23;  // to more than 4 pixels
+  double away = edge_px;
+  for (int i = 0; i < doublings; ++i, away *= 2)
     if (is_seen_near(oracle, x, y, away, color)) return away;
   return std::numeric_limits<double>::infinity();
 }

@@ -1,10 +1,10 @@
 // What is shown of a render that is not done.
+#include "engine/render/preview.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
-
-#include "engine/render/preview.h"
 
 namespace raytracer {
 namespace {
