@@ -28,8 +28,10 @@ bool is_seen_near(const Oracle& oracle, double x, double y, double away, const V
 double displacement(const Oracle& oracle, double x, double y, const Vec3& color) {
   constexpr int doublings = 23;  // to more than 4 pixels
   double away = edge_px;
-  for (int i = 0; i < doublings; ++i, away *= 2)
+  for (int i = 0; i < doublings; ++i) {
     if (is_seen_near(oracle, x, y, away, color)) return away;
+    away *= 2;
+  }
   return std::numeric_limits<double>::infinity();
 }
 
