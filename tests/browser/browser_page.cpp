@@ -1,6 +1,7 @@
 #include "tests/browser/browser_page.h"
 
 #include <fstream>
+#include <system_error>
 
 #include "tests/process/patience.h"
 
@@ -28,6 +29,23 @@ void BrowserPage::TearDownTestSuite() {
   shared_browser.reset();
   shared_downloads.reset();
   shared_server.reset();
+}
+
+std::string BrowserPage::downloaded(const std::string& name) {
+  const std::filesystem::path file = shared_downloads->path() / name;
+  // The browser reserves the name with an empty file.
+  const bool came = eventually(
+      [&] {
+        std::error_code error;
+        const auto size = std::filesystem::file_size(file, error);
+        return !error && size > 0;
+      },
+      10s);
+  EXPECT_TRUE(came) << name << " was not downloaded";
+  if (!came) return {};
+  std::string bytes = read_file(file);
+  std::filesystem::remove(file);
+  return bytes;
 }
 
 void BrowserPage::open(const std::string& address) {

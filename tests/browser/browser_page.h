@@ -21,7 +21,9 @@ class BrowserPage : public testing::Test {
 
   static const ServerProcess& server() { return *shared_server; }
   static WebDriver& browser() { return *shared_browser; }
-  static const std::filesystem::path& downloads() { return shared_downloads->path(); }
+  /// The bytes of the file of that name once it is downloaded; it is gone then, and its name free.
+  /// Fails the test if it does not come.
+  static std::string downloaded(const std::string& name);
 
   /// Opens the page, `address` behind the server's, and waits for its first picture.
   static void open(const std::string& address = "/");

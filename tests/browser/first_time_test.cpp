@@ -4,11 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <filesystem>
 #include <string>
 
 #include "tests/browser/browser_page.h"
-#include "tests/process/patience.h"
 
 namespace raytracer::test {
 namespace {
@@ -31,10 +29,8 @@ TEST_F(FirstTime, one_drag_and_one_click_are_the_way_to_a_picture_of_ones_own) {
                  {left + width * 45 / 100, top + height / 4});
   await("done", former);
   browser().click("#download");
-  const std::filesystem::path file = downloads() / "demo.png";
-  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file); }));
+  EXPECT_FALSE(downloaded("demo.png").empty());
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  std::filesystem::remove(file);  // its name is wanted again
   fmt::print(
       "from opening the page to a moved sphere and its picture as a file: {:.1f} s, a click "
       "on \"Move spheres\" (or Shift held), a drag, a click on \"Download PNG\"\n",

@@ -1,7 +1,6 @@
 // A link holds the scene and the view; a command renders the same picture without the page.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 
 #include "tests/browser/browser_page.h"
@@ -68,9 +67,7 @@ TEST_F(Share, command_renders_the_picture_in_sight) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Picture rendered = decode_png(read_file(folder.path() / "first-sphere.png"));
   browser().click("#download");
-  const std::filesystem::path file = downloads() / "first-sphere.png";
-  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file); }));
-  EXPECT_EQ(rendered, decode_png(read_file(file)));
+  EXPECT_EQ(rendered, decode_png(downloaded("first-sphere.png")));
 }
 
 }  // namespace
