@@ -3,7 +3,6 @@
 // A scene is read from its text once, without the query's values; a view of it shares what was
 // read. Two bounded memories: the posted scenes by their ids, which clients count on, and scenes
 // by the digests of their texts, which nobody sees: a text that comes again is not read again.
-// Reading a text takes ten times as long as its digest.
 #pragma once
 
 #include <cstddef>
