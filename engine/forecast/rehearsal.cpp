@@ -7,6 +7,7 @@
 
 #include "engine/measure/stopwatch.h"
 #include "engine/measure/thread_stopwatch.h"
+#include "engine/plan/tiles.h"
 
 namespace raytracer {
 namespace {
@@ -139,7 +140,8 @@ double Rehearsal::error_of(double samples) const {
 
 Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
                    const RenderProgress& progress) {
-  constexpr int side = 32;  // most of a render's tiles are larger: more but smaller ones vary less
+  // Most of a render's tiles are larger: more but smaller ones vary less.
+  const int side = std::min(32, interruptible_side_px(many_samples, scene.lights.size()));
   const std::vector<Tile> all = split_into_tiles(scene.camera.width, scene.camera.height, side);
   const auto columns = static_cast<std::size_t>((scene.camera.width + side - 1) / side);
   const std::vector<Tile> tiles = spread_tiles(all, columns, std::min(all.size(), most_timed));
@@ -170,7 +172,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
       [&](std::size_t i) {
         TileReport& report = reports[i];
         const bool is_late = i > 0 && comparing.elapsed_ms() > comparing_limit_ms;
-        if (report.one_ms < 0 || is_late) return;
+        if (report.one_ms < 0 || is_late || progress.stop) return;
         const TileValues with_one = values_of(tiles[i], image);
         trace_ms(few, tiles[i]);
         const TileValues with_few = values_of(tiles[i], image);

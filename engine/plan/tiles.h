@@ -8,13 +8,16 @@
 
 namespace raytracer {
 
-/// As large as leaves each thread enough tiles to share the work evenly, because a tile costs a
-/// lock; but no more samples than others, whose turn comes after a tile, may be made to wait for.
-/// `samples` are those of one pass, per pixel.
-int tile_side_px(int width, int height, int samples, std::size_t thread_count);
+/// The largest tile that others, whose turn comes after it, may be made to wait for: by the rays
+/// of `samples` per pixel to the eye and to each light.
+int interruptible_side_px(int samples, std::size_t light_count);
+
+/// At most that, and as large as leaves each thread enough tiles to share the work evenly, because
+/// a tile costs a lock. `samples` are those of one pass, per pixel.
+int tile_side_px(int width, int height, int samples, std::size_t light_count,
+                 std::size_t thread_count);
 
 /// Of a render's first pass, which under a contract has one sample per pixel.
-Choice<int> choose_tile_side(const Camera& camera, const RenderSettings& settings,
-                             std::size_t thread_count);
+Choice<int> choose_tile_side(const Scene& scene, std::size_t thread_count);
 
 }  // namespace raytracer

@@ -22,6 +22,7 @@ struct Tracing {
   int width;
   int height;
   Transfer transfer;
+  std::size_t light_count;
   WorkerPool& pool;
   RenderProgress& progress;
   std::optional<double> budget_ms;
@@ -36,9 +37,9 @@ struct Tracing {
   std::optional<Image> pass(int samples, bool may_end_early) {
     Image image(width, height);
     const std::vector<SamplePoint> pattern = sample_pattern(samples);
-    const std::vector<Tile> tiles =
-        split_into_tiles(image.width, image.height,
-                         tile_side_px(image.width, image.height, samples, pool.thread_count()));
+    const std::vector<Tile> tiles = split_into_tiles(
+        image.width, image.height,
+        tile_side_px(image.width, image.height, samples, light_count, pool.thread_count()));
     std::atomic<bool> stop{progress.stop.load()};
     std::atomic<std::size_t> done{0};
     std::optional<Preview::Pass> preview(std::in_place, progress.preview, image, tiles);
@@ -121,8 +122,9 @@ Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
   // From here on the scene is not looked at: kernels see packed arrays only.
   const RenderSettings& settings = scene.render;
   const bool is_contract = plan.sampling.value == Sampling::contract;
-  Tracing tracing{tracer, scene.camera.width, scene.camera.height, settings.transfer,
-                  pool,   progress,           settings.budget_ms,  is_contract};
+  Tracing tracing{
+      tracer, scene.camera.width, scene.camera.height, settings.transfer, scene.lights.size(),
+      pool,   progress,           settings.budget_ms,  is_contract};
   if (is_contract) {
     render_by_contract(settings, most_samples(scene, limits), tracing, rendering);
   } else {
