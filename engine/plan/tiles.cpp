@@ -11,12 +11,12 @@ namespace {
 
 constexpr double tiles_per_thread = 16;
 constexpr double most_rays = 3 << 14;
+constexpr int largest = 64;
+constexpr int smallest = 16;  // a block of the kernel and a bin of the screen
 
 }  // namespace
 
 int interruptible_side_px(int samples, std::size_t light_count) {
-  constexpr int largest = 64;
-  constexpr int smallest = 8;
   const double rays_per_pixel = samples * (1 + static_cast<double>(light_count));
   int side = largest;
   while (side > smallest && side * side * rays_per_pixel > most_rays) side /= 2;
@@ -25,7 +25,6 @@ int interruptible_side_px(int samples, std::size_t light_count) {
 
 int tile_side_px(int width, int height, int samples, std::size_t light_count,
                  std::size_t thread_count) {
-  constexpr int smallest = 16;  // below it, sharing costs more than it gains
   const double pixels = static_cast<double>(width) * height;
   int side = interruptible_side_px(samples, light_count);
   while (side > smallest &&

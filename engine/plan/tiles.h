@@ -9,7 +9,7 @@
 namespace raytracer {
 
 /// The largest tile that others, whose turn comes after it, may be made to wait for: by the rays
-/// of `samples` per pixel to the eye and to each light.
+/// of `samples` per pixel to the eye and to each light. A multiple of the kernel's blocks.
 int interruptible_side_px(int samples, std::size_t light_count);
 
 /// At most that, and as large as leaves each thread enough tiles to share the work evenly, because
