@@ -28,8 +28,9 @@ std::size_t FinishedImage::memory() const {
   return sizeof *this + bytes.capacity() + fields.size() * field_bytes;
 }
 
-FinishedImage finish_image(const Rendering& rendering, double queue_ms, ImageFormat format,
-                           WorkerPool& pool) {
+template <typename Channel>
+FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queue_ms,
+                           ImageFormat format, WorkerPool& pool) {
   FinishedImage image;
   const auto begin = std::chrono::steady_clock::now();
   image.bytes = encode(rendering.image, format, pool);
@@ -45,5 +46,8 @@ FinishedImage finish_image(const Rendering& rendering, double queue_ms, ImageFor
     image.fields.emplace_back("Render-Error", fmt::format("{:.3g}", *rendering.estimated_error));
   return image;
 }
+
+template FinishedImage finish_image(const Rendering&, double, ImageFormat, WorkerPool&);
+template FinishedImage finish_image(const ByteRendering&, double, ImageFormat, WorkerPool&);
 
 }  // namespace raytracer

@@ -30,7 +30,8 @@ struct FinishedImage {
 };
 
 /// Encodes the rendering, which waited for its turn for `queue_ms`, on the pool's threads.
-FinishedImage finish_image(const Rendering& rendering, double queue_ms, ImageFormat format,
-                           WorkerPool& pool);
+template <typename Channel>
+FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queue_ms,
+                           ImageFormat format, WorkerPool& pool);
 
 }  // namespace raytracer

@@ -49,21 +49,20 @@ void Metrics::took(Stage stage, double ms) {
   stage_seconds_[static_cast<std::size_t>(stage)].observe(ms / 1000);
 }
 
-void Metrics::rendered(const Rendering& rendering, const std::optional<std::string>& digest) {
-  took(Stage::plan, rendering.plan_ms);
-  took(Stage::build, rendering.build_ms);
-  took(Stage::trace, rendering.trace_ms);
+void Metrics::rendered(const RenderReport& report, const std::optional<std::string>& digest) {
+  took(Stage::plan, report.plan_ms);
+  took(Stage::build, report.build_ms);
+  took(Stage::trace, report.trace_ms);
   const std::scoped_lock lock(mutex_);
-  const double pixels =
-      static_cast<double>(rendering.image.width) * static_cast<double>(rendering.image.height);
   ++renders_;
+  const auto pixels = static_cast<double>(report.pixel_count);
   pixels_ += pixels;
-  samples_ += pixels * rendering.samples_per_pixel;
+  samples_ += pixels * report.samples_per_pixel;
   const std::optional<double> foreseen_ms = digest ? predictions_.trace_ms(*digest) : std::nullopt;
   if (!foreseen_ms || *foreseen_ms <= 0) return;
-  actual_to_predicted_.observe(rendering.trace_ms / *foreseen_ms);
+  actual_to_predicted_.observe(report.trace_ms / *foreseen_ms);
   predicted_s_ += *foreseen_ms / 1000;
-  actual_s_ += rendering.trace_ms / 1000;
+  actual_s_ += report.trace_ms / 1000;
 }
 
 void Metrics::cancelled() {

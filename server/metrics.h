@@ -40,7 +40,7 @@ class Metrics {
   void took(Stage stage, double ms);
 
   /// A rendering is done. `digest` says whose, if the same scene may have been planned before.
-  void rendered(const Rendering& rendering, const std::optional<std::string>& digest);
+  void rendered(const RenderReport& report, const std::optional<std::string>& digest);
 
   /// A render was stopped before it was done, or before it began.
   void cancelled();

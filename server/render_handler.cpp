@@ -16,8 +16,8 @@ void post_or_get_render(Services& services, Call& call) {
   if (answer_not_modified(call, digest, format)) return;
   if (call.is_head()) return answer_image_head(call, digest, format);
 
-  const auto make = [&](RenderProgress& progress) {
-    Rendering rendering;
+  const auto make_with = [&](const auto& render, RenderProgress& progress) {
+    auto rendering = decltype(render(request.scene, Limits{}, services.pool, progress)){};
     const double queue_ms = take_turn(services, progress, [&] {
       rendering = render(request.scene, services.config.limits, services.pool, progress);
       return rendering.stop != Stop::cancelled;
@@ -26,6 +26,9 @@ void post_or_get_render(Services& services, Call& call) {
     FinishedImage image = finish_image(rendering, queue_ms, format, services.pool);
     services.metrics.took(Stage::encode, image.stages.encode_ms);
     return image;
+  };
+  const auto make = [&](RenderProgress& progress) {
+    return holds_floats(format) ? make_with(render, progress) : make_with(render_bytes, progress);
   };
   const Delivery delivery = services.images.fetch(wish_of(call, digest, format), make);
   answer_image(call, delivery, request.parse_ms, digest, format);

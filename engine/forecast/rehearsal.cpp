@@ -153,7 +153,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
   const double asked_ms = asking_ms();
   const auto trace_ms = [&](const std::vector<SamplePoint>& pattern, const Tile& tile) {
     const ThreadStopwatch watch;
-    render_tile(tracer, pattern, scene.render.transfer, tile, image);
+    render_tile(tracer, pattern, scene.render.transfer, tile, &image);
     return std::max(watch.elapsed_ms() - asked_ms, 0.0);
   };
 

@@ -14,14 +14,17 @@ enum class ImageFormat {
   pfm,  ///< PF, little-endian floats from the bottom row up, image/x-portable-floatmap
 };
 
-/// The 8-bit value of a channel in [0, 1]: floor(255 c + 1/2), exact in double.
-inline unsigned char to_byte(float channel) {
-  const double raised = 255 * static_cast<double>(channel) + 0.5;
-  return static_cast<unsigned char>(static_cast<int>(raised));
-}
+/// Whether the format holds more than 8 bits of a channel.
+inline bool holds_floats(ImageFormat format) { return format == ImageFormat::pfm; }
+
+/// The image rounded to 8 bits, on the pool's threads.
+ByteImage to_bytes(const Image& image, WorkerPool& pool);
 
 /// The file's bytes, made on the pool's threads; the same however many there are.
 /// Throws std::bad_alloc, or std::runtime_error if the encoder fails.
 std::string encode(const Image& image, ImageFormat format, WorkerPool& pool);
+
+/// Alike. Throws std::logic_error if the format holds floats, which are lost.
+std::string encode(const ByteImage& image, ImageFormat format, WorkerPool& pool);
 
 }  // namespace raytracer

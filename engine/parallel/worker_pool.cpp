@@ -29,10 +29,10 @@ struct WorkerPool::Batch {
   bool has_more() const { return begun < count && !failure && !stop; }
 };
 
-WorkerPool::WorkerPool(std::size_t thread_count) {
-  threads_.reserve(std::max<std::size_t>(thread_count, 1));
-  for (std::size_t i = 0; i < std::max<std::size_t>(thread_count, 1); ++i)
-    threads_.emplace_back([this] { work(); });
+WorkerPool::WorkerPool(std::size_t thread_count)
+    : thread_count_(std::max<std::size_t>(thread_count, 1)) {
+  threads_.reserve(thread_count_);
+  while (threads_.size() < thread_count_) threads_.emplace_back([this] { work(); });
 }
 
 WorkerPool::~WorkerPool() {
@@ -53,6 +53,9 @@ void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)>& 
   batches_.push_back(batch);
   ++arrivals_;
   work_arrived_.notify_one();  // who takes a task wakes the next
+  while (batches_.size() == 1 && batches_.front() == batch && has_turn())
+    run_next_task(lock, batch);
+  if (has_turn()) work_arrived_.notify_one();
   batch->finished.wait(lock, [&] { return batch->running == 0 && !batch->has_more(); });
   // A batch that was stopped may still stand in the queue; its task must not outlive this call.
   std::erase(batches_, batch);
@@ -70,6 +73,42 @@ std::shared_ptr<WorkerPool::Batch> WorkerPool::next_batch() const {
                            [](const auto& a, const auto& b) { return a->had_s < b->had_s; });
 }
 
+void WorkerPool::run_next_task(std::unique_lock<std::mutex>& lock,
+                               const std::shared_ptr<Batch>& batch) {
+  if (!batch->has_more()) {
+    std::erase(batches_, batch);
+    if (batch->running == 0) batch->finished.notify_all();
+    return;
+  }
+  const double expected_s = batch->mean_task_s();
+  virtual_time_s_ = std::max(virtual_time_s_, batch->had_s);
+  batch->had_s += expected_s;
+  const std::size_t index = batch->begun++;
+  ++batch->running;
+  ++running_;
+  if (!batch->has_more()) std::erase(batches_, batch);
+  const bool wakes_another = has_turn();
+
+  lock.unlock();
+  if (wakes_another) work_arrived_.notify_one();
+  std::exception_ptr failure;
+  const auto began = Clock::now();
+  try {
+    batch->task(index);
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  const std::chrono::duration<double> took = Clock::now() - began;
+  lock.lock();
+  batch->had_s += took.count() - expected_s;
+  batch->ended_s += took.count();
+  if (failure) batch->failure = failure;
+  --batch->running;
+  --running_;
+  if (batch->running == 0 && !batch->has_more()) batch->finished.notify_all();
+  if (closing_) work_arrived_.notify_all();
+}
+
 void WorkerPool::work() {
   std::unique_lock lock(mutex_);
   for (;;) {
@@ -79,38 +118,9 @@ void WorkerPool::work() {
       watch_for_arrival(seen);
       lock.lock();
     }
-    work_arrived_.wait(lock, [this] { return closing_ || !batches_.empty(); });
+    work_arrived_.wait(lock, [this] { return has_turn() || (closing_ && batches_.empty()); });
     if (batches_.empty()) return;
-    const std::shared_ptr<Batch> batch = next_batch();
-    if (!batch->has_more()) {
-      std::erase(batches_, batch);
-      if (batch->running == 0) batch->finished.notify_all();
-      continue;
-    }
-    const double expected_s = batch->mean_task_s();
-    virtual_time_s_ = std::max(virtual_time_s_, batch->had_s);
-    batch->had_s += expected_s;
-    const std::size_t index = batch->begun++;
-    ++batch->running;
-    if (!batch->has_more()) std::erase(batches_, batch);
-    const bool is_more_to_do = !batches_.empty();
-
-    lock.unlock();
-    if (is_more_to_do) work_arrived_.notify_one();
-    std::exception_ptr failure;
-    const auto began = Clock::now();
-    try {
-      batch->task(index);
-    } catch (...) {
-      failure = std::current_exception();
-    }
-    const std::chrono::duration<double> took = Clock::now() - began;
-    lock.lock();
-    batch->had_s += took.count() - expected_s;
-    batch->ended_s += took.count();
-    if (failure) batch->failure = failure;
-    --batch->running;
-    if (batch->running == 0 && !batch->has_more()) batch->finished.notify_all();
+    run_next_task(lock, next_batch());
   }
 }
 

@@ -7,6 +7,9 @@
 // start-time fair queueing: Goyal, Vin, Cheng, SIGCOMM 1996. The length of a task that runs is not
 // known: until it ends it counts as its batch's mean. Nothing interrupts a task, so a batch waits
 // at most for those that run when it arrives.
+//
+// A caller whose batch is the only one works on it too, in the place of one of the threads: to wake
+// one up takes as long as a small picture.
 #pragma once
 
 #include <atomic>
@@ -32,12 +35,12 @@ class WorkerPool {
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  std::size_t thread_count() const { return threads_.size(); }
+  std::size_t thread_count() const { return thread_count_; }
 
-  /// Calls task(0) ... task(count - 1), each once, on the pool's threads, and returns when all
-  /// have returned. Batches of different callers share the threads by time. Once `stop` is set no
-  /// further task begins. An exception of a task stops the batch and is thrown here.
-  /// Not to be called from a task.
+  /// Calls task(0) ... task(count - 1), each once, on the pool's threads or this one, at most
+  /// thread_count() at a time, and returns when all have returned. Batches of different callers
+  /// share the threads by time. Once `stop` is set no further task begins. An exception of a task
+  /// stops the batch and is thrown here. Not to be called from a task.
   void run(std::size_t count, const std::function<void(std::size_t)>& task,
            const std::atomic<bool>& stop);
 
@@ -48,13 +51,18 @@ class WorkerPool {
   void work();
   /// The batch whose turn it is.
   std::shared_ptr<Batch> next_batch() const;
+  bool has_turn() const { return !batches_.empty() && running_ < thread_count_; }
+  /// Runs the batch's next task, if it has one, with `lock` released meanwhile.
+  void run_next_task(std::unique_lock<std::mutex>& lock, const std::shared_ptr<Batch>& batch);
   /// Returns when a batch has arrived after the one numbered `seen`, or soon: a render is several
   /// batches in a row, and waking a thread takes as long as a small one.
   void watch_for_arrival(std::uint64_t seen) const;
 
+  const std::size_t thread_count_;
   std::mutex mutex_;
   std::condition_variable work_arrived_;
   std::vector<std::shared_ptr<Batch>> batches_;  ///< those with tasks not yet begun
+  std::size_t running_ = 0;                      ///< tasks, of all batches
   double virtual_time_s_ = 0;                    ///< where the batch stood that was served last
   std::atomic<std::uint64_t> arrivals_{0};       ///< batches so far
   bool closing_ = false;

@@ -23,6 +23,10 @@ std::string why_fixed(const RenderSettings& settings) {
 
 }  // namespace
 
+Sampling sampling_of(const RenderSettings& settings) {
+  return settings.target_rmse || settings.budget_ms ? Sampling::contract : Sampling::fixed;
+}
+
 Choice<Sampling> choose_sampling(const RenderSettings& settings) {
   const std::string how =
       "passes of ever more samples over the whole image, each compared with the one before";

@@ -13,6 +13,9 @@ enum class Sampling : std::uint8_t {
   contract,  ///< ever more, until target_rmse or budget_ms ends it
 };
 
+Sampling sampling_of(const RenderSettings& settings);
+
+/// The same with its reason.
 Choice<Sampling> choose_sampling(const RenderSettings& settings);
 
 }  // namespace raytracer

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
+#include "engine/image/encode.h"
 #include "engine/image/tile.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/plan/plan.h"
+#include "engine/plan/sampling.h"
 #include "engine/plan/tiles.h"
 #include "engine/render/tracer.h"
 #include "engine/sample/contract.h"
@@ -16,33 +19,33 @@
 namespace raytracer {
 namespace {
 
-/// What every pass over the image needs.
+/// A scene made ready, and what every pass over the image needs.
 struct Tracing {
   const Tracer& tracer;
-  int width;
-  int height;
-  Transfer transfer;
-  std::size_t light_count;
+  const Scene& scene;
   WorkerPool& pool;
   RenderProgress& progress;
-  std::optional<double> budget_ms;
-  bool is_contract;
   int passes_done = 0;
   Stopwatch watch{};
 
-  bool is_over_time() const { return budget_ms && watch.elapsed_ms() > *budget_ms; }
+  bool is_over_time() const {
+    const std::optional<double>& budget_ms = scene.render.budget_ms;
+    return budget_ms && watch.elapsed_ms() > *budget_ms;
+  }
 
   /// An image of `samples` per pixel; nothing if it was stopped before it was whole. A pass that
   /// `may_end_early` is also stopped when the time is over.
-  std::optional<Image> pass(int samples, bool may_end_early) {
-    Image image(width, height);
+  template <typename Channel>
+  std::optional<Raster<Channel>> pass(int samples, bool may_end_early) {
+    Raster<Channel> image(scene.camera.width, scene.camera.height);
     const std::vector<SamplePoint> pattern = sample_pattern(samples);
     const std::vector<Tile> tiles = split_into_tiles(
         image.width, image.height,
-        tile_side_px(image.width, image.height, samples, light_count, pool.thread_count()));
+        tile_side_px(image.width, image.height, samples, scene.lights.size(), pool.thread_count()));
     std::atomic<bool> stop{progress.stop.load()};
     std::atomic<std::size_t> done{0};
-    std::optional<Preview::Pass> preview(std::in_place, progress.preview, image, tiles);
+    std::optional<Preview::Pass> preview;
+    if constexpr (std::is_same_v<Channel, float>) preview.emplace(progress.preview, image, tiles);
     pool.run(
         tiles.size(),
         [&](std::size_t i) {
@@ -50,8 +53,8 @@ struct Tracing {
             stop = true;
             return;
           }
-          render_tile(tracer, pattern, transfer, tiles[i], image);
-          preview->finished(i);
+          render_tile(tracer, pattern, scene.render.transfer, tiles[i], &image);
+          if (preview) preview->finished(i);
           report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
         },
         stop);
@@ -65,9 +68,9 @@ struct Tracing {
   /// follow: each takes half of what those before have left.
   void report(double pass_fraction) {
     double fraction = pass_fraction;
-    if (budget_ms)
-      fraction = std::min(1.0, watch.elapsed_ms() / *budget_ms);
-    else if (is_contract)
+    if (scene.render.budget_ms)
+      fraction = std::min(1.0, watch.elapsed_ms() / *scene.render.budget_ms);
+    else if (scene.render.target_rmse)
       fraction = 1 - std::ldexp(1 - pass_fraction / 2, -passes_done);
     double before = progress.fraction;
     while (before < fraction && !progress.fraction.compare_exchange_weak(before, fraction)) {
@@ -76,13 +79,13 @@ struct Tracing {
 };
 
 /// Passes of ever more samples, until next_pass says that the contract is kept.
-void render_by_contract(const RenderSettings& settings, int most, Tracing& tracing,
-                        Rendering& rendering) {
+void render_by_contract(int most, Tracing& tracing, Rendering& rendering) {
+  const RenderSettings& settings = tracing.scene.render;
   PassReport last{};
   Preview::Whole whole(tracing.progress.preview, rendering.image);
   std::optional<int> samples = first_pass_samples;
   while (samples) {
-    std::optional<Image> image = tracing.pass(*samples, last.samples > 0);
+    std::optional<Image> image = tracing.pass<float>(*samples, last.samples > 0);
     if (!image) break;
     if (last.samples > 0)
       last.error =
@@ -104,11 +107,13 @@ void render_by_contract(const RenderSettings& settings, int most, Tracing& traci
     rendering.stop = settings.budget_ms ? Stop::budget : Stop::samples;
 }
 
-}  // namespace
-
-Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
-                 RenderProgress& progress) {
-  Rendering rendering;
+/// Plans and builds, and has `trace` do the rest.
+template <typename Channel, typename Trace>
+BasicRendering<Channel> make_rendering(const Scene& scene, WorkerPool& pool,
+                                       RenderProgress& progress, const Trace& trace) {
+  BasicRendering<Channel> rendering;
+  rendering.pixel_count =
+      static_cast<std::size_t>(scene.camera.width) * static_cast<std::size_t>(scene.camera.height);
 
   const Stopwatch plan_watch;
   const Plan plan = make_plan(scene, this_machine(pool.thread_count()));
@@ -119,24 +124,43 @@ Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
   const Tracer tracer = make_tracer(plan, scene, pool);
   rendering.build_ms = build_watch.elapsed_ms();
 
-  // From here on the scene is not looked at: kernels see packed arrays only.
-  const RenderSettings& settings = scene.render;
-  const bool is_contract = plan.sampling.value == Sampling::contract;
-  Tracing tracing{
-      tracer, scene.camera.width, scene.camera.height, settings.transfer, scene.lights.size(),
-      pool,   progress,           settings.budget_ms,  is_contract};
-  if (is_contract) {
-    render_by_contract(settings, most_samples(scene, limits), tracing, rendering);
-  } else {
-    const int samples = settings.samples.value_or(1);
-    std::optional<Image> image = tracing.pass(samples, false);
-    rendering.samples_per_pixel = samples;
-    rendering.stop = image ? Stop::samples : Stop::cancelled;
-    if (image) rendering.image = std::move(*image);
-  }
+  // From here on kernels see packed arrays only.
+  Tracing tracing{tracer, scene, pool, progress};
+  trace(tracing, rendering);
   rendering.trace_ms = tracing.watch.elapsed_ms();
   if (rendering.stop != Stop::cancelled) progress.fraction = 1;
   return rendering;
+}
+
+/// One pass of as many samples as the scene says.
+template <typename Channel>
+void render_fixed(Tracing& tracing, BasicRendering<Channel>& rendering) {
+  const int samples = tracing.scene.render.samples.value_or(1);
+  std::optional<Raster<Channel>> image = tracing.pass<Channel>(samples, false);
+  rendering.samples_per_pixel = samples;
+  rendering.stop = image ? Stop::samples : Stop::cancelled;
+  if (image) rendering.image = std::move(*image);
+}
+
+}  // namespace
+
+Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
+                 RenderProgress& progress) {
+  return make_rendering<float>(scene, pool, progress, [&](Tracing& tracing, Rendering& rendering) {
+    if (sampling_of(scene.render) == Sampling::contract)
+      render_by_contract(most_samples(scene, limits), tracing, rendering);
+    else
+      render_fixed(tracing, rendering);
+  });
+}
+
+ByteRendering render_bytes(const Scene& scene, const Limits& limits, WorkerPool& pool,
+                           RenderProgress& progress) {
+  if (sampling_of(scene.render) == Sampling::contract) {
+    Rendering rendering = render(scene, limits, pool, progress);
+    return {rendering, to_bytes(rendering.image, pool)};
+  }
+  return make_rendering<unsigned char>(scene, pool, progress, render_fixed<unsigned char>);
 }
 
 }  // namespace raytracer

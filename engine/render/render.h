@@ -1,6 +1,7 @@
 // The spine: a scene becomes an image.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "engine/image/image.h"
@@ -14,9 +15,9 @@ namespace raytracer {
 /// Which bound ended a render.
 enum class Stop { samples, target, budget, cancelled };
 
-/// An image and what is true of it.
-struct Rendering {
-  Image image;
+/// What is true of an image.
+struct RenderReport {
+  std::size_t pixel_count = 0;
   double samples_per_pixel = 0;           ///< mean
   std::optional<double> estimated_error;  ///< rms; only where passes were compared
   Precision precision = Precision::double_precision;
@@ -27,10 +28,22 @@ struct Rendering {
   double trace_ms = 0;
 };
 
+template <typename Channel>
+struct BasicRendering : RenderReport {
+  Raster<Channel> image;
+};
+using Rendering = BasicRendering<float>;
+using ByteRendering = BasicRendering<unsigned char>;
+
 /// Renders on the pool's threads and returns when done, or soon after `progress.stop`.
 /// The pixels depend on the scene alone (with a time budget: up to how far it got), not on the
 /// number of threads. `limits` bounds the samples that a contract may spend.
 Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
                  RenderProgress& progress);
+
+/// Alike, rounded to 8 bits, which is cheaper than floats where no contract compares images. There
+/// is no preview then.
+ByteRendering render_bytes(const Scene& scene, const Limits& limits, WorkerPool& pool,
+                           RenderProgress& progress);
 
 }  // namespace raytracer

@@ -18,34 +18,37 @@ float encoded(double linear, Transfer transfer) {
                                                          : encode_channel(linear, transfer));
 }
 
-void store(const Rgb& mean, Transfer transfer, float* pixel) {
-  pixel[0] = encoded(mean.x, transfer);
-  pixel[1] = encoded(mean.y, transfer);
-  pixel[2] = encoded(mean.z, transfer);
+void store(float channel, float& to) { to = channel; }
+void store(float channel, unsigned char& to) { to = to_byte(channel); }
+
+void store(const Rgb& mean, Transfer transfer, auto* pixel) {
+  store(encoded(mean.x, transfer), pixel[0]);
+  store(encoded(mean.y, transfer), pixel[1]);
+  store(encoded(mean.z, transfer), pixel[2]);
 }
 
 void trace(const ReferenceTracer& tracer, const std::vector<SamplePoint>& pattern,
-           Transfer transfer, const Tile& tile, Image& image) {
+           Transfer transfer, const Tile& tile, const Canvas& canvas) {
   const PackedScene& scene = *tracer.scene;
-  const auto trace_with = [&](const auto& structure) {
+  const auto trace_with = [&](const auto& structure, auto* image) {
     for (int y = tile.y_begin; y < tile.y_end; ++y) {
       for (int x = tile.x_begin; x < tile.x_end; ++x) {
         Rgb sum;
         for (const SamplePoint& sample : pattern)
           sum += clamped(
               radiance(scene, structure,
-                       scene.view.direction(x + sample.x, image.height - 1 - y + sample.y)));
-        store(sum / static_cast<double>(pattern.size()), transfer, image.pixel(x, y));
+                       scene.view.direction(x + sample.x, image->height - 1 - y + sample.y)));
+        store(sum / static_cast<double>(pattern.size()), transfer, image->pixel(x, y));
       }
     }
   };
-  std::visit(trace_with, tracer.structure);
+  std::visit(trace_with, tracer.structure, canvas);
 }
 
 template <typename T>
 void trace(const SimdTracer<T>& tracer, const std::vector<SamplePoint>& pattern, Transfer transfer,
-           const Tile& tile, Image& image) {
-  render_tile(tracer.scene, pattern, transfer, tile, tracer.target, image);
+           const Tile& tile, const Canvas& canvas) {
+  render_tile(tracer.scene, pattern, transfer, tile, tracer.target, canvas);
 }
 
 }  // namespace
@@ -68,8 +71,8 @@ Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool) {
 }
 
 void render_tile(const Tracer& tracer, const std::vector<SamplePoint>& pattern, Transfer transfer,
-                 const Tile& tile, Image& image) {
-  std::visit([&](const auto& chosen) { trace(chosen, pattern, transfer, tile, image); }, tracer);
+                 const Tile& tile, const Canvas& canvas) {
+  std::visit([&](const auto& chosen) { trace(chosen, pattern, transfer, tile, canvas); }, tracer);
 }
 
 }  // namespace raytracer

@@ -27,7 +27,7 @@ Image reference_image(const Scene& scene) {
   Image image(kept.view.width, kept.view.height);
   for (const Tile& tile : split_into_tiles(image.width, image.height, 32))
     render_tile(tracer, sample_pattern(scene.render.samples.value_or(1)), Transfer::linear, tile,
-                image);
+                &image);
   return image;
 }
 

@@ -125,6 +125,44 @@ TEST(WorkerPool, StreamOfShortBatchesLeavesALongOneItsShare) {
   EXPECT_GE(short_calls, long_calls);
 }
 
+TEST(WorkerPool, RunsNoMoreTasksAtOnceThanItHasThreads) {
+  WorkerPool pool(2);
+  const std::atomic<bool> stop{false};
+  std::atomic<int> running{0};
+  std::atomic<int> most{0};
+  std::vector<std::thread> callers;
+  for (int caller = 0; caller < 4; ++caller)
+    callers.emplace_back([&] {
+      for (int batch = 0; batch < 50; ++batch)
+        pool.run(
+            8,
+            [&](std::size_t) {
+              const int now = ++running;
+              for (int before = most; before < now && !most.compare_exchange_weak(before, now);) {
+              }
+              std::this_thread::sleep_for(std::chrono::microseconds(20));
+              --running;
+            },
+            stop);
+    });
+  for (std::thread& caller : callers) caller.join();
+  EXPECT_EQ(most, 2);
+}
+
+TEST(WorkerPool, CallerOfTheOnlyBatchWorksOnItToo) {
+  WorkerPool pool(1);
+  const std::atomic<bool> stop{false};
+  std::size_t own = 0;
+  for (int batch = 0; batch < 1000 && own == 0; ++batch)
+    pool.run(
+        4,
+        [&, caller = std::this_thread::get_id()](std::size_t) {
+          if (std::this_thread::get_id() == caller) ++own;
+        },
+        stop);
+  EXPECT_GT(own, 0U);
+}
+
 TEST(WorkerPool, BeginsNoTaskOnceStopIsSet) {
   WorkerPool pool(2);
   std::atomic<bool> stop{false};

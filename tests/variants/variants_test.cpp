@@ -11,6 +11,7 @@
 #include <random>
 
 #include "engine/accel/bvh.h"
+#include "engine/image/encode.h"
 #include "engine/kernel/radiance.h"
 #include "engine/plan/plan.h"
 #include "engine/render/tracer.h"
@@ -202,12 +203,13 @@ Image reference_image(const Scene& scene) {
   return image;
 }
 
-Image image_by(const Plan& plan, const Scene& scene) {
+template <typename Channel = float>
+Raster<Channel> image_by(const Plan& plan, const Scene& scene) {
   WorkerPool pool(2);
   const Tracer tracer = make_tracer(plan, scene, pool);
-  Image image(scene.camera.width, scene.camera.height);
+  Raster<Channel> image(scene.camera.width, scene.camera.height);
   for (const Tile& tile : split_into_tiles(image.width, image.height, 32))
-    render_tile(tracer, sample_pattern(1), Transfer::linear, tile, image);
+    render_tile(tracer, sample_pattern(1), scene.render.transfer, tile, &image);
   return image;
 }
 
@@ -256,6 +258,29 @@ TEST(Variants, singleIsNearTheReferenceWhereThePlanChoosesIt) {
   EXPECT_GE(chosen, 8) << "single precision is hardly ever chosen";
 }
 
+/// Of a width and a height that no packet divides, in either transfer.
+TEST(Variants, bytesAreTheRoundedFloatsOnEveryInstructionSet) {
+  Scene scene = scenes().front().scene;
+  scene.camera.width = 61;
+  scene.camera.height = 43;
+  WorkerPool pool(1);
+  for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
+    scene.render.transfer = transfer;
+    for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
+      scene.render.precision = precision;
+      for (const InstructionSet& set : supported_instruction_sets()) {
+        const Plan plan = make_plan(scene, {set});
+        const ByteImage rounded = to_bytes(image_by(plan, scene), pool);
+        EXPECT_TRUE(image_by<unsigned char>(plan, scene).values == rounded.values) << set.name;
+      }
+    }
+    Plan plan = make_plan(scene, this_machine());
+    plan.kernel.value = Kernel::bvh;
+    EXPECT_TRUE(image_by<unsigned char>(plan, scene).values ==
+                to_bytes(image_by(plan, scene), pool).values);
+  }
+}
+
 TEST(Variants, findsTrianglesAlikeByEveryStructure) {
   for (const NamedScene& named : scenes()) {
     Scene scene = named.scene;
@@ -288,9 +313,9 @@ TEST(Variants, runsOnTheInstructionSetThatIsAskedFor) {
     Image image(16, 16);
     const std::vector<SamplePoint> pattern = sample_pattern(1);
     const Tile tile{0, 0, image.width, image.height};
-    EXPECT_EQ(render_tile(single, pattern, Transfer::linear, tile, set.target, image), set.target)
+    EXPECT_EQ(render_tile(single, pattern, Transfer::linear, tile, set.target, &image), set.target)
         << set.name;
-    EXPECT_EQ(render_tile(twice, pattern, Transfer::linear, tile, set.target, image), set.target)
+    EXPECT_EQ(render_tile(twice, pattern, Transfer::linear, tile, set.target, &image), set.target)
         << set.name;
   }
 }

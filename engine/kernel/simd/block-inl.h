@@ -10,6 +10,9 @@
 #include <hwy/contrib/math/math-inl.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <variant>
 
 #include "engine/image/image.h"
 #include "engine/kernel/simd/packet-inl.h"
@@ -114,50 +117,122 @@ HWY_INLINE V encoded(D d, Transfer transfer, V linear) {
   return hn::IfThenElse(is_dark, straight, hn::Min(curved, hn::Set(d, T(1))));
 }
 
-/// Stores lanes as red, green, blue, red ... in single precision.
+/// What store_interleaved() writes: StoreInterleaved3 of part of a vector may write a whole one.
+template <class D, typename Channel>
+struct Interleaved {
+  HWY_ALIGN Channel values[3 * PacketShape<D>::lanes + HWY_MAX_BYTES / sizeof(Channel)];
+};
+
+/// The lanes' channels in single precision, which is what an image of floats holds.
+template <class D>
+HWY_INLINE hn::Vec<hn::Rebind<float, D>> in_single(D, hn::Vec<D> channel) {
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(float))
+    return channel;
+  else
+    return hn::DemoteTo(hn::Rebind<float, D>(), channel);
+}
+
+/// As to_byte() in engine/image/image.h, from single precision and exact in double.
+template <class DFloat, class DDouble = hn::Rebind<double, DFloat>>
+HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, DFloat>> to_levels(DFloat, hn::Vec<DFloat> channel) {
+  const DDouble in_double;
+  const auto raised = hn::Add(hn::Mul(hn::PromoteTo(in_double, channel), hn::Set(in_double, 255)),
+                              hn::Set(in_double, 0.5));
+  return hn::DemoteTo(hn::Rebind<std::int32_t, DFloat>(), raised);
+}
+
+/// The lanes' 8-bit values.
+template <class D>
+HWY_INLINE hn::Vec<hn::Rebind<std::uint8_t, D>> to_bytes(D d, hn::Vec<D> channel) {
+  const hn::Rebind<std::uint8_t, D> bytes;
+#if HWY_TARGET != HWY_SCALAR  // which has no halves
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
+    // In double they take two vectors.
+    const hn::Half<D> half;
+    const hn::Rebind<std::int32_t, D> levels;
+    return hn::DemoteTo(bytes, hn::Combine(levels, to_levels(half, hn::UpperHalf(half, channel)),
+                                           to_levels(half, hn::LowerHalf(half, channel))));
+  } else  // NOLINT(readability-else-after-return): the two are of different types
+#endif
+    return hn::DemoteTo(bytes, to_levels(hn::Rebind<float, D>(), in_single(d, channel)));
+}
+
+/// The lanes as red, green, blue, red ...
 template <class D>
 HWY_INLINE void store_interleaved(D d, const V3<hn::Vec<D>>& colour, float* to) {
-  if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
-    hn::StoreInterleaved3(colour.x, colour.y, colour.z, d, to);
-  } else {
-    const hn::Rebind<float, D> single;
-    hn::StoreInterleaved3(hn::DemoteTo(single, colour.x), hn::DemoteTo(single, colour.y),
-                          hn::DemoteTo(single, colour.z), single, to);
+  hn::StoreInterleaved3(in_single(d, colour.x), in_single(d, colour.y), in_single(d, colour.z),
+                        hn::Rebind<float, D>(), to);
+}
+template <class D>
+HWY_INLINE void store_interleaved(D d, const V3<hn::Vec<D>>& colour, std::uint8_t* to) {
+  hn::StoreInterleaved3(to_bytes(d, colour.x), to_bytes(d, colour.y), to_bytes(d, colour.z),
+                        hn::Rebind<std::uint8_t, D>(), to);
+}
+
+template <class D, typename Channel, typename T = hn::TFromD<D>>
+HWY_INLINE void store_block(D d, const BlockColours<T>& colours, const Block& block,
+                            Raster<Channel>& image) {
+  using Shape = PacketShape<D>;
+  // All packets before the first copy: a processor waits long for what it has just stored in other
+  // pieces.
+  Interleaved<D, Channel> packets[Shape::packets];
+  for (int i = 0; i < Shape::packets; ++i)
+    if (PacketPlace<D>(i).is_in(block))
+      store_interleaved(d, load(d, colours, static_cast<std::size_t>(i) * Shape::lanes),
+                        packets[i].values);
+  const std::ptrdiff_t stride = 3 * static_cast<std::ptrdiff_t>(image.width);
+  for (int i = 0; i < Shape::packets; ++i) {
+    const PacketPlace<D> place(i);
+    if (!place.is_in(block)) continue;
+    const auto copy_rows = [&](int row_count, int row_length) HWY_ATTR {
+      const Channel* from = packets[i].values;
+      Channel* to = image.pixel(block.x_begin + place.x, block.y_begin + place.y);
+      for (int row = 0; row < row_count; ++row, to += stride, from += 3 * Shape::width)
+        std::memcpy(to, from, 3 * static_cast<std::size_t>(row_length) * sizeof(Channel));
+    };
+    const int columns = std::min(Shape::width, block.width - place.x);
+    const int rows = std::min(Shape::height, block.height - place.y);
+    if (columns == Shape::width && rows == Shape::height)
+      copy_rows(Shape::height, Shape::width);  // of lengths that the compiler knows
+    else
+      copy_rows(rows, columns);
   }
 }
 
-/// Stores a packet's finished pixels, those that are in the block.
-template <class D>
-HWY_INLINE void store_pixels(D d, const V3<hn::Vec<D>>& colour, const Block& block,
-                             const PacketPlace<D>& place, Image& image) {
-  using Shape = PacketShape<D>;
-  // StoreInterleaved3 of part of a vector may write a whole one.
-  HWY_ALIGN float values[3 * Shape::lanes + HWY_MAX_BYTES / sizeof(float)];
-  store_interleaved(d, colour, values);
-  const int columns = std::min(Shape::width, block.width - place.x);
-  const int rows = std::min(Shape::height, block.height - place.y);
-  float* to = image.pixel(block.x_begin + place.x, block.y_begin + place.y);
+template <class D, typename Channel>
+HWY_INLINE void fill_block(D d, const V3<hn::Vec<D>>& colour, const Block& block,
+                           Raster<Channel>& image) {
+  HWY_ALIGN Channel row[3 * block_side + HWY_MAX_BYTES / sizeof(Channel)];
+  for (int x = 0; x < block_side; x += PacketShape<D>::lanes)
+    store_interleaved(d, colour, row + std::ptrdiff_t{3} * x);
   const std::ptrdiff_t stride = 3 * static_cast<std::ptrdiff_t>(image.width);
-  if (columns == Shape::width) {
-    for (int row = 0; row < rows; ++row, to += stride)
-      for (int i = 0; i < 3 * Shape::width; ++i) to[i] = values[3 * Shape::width * row + i];
-  } else {
-    for (int row = 0; row < rows; ++row, to += stride)
-      for (int i = 0; i < 3 * columns; ++i) to[i] = values[3 * Shape::width * row + i];
-  }
+  Channel* to = image.pixel(block.x_begin, block.y_begin);
+  if (block.width == block_side)
+    for (int y = 0; y < block.height; ++y, to += stride)
+      std::memcpy(to, row, 3 * block_side * sizeof(Channel));  // known to the compiler
+  else
+    for (int y = 0; y < block.height; ++y, to += stride)
+      std::memcpy(to, row, 3 * static_cast<std::size_t>(block.width) * sizeof(Channel));
+}
+
+/// Stores a block's finished pixels.
+template <class D, typename T = hn::TFromD<D>>
+HWY_INLINE void store_block(D d, const BlockColours<T>& colours, const Block& block,
+                            const Canvas& canvas) {
+  if (Image* const* image = std::get_if<Image*>(&canvas))
+    store_block(d, colours, block, **image);
+  else
+    store_block(d, colours, block, *std::get<ByteImage*>(canvas));
 }
 
 /// Stores one colour in all of a block's pixels.
 template <class D>
-void fill_block(D d, const V3<hn::Vec<D>>& colour, const Block& block, Image& image) {
-  constexpr std::size_t lanes = PacketShape<D>::lanes;
-  HWY_ALIGN float packet[3 * lanes + HWY_MAX_BYTES / sizeof(float)];
-  store_interleaved(d, colour, packet);
-  float row[3 * block_side];
-  for (int i = 0; i < 3 * block_side; ++i) row[i] = packet[i % 3];
-  for (int y = 0; y < block.height; ++y)
-    std::copy_n(row, 3 * static_cast<std::ptrdiff_t>(block.width),
-                image.pixel(block.x_begin, block.y_begin + y));
+HWY_INLINE void fill_block(D d, const V3<hn::Vec<D>>& colour, const Block& block,
+                           const Canvas& canvas) {
+  if (Image* const* image = std::get_if<Image*>(&canvas))
+    fill_block(d, colour, block, **image);
+  else
+    fill_block(d, colour, block, *std::get<ByteImage*>(canvas));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -120,7 +120,7 @@ HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
 
 template <typename T>
 void render_block(const SimdScene<T>& scene, std::span<const SamplePoint> pattern,
-                  Transfer transfer, const Block& block, Image& image) {
+                  Transfer transfer, const Block& block, const Canvas& canvas) {
   using D = hn::ScalableTag<T>;
   const D d;
   using V = hn::Vec<D>;
@@ -131,7 +131,7 @@ void render_block(const SimdScene<T>& scene, std::span<const SamplePoint> patter
   };
   const BlockContents contents(scene, block.x_begin / block_side, block.y_begin / block_side);
   if (contents.parts == 0) {
-    fill_block(d, resolved(clamped(d, broadcast(d, scene.background))), block, image);
+    fill_block(d, resolved(clamped(d, broadcast(d, scene.background))), block, canvas);
     return;
   }
 
@@ -149,34 +149,34 @@ void render_block(const SimdScene<T>& scene, std::span<const SamplePoint> patter
   }
   const V share = hn::Set(d, static_cast<T>(1 / static_cast<double>(pattern.size())));
   for (int i = 0; i < Shape::packets; ++i) {
-    const PacketPlace<D> place(i);
-    if (!place.is_in(block)) continue;
-    const V3<V> sum = load(d, sums, static_cast<std::size_t>(i) * Shape::lanes);
+    if (!PacketPlace<D>(i).is_in(block)) continue;
+    const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
     // A mean of singles may exceed 1 by a rounding.
-    store_pixels(d, resolved(clamped(d, scale(sum, share))), block, place, image);
+    store(d, resolved(clamped(d, scale(load(d, sums, first), share))), first, sums);
   }
+  store_block(d, sums, block, canvas);
 }
 
 template <typename T>
 std::int64_t render_blocks(const SimdScene<T>& scene, std::span<const SamplePoint> pattern,
-                           Transfer transfer, const Tile& tile, Image& image) {
+                           Transfer transfer, const Tile& tile, const Canvas& canvas) {
   for (int y = tile.y_begin; y < tile.y_end; y += block_side)
     for (int x = tile.x_begin; x < tile.x_end; x += block_side)
       render_block(
           scene, pattern, transfer,
           {x, y, std::min(block_side, tile.x_end - x), std::min(block_side, tile.y_end - y)},
-          image);
+          canvas);
   return HWY_TARGET;
 }
 
 std::int64_t render_single(const SimdScene<float>& scene, std::span<const SamplePoint> pattern,
-                           Transfer transfer, const Tile& tile, Image& image) {
-  return render_blocks(scene, pattern, transfer, tile, image);
+                           Transfer transfer, const Tile& tile, const Canvas& canvas) {
+  return render_blocks(scene, pattern, transfer, tile, canvas);
 }
 
 std::int64_t render_double(const SimdScene<double>& scene, std::span<const SamplePoint> pattern,
-                           Transfer transfer, const Tile& tile, Image& image) {
-  return render_blocks(scene, pattern, transfer, tile, image);
+                           Transfer transfer, const Tile& tile, const Canvas& canvas) {
+  return render_blocks(scene, pattern, transfer, tile, canvas);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -212,15 +212,17 @@ Machine this_machine(std::size_t thread_count) {
 }
 
 std::int64_t render_tile(const SimdScene<float>& scene, std::span<const SamplePoint> pattern,
-                         Transfer transfer, const Tile& tile, std::int64_t target, Image& image) {
+                         Transfer transfer, const Tile& tile, std::int64_t target,
+                         const Canvas& canvas) {
   return HWY_DISPATCH_TABLE(render_single)[table_index(target)](scene, pattern, transfer, tile,
-                                                                image);
+                                                                canvas);
 }
 
 std::int64_t render_tile(const SimdScene<double>& scene, std::span<const SamplePoint> pattern,
-                         Transfer transfer, const Tile& tile, std::int64_t target, Image& image) {
+                         Transfer transfer, const Tile& tile, std::int64_t target,
+                         const Canvas& canvas) {
   return HWY_DISPATCH_TABLE(render_double)[table_index(target)](scene, pattern, transfer, tile,
-                                                                image);
+                                                                canvas);
 }
 
 }  // namespace raytracer

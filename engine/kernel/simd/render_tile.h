@@ -21,8 +21,10 @@ std::vector<InstructionSet> supported_instruction_sets();
 /// of their clamped colours after `transfer`. The tile begins at multiples of `block_side`.
 /// Returns the target of the code that ran, which is the one asked for if that is supported.
 std::int64_t render_tile(const SimdScene<float>& scene, std::span<const SamplePoint> pattern,
-                         Transfer transfer, const Tile& tile, std::int64_t target, Image& image);
+                         Transfer transfer, const Tile& tile, std::int64_t target,
+                         const Canvas& canvas);
 std::int64_t render_tile(const SimdScene<double>& scene, std::span<const SamplePoint> pattern,
-                         Transfer transfer, const Tile& tile, std::int64_t target, Image& image);
+                         Transfer transfer, const Tile& tile, std::int64_t target,
+                         const Canvas& canvas);
 
 }  // namespace raytracer
