@@ -224,16 +224,18 @@ TEST(WorkerPool, ThrowsATasksExceptionAtItsCallerAndServesOn) {
 TEST(WorkerPool, BeginsNoTaskOnAnyThreadOnceOneHasThrown) {
   for (int round = 0; round < 20; ++round) {
     WorkerPool pool(2);
-    std::atomic<std::thread::id> thrower{};
+    std::atomic<bool> throws{false};
+    std::atomic<bool> fourth_runs{false};
     std::atomic<bool> is_known{false};
     std::atomic<bool> is_over{false};
-    // The thread that threw serves other batches only after it has told the pool.
+    // Of two places one is this task's, and one the fourth's, which waits: the one that threw has
+    // told the pool.
     std::thread witness([&] {
       while (!is_over)
         pool.run(
             1,
             [&](std::size_t) {
-              if (thrower.load() == std::this_thread::get_id()) is_known = true;
+              if (throws && fourth_runs) is_known = true;
             },
             never);
     });
@@ -243,10 +245,11 @@ TEST(WorkerPool, BeginsNoTaskOnAnyThreadOnceOneHasThrown) {
                      [&](std::size_t i) {
                        ++calls;
                        if (i == 3) {
-                         thrower = std::this_thread::get_id();
+                         throws = true;
                          throw std::runtime_error("task");
                        }
                        if (i > 4) is_known = true;  // one too many: fail, do not hang
+                       if (i == 4) fourth_runs = true;
                        while (i > 3 && !is_known) std::this_thread::yield();
                      },
                      never),

@@ -130,8 +130,8 @@ HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<
   const auto start = [&](V from, V slope, V low, V high) HWY_ATTR {
     return hn::Min(hn::Max(hn::Round(hn::MulAdd(t_begin, slope, from)), low), high);
   };
-  found.first = start(origin.x, direction.x, low_first, high_first);
-  found.second = start(origin.z, direction.z, low_second, high_second);
+  V first = start(origin.x, direction.x, low_first, high_first);
+  V second = start(origin.z, direction.z, low_second, high_second);
   // The ray leaves cell i at i * inverse + leave.
   const auto leave_time = [&](V step, V from, V slope_inverse) HWY_ATTR {
     return hn::Mul(hn::Sub(hn::Mul(half, step), from), slope_inverse);
@@ -139,38 +139,35 @@ HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<
   const V leave_first = leave_time(step_first, origin.x, inverse_first);
   const V leave_second = leave_time(step_second, origin.z, inverse_second);
 
-  // Relative to the sphere in the lane's cell: -f.d, and the squared distance of the line.
+  // With f from the sphere in the lane's cell to the origin, the line passes it at |f x d|^2, and
+  // ahead if f.d < 0. The walk goes on whatever it meets: a step need not wait for the test before.
   const V across = hn::Mul(origin.y, direction.y);
-  const auto approach = [&](const V3<V>& f) HWY_ATTR {
-    return hn::Neg(hn::MulAdd(f.x, direction.x, hn::MulAdd(f.z, direction.z, across)));
-  };
-  const auto from_cell = [&]() HWY_ATTR {
-    return V3<V>{hn::Sub(origin.x, found.first), origin.y, hn::Sub(origin.z, found.second)};
-  };
-  // Only what the step needs; a lane that meets a sphere stays in its cell.
+  const V across_first = hn::Mul(origin.y, direction.x);
+  const V across_second = hn::Mul(origin.y, direction.z);
   for (int step = 0; !hn::AllFalse(d, active) && step < most_steps; ++step) {
-    const V3<V> f = from_cell();
-    const V b = approach(f);
-    const V3<V> l = mul_add(direction, b, f);
-    M meets = hn::And(hn::Le(dot(l, l), quarter), hn::Gt(b, zero));
+    const V f_first = hn::Sub(origin.x, first);
+    const V f_second = hn::Sub(origin.z, second);
+    const V behind = hn::MulAdd(f_first, direction.x, hn::MulAdd(f_second, direction.z, across));
+    const V3<V> moment{hn::NegMulAdd(f_second, direction.y, across_second),
+                       hn::MulSub(f_first, direction.y, across_first),
+                       hn::MulSub(f_second, direction.x, hn::Mul(f_first, direction.z))};
+    M meets = hn::And(hn::And(active, hn::Lt(behind, zero)), hn::Le(dot(moment, moment), quarter));
     if constexpr (leaves_cell)
-      meets = hn::AndNot(hn::And(hn::Eq(found.first, own_first), hn::Eq(found.second, own_second)),
-                         meets);
-    found.hit = hn::Or(found.hit, hn::And(active, meets));
-    active = hn::AndNot(meets, active);
+      meets = hn::AndNot(hn::And(hn::Eq(first, own_first), hn::Eq(second, own_second)), meets);
+    found.hit = hn::Or(found.hit, meets);
+    found.first = hn::IfThenElse(meets, first, found.first);
+    found.second = hn::IfThenElse(meets, second, found.second);
 
-    const V t_first = hn::MulAdd(found.first, inverse_first, leave_first);
-    const V t_second = hn::MulAdd(found.second, inverse_second, leave_second);
+    const V t_first = hn::MulAdd(first, inverse_first, leave_first);
+    const V t_second = hn::MulAdd(second, inverse_second, leave_second);
     const M crosses_first = hn::Lt(t_first, t_second);
-    active = hn::And(active, hn::Le(hn::Min(t_first, t_second), t_end));
-    found.first = hn::IfThenElse(hn::And(active, crosses_first), hn::Add(found.first, step_first),
-                                 found.first);
-    found.second = hn::IfThenElse(hn::AndNot(crosses_first, active),
-                                  hn::Add(found.second, step_second), found.second);
+    active = hn::And(hn::AndNot(meets, active), hn::Le(hn::Min(t_first, t_second), t_end));
+    first = hn::IfThenElse(crosses_first, hn::Add(first, step_first), first);
+    second = hn::IfThenElse(crosses_first, second, hn::Add(second, step_second));
   }
 
   // In the order of meets_sphere(), so that a sphere is as far as the same one in a square.
-  const V3<V> f = from_cell();
+  const V3<V> f{hn::Sub(origin.x, found.first), origin.y, hn::Sub(origin.z, found.second)};
   const V b = hn::Neg(dot(f, direction));
   const V3<V> l = mul_add(direction, b, f);
   const V discriminant = hn::Max(hn::Sub(quarter, dot(l, l)), zero);
