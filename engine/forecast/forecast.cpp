@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/forecast/rehearsal.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/plan/counted.h"
-#include "engine/sample/contract.h"
+#include "engine/sample/refinement.h"
 
 namespace raytracer {
 namespace {
@@ -28,26 +29,36 @@ struct PassModel {
 struct Expectation {
   double samples = 0;
   double trace_ms = 0;
+  double error = 0;
 };
 
-/// The passes that render() would make under the contract, each as long and as far off as expected.
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What render() would make of the contract: four samples everywhere, and then more where they are
+/// needed, each refinement four times as many as before.
 Expectation expect_contract(const RenderSettings& settings, int most, const PassModel& model) {
-  PassReport last{};
-  std::optional<int> samples = first_pass_samples;
-  while (samples) {
-    if (last.samples > 0) {
-      const double ratio = static_cast<double>(*samples) / last.samples;
-      // What estimate_error() would make of two images whose errors have nothing in common.
-      const double difference =
-          std::hypot(model.rehearsal.error_of(last.samples), model.rehearsal.error_of(*samples));
-      last.error = difference / (std::sqrt(ratio) - 1);
-    }
-    last.samples = *samples;
-    last.pass_ms = model.pass_ms(*samples);
-    last.elapsed_ms += last.pass_ms;
-    samples = next_pass(settings, last, most);
+  constexpr double overestimate = 1.3;                    // of the error, mostly
+  constexpr double all_refinements = 1.0 / (growth - 1);  // against the last one's samples
+  const Rehearsal& rehearsal = model.rehearsal;
+  const double share = std::min(rehearsal.refined_share, 1.0);
+  const double probed_ms = model.pass_ms(1) + model.pass_ms(growth);
+  const double sample_ms = (1 + all_refinements) * static_cast<double>(rehearsal.tile_count) *
+                           rehearsal.refined_sample_ms / model.threads;
+
+  double samples = growth;  // on average, of the refined image
+  if (settings.target_rmse) {
+    const double even = std::pow(overestimate * rehearsal.error / *settings.target_rmse,
+                                 1 / rehearsal.error_exponent);
+    samples = std::max(samples, share * even);
   }
-  return {static_cast<double>(last.samples), last.elapsed_ms};
+  if (settings.budget_ms) {
+    const double affordable = growth + std::max(*settings.budget_ms - probed_ms, 0.0) / sample_ms;
+    samples = settings.target_rmse ? std::min(samples, affordable) : affordable;
+  }
+  samples = std::min(samples, static_cast<double>(most));
+  const double trace_ms =
+      std::min(probed_ms + (samples - growth) * sample_ms, settings.budget_ms.value_or(infinity));
+  return {samples, trace_ms, rehearsal.error_of(std::max(samples / share, 1.0))};
 }
 
 std::string error_basis(const Rehearsal& rehearsal, double samples) {
@@ -83,12 +94,12 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
   const Expectation expected =
       plan.sampling.value == Sampling::contract
           ? expect_contract(scene.render, most_samples(scene, limits), model)
-          : Expectation{fixed, model.pass_ms(fixed)};
+          : Expectation{fixed, model.pass_ms(fixed), rehearsal.error_of(fixed)};
   result.prediction = {
       .build_ms = build_ms,
       .trace_ms = expected.trace_ms,
       .samples = expected.samples,
-      .error = rehearsal.error_of(expected.samples),
+      .error = expected.error,
       .thread_count = pool.thread_count(),
       .basis = fmt::format("measured: the structures were built, and {} of {} parts of the image "
                            "traced, spread over it; for a machine that does nothing else",

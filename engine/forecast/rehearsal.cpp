@@ -51,6 +51,28 @@ TileValues values_of(const Tile& tile, Image& image) {
   return values;
 }
 
+/// Of n samples where errors fall as n^-3/4, the squared error c n^-3/2 of parts sums up to a bound
+/// with the fewest samples if n grows as c^(2/5) (engine/sample/refinement.h).
+constexpr double refinement_exponent = 0.4;
+
+/// The sum of c^(2/5) over the parts of 4 x 4 pixels of a tile `width` pixels wide.
+double refinement_sum(const TileValues& one, const TileValues& many, int width) {
+  const int height = static_cast<int>(one.size()) / 3 / width;
+  double sum = 0;
+  for (int y = 0; y < height; y += 4)
+    for (int x = 0; x < width; x += 4) {
+      double part = 0;
+      for (int row = y; row < std::min(y + 4, height); ++row)
+        for (int i = 3 * (row * width + x); i < 3 * (row * width + std::min(x + 4, width)); ++i) {
+          const auto at = static_cast<std::size_t>(i);
+          const double difference = static_cast<double>(one[at]) - static_cast<double>(many[at]);
+          part += difference * difference;
+        }
+      sum += std::pow(part, refinement_exponent);
+    }
+  return sum;
+}
+
 double squared_difference(const TileValues& a, const TileValues& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -86,6 +108,7 @@ struct TileReport {
   double one_error2 = 0;  ///< sums of squares over values, against many samples
   double few_error2 = 0;
   std::size_t value_count = 0;
+  double refinement = 0;  ///< refinement_sum() of one sample
 };
 
 /// The rms error of `samples` per pixel, from its difference to many samples, which have an error
@@ -103,6 +126,8 @@ Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_cou
   double one_error2 = 0;
   double few_error2 = 0;
   double value_count = 0;
+  double refinement = 0;
+  double refining_ms = 0;
   for (const TileReport& report : reports) {
     if (report.one_ms < 0) continue;
     ++rehearsal.timed;
@@ -114,12 +139,21 @@ Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_cou
     one_error2 += report.one_error2;
     few_error2 += report.few_error2;
     value_count += static_cast<double>(report.value_count);
+    refinement += report.refinement;
+    refining_ms += report.refinement * std::max(report.many_ms - report.one_ms, 0.0);
   }
   if (rehearsal.compared == 0) return rehearsal;
   rehearsal.tile_ms = one_ms / static_cast<double>(rehearsal.timed);
   // As many times longer as in the tiles that were traced with both.
   const double growth = std::max(many_ms / compared_one_ms, 1.0);
   rehearsal.sample_ms = rehearsal.tile_ms * (growth - 1) / (many_samples - 1);
+
+  if (refinement > 0) {
+    const double part_count = value_count / (3 * 4 * 4);
+    rehearsal.refined_share =
+        std::pow(refinement, 5.0 / 3) / (part_count * std::pow(one_error2, 2.0 / 3));
+    rehearsal.refined_sample_ms = refining_ms / refinement / (many_samples - 1);
+  }
 
   rehearsal.error = error_from_difference(one_error2, value_count, 1);
   const double few_error = error_from_difference(few_error2, value_count, few_samples);
@@ -145,13 +179,13 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
   const std::vector<Tile> all = split_into_tiles(scene.camera.width, scene.camera.height, side);
   const auto columns = static_cast<std::size_t>((scene.camera.width + side - 1) / side);
   const std::vector<Tile> tiles = spread_tiles(all, columns, std::min(all.size(), most_timed));
-  const std::vector<SamplePoint> one = sample_pattern(1);
-  const std::vector<SamplePoint> few = sample_pattern(few_samples);
-  const std::vector<SamplePoint> many = sample_pattern(many_samples);
+  const SamplePattern one = sample_pattern(1);
+  const SamplePattern few = sample_pattern(few_samples);
+  const SamplePattern many = sample_pattern(many_samples);
   Image image(scene.camera.width, scene.camera.height);
   std::vector<TileReport> reports(tiles.size());
   const double asked_ms = asking_ms();
-  const auto trace_ms = [&](const std::vector<SamplePoint>& pattern, const Tile& tile) {
+  const auto trace_ms = [&](const SamplePattern& pattern, const Tile& tile) {
     const ThreadStopwatch watch;
     render_tile(tracer, pattern, scene.render.transfer, tile, &image);
     return std::max(watch.elapsed_ms() - asked_ms, 0.0);
@@ -181,6 +215,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
         report.one_error2 = squared_difference(with_one, with_many);
         report.few_error2 = squared_difference(with_few, with_many);
         report.value_count = with_many.size();
+        report.refinement = refinement_sum(with_one, with_many, tiles[i].x_end - tiles[i].x_begin);
       },
       progress.stop);
   return summarize(reports, all.size());

@@ -12,4 +12,11 @@ std::vector<Tile> split_into_tiles(int width, int height, int side) {
   return tiles;
 }
 
+void copy_tile(const Image& from, const Tile& tile, Image& to) {
+  for (int y = tile.y_begin; y < tile.y_end; ++y)
+    std::copy_n(from.pixel(tile.x_begin, y),
+                3 * static_cast<std::ptrdiff_t>(tile.x_end - tile.x_begin),
+                to.pixel(tile.x_begin, y));
+}
+
 }  // namespace raytracer

@@ -1,17 +1,32 @@
 // The pieces of an image that threads work on.
 #pragma once
 
+#include <cstdint>
 #include <vector>
+
+#include "engine/image/image.h"
 
 namespace raytracer {
 
 /// Pixels begin <= (x, y) < end, y = 0 on top.
+///
+/// Only those of `parts` count: each block of 16 x 16 pixels, from the tile's begin on, has 4 x 4
+/// parts of 4 x 4 pixels, numbered row by row.
 struct Tile {
   int x_begin;
   int y_begin;
   int x_end;
   int y_end;
+  std::uint16_t parts = all_parts;
+
+  static constexpr std::uint16_t all_parts = 0xFFFF;
+
+  /// The part that (x, y) is in.
+  int part_of(int x, int y) const { return (y - y_begin) % 16 / 4 * 4 + (x - x_begin) % 16 / 4; }
 };
+
+/// Copies all of the tile's pixels from one image into another of its size.
+void copy_tile(const Image& from, const Tile& tile, Image& to);
 
 /// The tiles that cover an image, each at most `side` pixels wide and high, row by row.
 std::vector<Tile> split_into_tiles(int width, int height, int side);

@@ -1,5 +1,8 @@
-// A place in a pixel.
+// Places in a pixel.
 #pragma once
+
+#include <array>
+#include <vector>
 
 namespace raytracer {
 
@@ -8,5 +11,22 @@ struct SamplePoint {
   double x;
   double y;
 };
+
+/// The places of a pixel's samples, and how those of its neighbours differ from them: pixel (x, y)
+/// has all of its places moved by `stagger` times stagger_of(x, y). With none, an edge along a row
+/// of pixels passes all of them alike, and is seen by all or by none.
+struct SamplePattern {
+  std::vector<SamplePoint> points;
+  double stagger = 0;
+};
+
+/// For pixels of a square of 4 x 4: from -1/2 to 1/2, as evenly as possible along its rows (x) and
+/// columns (y), each value once.
+constexpr SamplePoint stagger_of(int x, int y) {
+  constexpr std::array<int, 4> order{0, 2, 3, 1};
+  const auto i = static_cast<std::size_t>(x % 4);
+  const auto j = static_cast<std::size_t>(y % 4);
+  return {(4 * order[j] + order[i] + 0.5) / 16 - 0.5, (4 * order[i] + order[j] + 0.5) / 16 - 0.5};
+}
 
 }  // namespace raytracer

@@ -125,7 +125,7 @@ std::string explain(const Scene& scene, const Plan& plan, const Prediction& pred
   json["precision"]["levels"] = rounded(plan.arithmetic_error.levels);
   json["geometry"] = geometry_json(scene, plan);
   json["sampling"] =
-      choice(plan.sampling.value == Sampling::contract ? Json("passes")
+      choice(plan.sampling.value == Sampling::contract ? Json("refined")
                                                        : Json(scene.render.samples.value_or(1)),
              plan.sampling.reason);
   json["tiles"] = choice(plan.tile_side_px.value, plan.tile_side_px.reason);

@@ -4,18 +4,6 @@
 #include <utility>
 
 namespace raytracer {
-namespace {
-
-void copy_tile(const Image& from, const Tile& tile, Image& to) {
-  for (int y = tile.y_begin; y < tile.y_end; ++y)
-    std::copy(
-        from.pixel(tile.x_begin, y),
-        from.pixel(tile.x_begin, y) + 3 * static_cast<std::ptrdiff_t>(tile.x_end - tile.x_begin),
-        to.pixel(tile.x_begin, y));
-}
-
-}  // namespace
-
 std::optional<Image> Preview::so_far() const {
   const std::scoped_lock lock(mutex_);
   const bool has_whole = whole_ != nullptr && whole_->width > 0;
@@ -53,11 +41,6 @@ Preview::Whole::Whole(Preview& preview, Image& image) : preview_(preview), image
 Preview::Whole::~Whole() {
   const std::scoped_lock lock(preview_.mutex_);
   preview_.whole_ = nullptr;
-}
-
-void Preview::Whole::replace(Image image) {
-  const std::scoped_lock lock(preview_.mutex_);
-  image_ = std::move(image);
 }
 
 }  // namespace raytracer

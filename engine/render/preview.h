@@ -49,8 +49,12 @@ class Preview {
     Whole(const Whole&) = delete;
     Whole& operator=(const Whole&) = delete;
 
-    /// Puts another image in its place, of the same size.
-    void replace(Image image);
+    /// Has change(Image&) change it.
+    template <typename Change>
+    void change(const Change& change) {
+      const std::scoped_lock lock(preview_.mutex_);
+      change(image_);
+    }
 
    private:
     Preview& preview_;

@@ -27,18 +27,21 @@ void store(const Rgb& mean, Transfer transfer, auto* pixel) {
   store(encoded(mean.z, transfer), pixel[2]);
 }
 
-void trace(const ReferenceTracer& tracer, const std::vector<SamplePoint>& pattern,
-           Transfer transfer, const Tile& tile, const Canvas& canvas) {
+void trace(const ReferenceTracer& tracer, const SamplePattern& pattern, Transfer transfer,
+           const Tile& tile, const Canvas& canvas) {
   const PackedScene& scene = *tracer.scene;
   const auto trace_with = [&](const auto& structure, auto* image) {
     for (int y = tile.y_begin; y < tile.y_end; ++y) {
       for (int x = tile.x_begin; x < tile.x_end; ++x) {
+        if ((tile.parts >> tile.part_of(x, y) & 1) == 0) continue;
+        const SamplePoint moved = stagger_of(x, y);
         Rgb sum;
-        for (const SamplePoint& sample : pattern)
-          sum += clamped(
-              radiance(scene, structure,
-                       scene.view.direction(x + sample.x, image->height - 1 - y + sample.y)));
-        store(sum / static_cast<double>(pattern.size()), transfer, image->pixel(x, y));
+        for (const SamplePoint& sample : pattern.points)
+          sum += clamped(radiance(
+              scene, structure,
+              scene.view.direction(x + sample.x + pattern.stagger * moved.x,
+                                   image->height - 1 - y + sample.y + pattern.stagger * moved.y)));
+        store(sum / static_cast<double>(pattern.points.size()), transfer, image->pixel(x, y));
       }
     }
   };
@@ -46,7 +49,7 @@ void trace(const ReferenceTracer& tracer, const std::vector<SamplePoint>& patter
 }
 
 template <typename T>
-void trace(const SimdTracer<T>& tracer, const std::vector<SamplePoint>& pattern, Transfer transfer,
+void trace(const SimdTracer<T>& tracer, const SamplePattern& pattern, Transfer transfer,
            const Tile& tile, const Canvas& canvas) {
   render_tile(tracer.scene, pattern, transfer, tile, tracer.target, canvas);
 }
@@ -70,7 +73,7 @@ Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool) {
   return ReferenceTracer{std::move(kept), BruteForce(reference)};
 }
 
-void render_tile(const Tracer& tracer, const std::vector<SamplePoint>& pattern, Transfer transfer,
+void render_tile(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
                  const Tile& tile, const Canvas& canvas) {
   std::visit([&](const auto& chosen) { trace(chosen, pattern, transfer, tile, canvas); }, tracer);
 }

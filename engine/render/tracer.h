@@ -36,7 +36,7 @@ Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool);
 
 /// Traces the tile's pixels with one sample at each place of `pattern` and stores their encoded
 /// means. Touches no other pixel.
-void render_tile(const Tracer& tracer, const std::vector<SamplePoint>& pattern, Transfer transfer,
+void render_tile(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
                  const Tile& tile, const Canvas& canvas);
 
 }  // namespace raytracer

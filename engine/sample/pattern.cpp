@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace raytracer {
 
-std::vector<SamplePoint> sample_pattern(int count) {
+SamplePattern sample_pattern(int count) {
   // Columns in turn, rows in the order of the golden ratio's multiples: over random edges the
   // error of the covered area was least or near least among this, Hammersley's points, rank-1
   // lattices and, for square counts, a grid, which fails along its own directions.
@@ -28,7 +29,13 @@ std::vector<SamplePoint> sample_pattern(int count) {
     const std::size_t k = by_key[rank];
     points[k] = {(static_cast<double>(k) + 0.5) / count, (static_cast<double>(rank) + 0.5) / count};
   }
-  return points;
+  return {std::move(points)};
+}
+
+SamplePattern staggered_pattern(int count) {
+  SamplePattern pattern = sample_pattern(count);
+  pattern.stagger = 1.0 / count;
+  return pattern;
 }
 
 }  // namespace raytracer

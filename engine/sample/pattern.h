@@ -9,6 +9,10 @@ namespace raytracer {
 
 /// `count` places, spread evenly: every one of `count` columns and of `count` rows of the pixel
 /// has one. A single sample is at the centre. The same for every pixel.
-std::vector<SamplePoint> sample_pattern(int count);
+SamplePattern sample_pattern(int count);
+
+/// The same, for pixels that are compared or averaged with their neighbours: each has its samples
+/// elsewhere in the columns and rows.
+SamplePattern staggered_pattern(int count);
 
 }  // namespace raytracer

@@ -138,7 +138,7 @@ std::unique_ptr<EmbreeWorld> make_embree_world(RTCDevice device, const Scene& sc
   rtcSetSceneFlags(world->scene.get(), RTC_SCENE_FLAG_NONE);
   GeometryCollector(device, scene, *world).collect();
   world->lights = embree_lights(scene);
-  for (const SamplePoint& sample : sample_pattern(scene.render.samples.value_or(1))) {
+  for (const SamplePoint& sample : sample_pattern(scene.render.samples.value_or(1)).points) {
     world->sample_x.push_back(static_cast<float>(sample.x));
     world->sample_y.push_back(static_cast<float>(sample.y));
   }

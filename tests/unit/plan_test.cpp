@@ -127,7 +127,7 @@ TEST(Plan, NamesTheContractThatEndsASampling) {
   scene.render.target_rmse = 0.004;
   scene.render.budget_ms = 50;
   const nlohmann::json sampling = explained(scene).at("sampling");
-  EXPECT_EQ(sampling.at("choice"), "passes");
+  EXPECT_EQ(sampling.at("choice"), "refined");
   EXPECT_NE(sampling.at("reason").get<std::string>().find("0.004"), std::string::npos);
   EXPECT_NE(sampling.at("reason").get<std::string>().find("50 ms"), std::string::npos);
 }

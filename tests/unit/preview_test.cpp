@@ -43,7 +43,7 @@ TEST(Preview, shows_the_last_whole_image_where_a_pass_has_nothing) {
   Image image;
   Preview::Whole whole(preview, image);
   EXPECT_FALSE(preview.so_far());
-  whole.replace(filled(0.5F));
+  whole.change([](Image& shown) { shown = filled(0.5F); });
   EXPECT_EQ(preview.so_far().value().pixel(3, 1)[0], 0.5F);
   const Image finer = filled(1);
   Preview::Pass pass(preview, finer, halves);

@@ -2,17 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <cmath>
 #include <set>
+#include <vector>
 
-#include "engine/sample/contract.h"
 #include "engine/sample/pattern.h"
+#include "engine/sample/refinement.h"
 
 namespace raytracer::test {
 namespace {
 
 TEST(SamplePattern, OfOneIsTheCentre) {
-  const std::vector<SamplePoint> points = sample_pattern(1);
+  const std::vector<SamplePoint> points = sample_pattern(1).points;
   ASSERT_EQ(points.size(), 1U);
   EXPECT_EQ(points[0].x, 0.5);
   EXPECT_EQ(points[0].y, 0.5);
@@ -20,7 +21,7 @@ TEST(SamplePattern, OfOneIsTheCentre) {
 
 TEST(SamplePattern, HasOnePointInEveryColumnAndRowInsideThePixel) {
   for (const int count : {2, 3, 4, 5, 7, 8, 9, 16, 17, 31, 64, 100, 256, 1000, 4096, 65536}) {
-    const std::vector<SamplePoint> points = sample_pattern(count);
+    const std::vector<SamplePoint> points = sample_pattern(count).points;
     ASSERT_EQ(points.size(), static_cast<std::size_t>(count));
     std::set<int> columns;
     std::set<int> rows;
@@ -40,82 +41,115 @@ TEST(SamplePattern, HasOnePointInEveryColumnAndRowInsideThePixel) {
 TEST(SamplePattern, CoversTheQuartersOfThePixelEvenly) {
   for (const int count : {16, 64, 256, 1000}) {
     int lower_left = 0;
-    for (const SamplePoint& point : sample_pattern(count))
+    for (const SamplePoint& point : sample_pattern(count).points)
       if (point.x < 0.5 && point.y < 0.5) ++lower_left;
     EXPECT_NEAR(lower_left, count / 4.0, 2 + count * 0.02);
   }
 }
 
-RenderSettings settings(std::optional<double> target, std::optional<double> budget_ms) {
-  RenderSettings result;
-  result.target_rmse = target;
-  result.budget_ms = budget_ms;
-  return result;
+TEST(SamplePattern, StaggeredMovesEachPixelsPlacesWithinTheirColumnsAndRows) {
+  const SamplePattern pattern = staggered_pattern(16);
+  EXPECT_EQ(pattern.points.size(), 16U);
+  std::set<double> across;
+  std::set<double> up;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) {
+      const SamplePoint moved = stagger_of(x, y);
+      EXPECT_LT(std::abs(moved.x) * pattern.stagger, 0.5 / 16);
+      EXPECT_LT(std::abs(moved.y) * pattern.stagger, 0.5 / 16);
+      across.insert(moved.x);
+      up.insert(moved.y);
+    }
+  EXPECT_EQ(across.size(), 16U);
+  EXPECT_EQ(up.size(), 16U);
 }
 
-constexpr int plenty = 1 << 20;
-
-TEST(NextPass, EndsWhenTheTargetIsMet) {
-  EXPECT_FALSE(next_pass(settings(0.01, {}), {4, 1, 5, 0.01}, plenty));
-  EXPECT_FALSE(next_pass(settings(0.01, {}), {4, 1, 5, 0.001}, plenty));
-  EXPECT_FALSE(next_pass(settings(0.01, 1000), {4, 1, 5, 0.001}, plenty));
-}
-
-TEST(NextPass, TakesMoreSamplesWhileTheTargetIsMissedOrNotYetKnown) {
-  const auto after_first = next_pass(settings(0.01, {}), {first_pass_samples, 1, 1, {}}, plenty);
-  ASSERT_TRUE(after_first);
-  EXPECT_GT(*after_first, first_pass_samples);
-  const auto later = next_pass(settings(0.01, {}), {16, 1, 5, 0.02}, plenty);
-  ASSERT_TRUE(later);
-  EXPECT_GE(*later, 32);
-}
-
-TEST(NextPass, NeverTakesMoreThanTheLimit) {
-  const auto next = next_pass(settings(1e-9, {}), {16, 1, 5, 0.5}, 40);
-  ASSERT_TRUE(next);
-  EXPECT_EQ(*next, 40);
-  EXPECT_FALSE(next_pass(settings(1e-9, {}), {40, 1, 5, 0.5}, 40));
-}
-
-TEST(NextPass, EndsWhenTheTimeIsOver) {
-  EXPECT_FALSE(next_pass(settings({}, 100), {4, 50, 100, 0.5}, plenty));
-  EXPECT_FALSE(next_pass(settings({}, 100), {4, 50, 150, 0.5}, plenty));
-  EXPECT_FALSE(next_pass(settings({}, 100), {4, 50, 60, 0.5}, plenty));  // 40 ms: not even twice
-}
-
-TEST(NextPass, TakesNoMoreThanTheTimeThatIsLeftAllows) {
-  const auto next = next_pass(settings({}, 100), {10, 10, 70, 0.5}, plenty);
-  ASSERT_TRUE(next);
-  EXPECT_GE(*next, 20);
-  EXPECT_LE(*next, 30);
-}
-
-TEST(NextPass, SurvivesAPassThatTookNoTime) {
-  const auto next = next_pass(settings({}, 100), {1, 0, 0, {}}, plenty);
-  ASSERT_TRUE(next);
-  EXPECT_GT(*next, 1);
-  EXPECT_FALSE(next_pass(settings({}, 100), {1, 0, 200, {}}, plenty));
+/// Along a row of four the places differ by a quarter in y, and along a column in x: that is what
+/// finds an edge that runs along it.
+TEST(SamplePattern, NeighboursAreStaggeredAcrossTheirRowOrColumn) {
+  for (int k = 0; k < 4; ++k) {
+    std::set<int> quarters_of_row;
+    std::set<int> quarters_of_column;
+    for (int i = 0; i < 4; ++i) {
+      quarters_of_row.insert(static_cast<int>((stagger_of(i, k).y + 0.5) * 4));
+      quarters_of_column.insert(static_cast<int>((stagger_of(k, i).x + 0.5) * 4));
+    }
+    EXPECT_EQ(quarters_of_row.size(), 4U);
+    EXPECT_EQ(quarters_of_column.size(), 4U);
+  }
 }
 
 Image gray(float value) {
-  Image image(4, 3);
+  Image image(4, 4);
   for (float& channel : image.values) channel = value;
   return image;
 }
 
+const Tile whole_part{0, 0, 4, 4};
+
 TEST(EstimateError, OfEqualImagesIsZero) {
-  EXPECT_EQ(estimate_error(gray(0.5F), gray(0.5F), 4), 0);
+  EXPECT_EQ(estimate_error2(gray(0.5F), gray(0.5F), whole_part, 16), 0);
 }
 
-TEST(EstimateError, IsTheDifferenceOverTheRootOfTheRatioLessOne) {
-  EXPECT_DOUBLE_EQ(estimate_error(gray(0.5F), gray(0.75F), 4), 0.25);
-  EXPECT_DOUBLE_EQ(estimate_error(gray(0.75F), gray(0.5F), 9), 0.125);
+TEST(EstimateError, IsAFifthOfTheSquaredDifference) {
+  EXPECT_DOUBLE_EQ(estimate_error2(gray(0.5F), gray(0.75F), whole_part, 16), 48 * 0.0625 / 5);
+  EXPECT_DOUBLE_EQ(estimate_error2(gray(0.75F), gray(0.5F), {0, 0, 2, 1}, 16), 6 * 0.0625 / 5);
 }
 
-TEST(EstimateError, IsTheRootOfTheMeanSquare) {
-  Image later = gray(0.5F);
-  later.pixel(0, 0)[1] = 1;
-  EXPECT_NEAR(estimate_error(gray(0.5F), later, 4), std::sqrt(0.25 / 36), 1e-12);
+TEST(EstimateError, IsLargerAfterTheFirstSample) {
+  EXPECT_GT(estimate_error2(gray(0.5F), gray(0.75F), whole_part, 4),
+            estimate_error2(gray(0.5F), gray(0.75F), whole_part, 16));
+}
+
+constexpr int plenty = 1 << 20;
+
+TEST(PartsToRefine, AreNoneWhenTheBoundIsKept) {
+  EXPECT_TRUE(parts_to_refine(std::vector<Part>{{4, 1}, {4, 2}}, 3, plenty).empty());
+  EXPECT_TRUE(parts_to_refine(std::vector<Part>{{4, 0}}, 0, plenty).empty());
+}
+
+TEST(PartsToRefine, AreThoseWithTheLargestErrorPerSample) {
+  const std::vector<Part> parts{{4, 0.1}, {4, 8}, {64, 8}, {4, 0}};
+  EXPECT_EQ(parts_to_refine(parts, 10, plenty), std::vector<std::size_t>{1});
+}
+
+TEST(PartsToRefine, AreAllWithAnErrorWhenNothingIsAllowed) {
+  const std::vector<Part> parts{{4, 0.1}, {4, 8}, {64, 1e-30}, {4, 0}};
+  EXPECT_EQ(parts_to_refine(parts, 0, plenty), (std::vector<std::size_t>{0, 1, 2}));
+}
+
+TEST(PartsToRefine, NeverGetMoreThanTheLimit) {
+  const std::vector<Part> parts{{16, 1}, {4, 0.5}};
+  EXPECT_EQ(parts_to_refine(parts, 1e-9, 32), std::vector<std::size_t>{1});
+}
+
+TEST(PartsToRefine, LeadToTheBoundIfErrorsFallAsExpected) {
+  std::vector<Part> parts;
+  for (int i = 0; i < 1000; ++i) parts.push_back({4, std::pow(1.02, i % 300)});
+  double sum = 0;
+  int rounds = 0;
+  for (;; ++rounds) {
+    sum = 0;
+    for (const Part& part : parts) sum += part.error2;
+    const std::vector<std::size_t> chosen = parts_to_refine(parts, 500, plenty);
+    if (chosen.empty()) break;
+    for (const std::size_t i : chosen) parts[i] = {growth * parts[i].samples, parts[i].error2 / 8};
+  }
+  EXPECT_LE(sum, 500);
+  EXPECT_GT(sum, 500 / 8.0) << "more than was asked for";
+  EXPECT_LE(rounds, 6);
+}
+
+/// Two blocks side by side: 8 x 4 parts.
+TEST(ExpectedErrors, RiseBesideDetail) {
+  std::vector<Part> parts(32, Part{4, 0});
+  parts[3] = {16, 1};  // at (3, 0), at the second block's side
+  const std::vector<Part> expected = expected_errors(parts, 2);
+  EXPECT_EQ(expected[3].error2, 1);
+  EXPECT_GT(expected[16].error2, 0);     // at (4, 0)
+  EXPECT_GT(expected[2 + 4].error2, 0);  // at (2, 1)
+  EXPECT_EQ(expected[1].error2, 0);
+  EXPECT_LT(expected[16].error2, 0.5);
 }
 
 }  // namespace

@@ -311,7 +311,7 @@ TEST(Variants, runsOnTheInstructionSetThatIsAskedFor) {
   ASSERT_FALSE(sets.empty());
   for (const InstructionSet& set : sets) {
     Image image(16, 16);
-    const std::vector<SamplePoint> pattern = sample_pattern(1);
+    const SamplePattern pattern = sample_pattern(1);
     const Tile tile{0, 0, image.width, image.height};
     EXPECT_EQ(render_tile(single, pattern, Transfer::linear, tile, set.target, &image), set.target)
         << set.name;

@@ -15,6 +15,7 @@
 #include <variant>
 
 #include "engine/image/image.h"
+#include "engine/kernel/sample_point.h"
 #include "engine/kernel/simd/packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -29,6 +30,7 @@ struct Block {
   int y_begin;
   int width;
   int height;
+  std::uint32_t parts;  ///< those to trace, as Tile::parts
 };
 
 /// How a packet covers pixels: as near to a square as its lanes allow, because neighbours in both
@@ -52,9 +54,12 @@ struct PacketPlace {
       : x(packet % PacketShape<D>::packets_across * PacketShape<D>::width),
         y(packet / PacketShape<D>::packets_across * PacketShape<D>::height) {}
 
-  bool is_in(const Block& block) const { return x < block.width && y < block.height; }
-  /// Of the 4 x 4 parts that a screen bin's entries speak of.
+  /// Of the 4 x 4 parts that a tile or a screen bin's entries speak of.
   int part() const { return y / 4 * 4 + x / 4; }
+  /// Whether the block has it, and it is to be traced.
+  bool is_in(const Block& block) const {
+    return x < block.width && y < block.height && (block.parts >> part() & 1U) != 0;
+  }
 };
 
 /// The lanes' pixels relative to their packet's.
@@ -74,6 +79,27 @@ struct LaneOffsets {
     }
     x = hn::Load(d, across);
     y = hn::Load(d, down);
+  }
+};
+
+/// stagger_of() the lanes' pixels.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+struct Staggers {
+  V x;
+  V y;
+
+  HWY_INLINE Staggers(D d, const PacketPlace<D>& place) {
+    using Shape = PacketShape<D>;
+    HWY_ALIGN T across[Shape::lanes];
+    HWY_ALIGN T up[Shape::lanes];
+    for (int lane = 0; lane < Shape::lanes; ++lane) {
+      const SamplePoint moved =
+          stagger_of(place.x + lane % Shape::width, place.y + lane / Shape::width);
+      across[lane] = static_cast<T>(moved.x);
+      up[lane] = static_cast<T>(moved.y);
+    }
+    x = hn::Load(d, across);
+    y = hn::Load(d, up);
   }
 };
 

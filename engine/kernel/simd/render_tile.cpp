@@ -22,10 +22,11 @@ namespace HWY_NAMESPACE {
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 class EyeRays {
  public:
-  HWY_INLINE EyeRays(D d, const SimdScene<T>& scene, const Block& block)
+  HWY_INLINE EyeRays(D d, const SimdScene<T>& scene, const Block& block, double stagger)
       : scene_(scene),
         block_(block),
         offsets_(d),
+        stagger_(static_cast<T>(stagger)),
         step_x_(2.0 / scene.view.width),
         step_y_(2.0 / scene.view.height) {}
 
@@ -35,9 +36,16 @@ class EyeRays {
     const double corner_x = (block_.x_begin + place.x + sample.x) * step_x_ - 1;
     const double corner_y =
         (scene_.view.height - 1 - block_.y_begin - place.y + sample.y) * step_y_ - 1;
-    const V x = hn::MulAdd(offsets_.x, hn::Set(d, static_cast<T>(step_x_)),
+    V right = offsets_.x;
+    V down = offsets_.y;
+    if (stagger_ > 0) {
+      const Staggers<D> staggers(d, place);
+      right = hn::MulAdd(staggers.x, hn::Set(d, stagger_), right);
+      down = hn::NegMulAdd(staggers.y, hn::Set(d, stagger_), down);
+    }
+    const V x = hn::MulAdd(right, hn::Set(d, static_cast<T>(step_x_)),
                            hn::Set(d, static_cast<T>(corner_x)));
-    const V y = hn::NegMulAdd(offsets_.y, hn::Set(d, static_cast<T>(step_y_)),
+    const V y = hn::NegMulAdd(down, hn::Set(d, static_cast<T>(step_y_)),
                               hn::Set(d, static_cast<T>(corner_y)));
     return unit(d, mul_add(broadcast(d, scene_.right), x,
                            mul_add(broadcast(d, scene_.up), y, broadcast(d, scene_.forward))));
@@ -53,6 +61,7 @@ class EyeRays {
   const SimdScene<T>& scene_;
   const Block& block_;
   LaneOffsets<D> offsets_;
+  T stagger_;
   double step_x_;
   double step_y_;
 };
@@ -119,8 +128,8 @@ HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
 }
 
 template <typename T>
-void render_block(const SimdScene<T>& scene, std::span<const SamplePoint> pattern,
-                  Transfer transfer, const Block& block, const Canvas& canvas) {
+void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
+                  const Block& block, const Canvas& canvas) {
   using D = hn::ScalableTag<T>;
   const D d;
   using V = hn::Vec<D>;
@@ -130,16 +139,16 @@ void render_block(const SimdScene<T>& scene, std::span<const SamplePoint> patter
                  encoded(d, transfer, mean.z)};
   };
   const BlockContents contents(scene, block.x_begin / block_side, block.y_begin / block_side);
-  if (contents.parts == 0) {
+  if (contents.parts == 0 && block.parts == Tile::all_parts) {
     fill_block(d, resolved(clamped(d, broadcast(d, scene.background))), block, canvas);
     return;
   }
 
-  const EyeRays<D> rays(d, scene, block);
+  const EyeRays<D> rays(d, scene, block, pattern.stagger);
   BlockColours<T> sums;
   BlockColours<T> colours;
-  for (std::size_t sample = 0; sample < pattern.size(); ++sample) {
-    trace_sample(d, scene, block, contents, rays, pattern[sample], colours);
+  for (std::size_t sample = 0; sample < pattern.points.size(); ++sample) {
+    trace_sample(d, scene, block, contents, rays, pattern.points[sample], colours);
     for (int packet = 0; packet < Shape::packets; ++packet) {
       if (!PacketPlace<D>(packet).is_in(block)) continue;
       const std::size_t i = static_cast<std::size_t>(packet) * Shape::lanes;
@@ -147,7 +156,7 @@ void render_block(const SimdScene<T>& scene, std::span<const SamplePoint> patter
       store(d, sample == 0 ? seen : add(seen, load(d, sums, i)), i, sums);
     }
   }
-  const V share = hn::Set(d, static_cast<T>(1 / static_cast<double>(pattern.size())));
+  const V share = hn::Set(d, static_cast<T>(1 / static_cast<double>(pattern.points.size())));
   for (int i = 0; i < Shape::packets; ++i) {
     if (!PacketPlace<D>(i).is_in(block)) continue;
     const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
@@ -158,23 +167,23 @@ void render_block(const SimdScene<T>& scene, std::span<const SamplePoint> patter
 }
 
 template <typename T>
-std::int64_t render_blocks(const SimdScene<T>& scene, std::span<const SamplePoint> pattern,
+std::int64_t render_blocks(const SimdScene<T>& scene, const SamplePattern& pattern,
                            Transfer transfer, const Tile& tile, const Canvas& canvas) {
   for (int y = tile.y_begin; y < tile.y_end; y += block_side)
     for (int x = tile.x_begin; x < tile.x_end; x += block_side)
-      render_block(
-          scene, pattern, transfer,
-          {x, y, std::min(block_side, tile.x_end - x), std::min(block_side, tile.y_end - y)},
-          canvas);
+      render_block(scene, pattern, transfer,
+                   {x, y, std::min(block_side, tile.x_end - x),
+                    std::min(block_side, tile.y_end - y), tile.parts},
+                   canvas);
   return HWY_TARGET;
 }
 
-std::int64_t render_single(const SimdScene<float>& scene, std::span<const SamplePoint> pattern,
+std::int64_t render_single(const SimdScene<float>& scene, const SamplePattern& pattern,
                            Transfer transfer, const Tile& tile, const Canvas& canvas) {
   return render_blocks(scene, pattern, transfer, tile, canvas);
 }
 
-std::int64_t render_double(const SimdScene<double>& scene, std::span<const SamplePoint> pattern,
+std::int64_t render_double(const SimdScene<double>& scene, const SamplePattern& pattern,
                            Transfer transfer, const Tile& tile, const Canvas& canvas) {
   return render_blocks(scene, pattern, transfer, tile, canvas);
 }
@@ -211,14 +220,14 @@ Machine this_machine(std::size_t thread_count) {
   return {supported_instruction_sets().front(), thread_count};
 }
 
-std::int64_t render_tile(const SimdScene<float>& scene, std::span<const SamplePoint> pattern,
+std::int64_t render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,
                          Transfer transfer, const Tile& tile, std::int64_t target,
                          const Canvas& canvas) {
   return HWY_DISPATCH_TABLE(render_single)[table_index(target)](scene, pattern, transfer, tile,
                                                                 canvas);
 }
 
-std::int64_t render_tile(const SimdScene<double>& scene, std::span<const SamplePoint> pattern,
+std::int64_t render_tile(const SimdScene<double>& scene, const SamplePattern& pattern,
                          Transfer transfer, const Tile& tile, std::int64_t target,
                          const Canvas& canvas) {
   return HWY_DISPATCH_TABLE(render_double)[table_index(target)](scene, pattern, transfer, tile,

@@ -20,10 +20,10 @@ std::vector<InstructionSet> supported_instruction_sets();
 /// Traces one sample at each place of `pattern` in each of the tile's pixels, and stores the means
 /// of their clamped colours after `transfer`. The tile begins at multiples of `block_side`.
 /// Returns the target of the code that ran, which is the one asked for if that is supported.
-std::int64_t render_tile(const SimdScene<float>& scene, std::span<const SamplePoint> pattern,
+std::int64_t render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,
                          Transfer transfer, const Tile& tile, std::int64_t target,
                          const Canvas& canvas);
-std::int64_t render_tile(const SimdScene<double>& scene, std::span<const SamplePoint> pattern,
+std::int64_t render_tile(const SimdScene<double>& scene, const SamplePattern& pattern,
                          Transfer transfer, const Tile& tile, std::int64_t target,
                          const Canvas& canvas);
 

@@ -1,0 +1,81 @@
+// One pass over the image, and what every pass needs.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "engine/image/tile.h"
+#include "engine/measure/stopwatch.h"
+#include "engine/plan/plan.h"
+#include "engine/plan/tiles.h"
+#include "engine/render/progress.h"
+#include "engine/render/tracer.h"
+#include "engine/sample/pattern.h"
+
+namespace raytracer {
+
+/// A scene made ready, and what every pass over the image needs.
+struct Tracing {
+  const Tracer& tracer;
+  const Scene& scene;
+  const Plan& plan;
+  WorkerPool& pool;
+  RenderProgress& progress;
+  int passes_done = 0;
+  Stopwatch watch{};
+
+  /// Whether the budget is spent, or would be `more_ms` from now.
+  bool is_over_time(double more_ms = 0) const {
+    const std::optional<double>& budget_ms = scene.render.budget_ms;
+    return budget_ms && watch.elapsed_ms() + more_ms > *budget_ms;
+  }
+
+  /// An image of `samples` per pixel; nothing if it was stopped before it was whole.
+  template <typename Channel>
+  std::optional<Raster<Channel>> pass(int samples) {
+    Raster<Channel> image(scene.camera.width, scene.camera.height);
+    const SamplePattern pattern = sample_pattern(samples);
+    const std::vector<Tile> tiles = split_into_tiles(
+        image.width, image.height,
+        tile_side_px(image.width, image.height, samples, scene.lights.size(), pool.thread_count()));
+    std::atomic<bool> stop{progress.stop.load()};
+    std::atomic<std::size_t> done{0};
+    std::optional<Preview::Pass> preview;
+    if constexpr (std::is_same_v<Channel, float>) preview.emplace(progress.preview, image, tiles);
+    pool.run(
+        tiles.size(),
+        [&](std::size_t i) {
+          if (progress.stop) {
+            stop = true;
+            return;
+          }
+          render_tile(tracer, pattern, scene.render.transfer, tiles[i], &image);
+          if (preview) preview->finished(i);
+          report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
+        },
+        stop);
+    preview.reset();  // before the image moves
+    if (stop) return {};
+    ++passes_done;
+    return image;
+  }
+
+  /// Under a budget progress is the time's. Under a target alone nobody knows how many passes will
+  /// follow: each takes half of what those before have left.
+  void report(double pass_fraction) {
+    double fraction = pass_fraction;
+    if (scene.render.budget_ms)
+      fraction = std::min(1.0, watch.elapsed_ms() / *scene.render.budget_ms);
+    else if (scene.render.target_rmse)
+      fraction = 1 - std::ldexp(1 - pass_fraction / 2, -passes_done);
+    double before = progress.fraction;
+    while (before < fraction && !progress.fraction.compare_exchange_weak(before, fraction)) {
+    }
+  }
+};
+
+}  // namespace raytracer

@@ -1,0 +1,119 @@
+#include "engine/sample/refinement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace raytracer {
+namespace {
+
+constexpr int shrinkage_log2 = 3;  // of growth^3/2, by which a part's squared error shrinks
+
+/// Errors per sample by powers of the fourth root of two, from 2^-128 on.
+constexpr int steps_per_octave = 4;
+constexpr int step_count = 128 * steps_per_octave;
+// A refined part's error per sample is less by both.
+constexpr int steps_per_refinement = 5 * steps_per_octave;
+
+int step_of(const Part& part) {
+  const double octaves = std::log2(part.error2 / part.samples) + 128;
+  return std::clamp(static_cast<int>(octaves * steps_per_octave), 0, step_count - 1);
+}
+
+}  // namespace
+
+int most_samples(const Scene& scene, const Limits& limits) {
+  const std::int64_t pixels = std::int64_t{scene.camera.width} * scene.camera.height;
+  const std::int64_t most = std::min({limits.samples, limits.work / pixels, std::int64_t{1} << 30});
+  return static_cast<int>(std::max<std::int64_t>(most, 1));
+}
+
+double estimate_error2(const Image& coarser, const Image& finer, const Tile& part,
+                       int finer_samples) {
+  double sum = 0;
+  for (int y = part.y_begin; y < part.y_end; ++y) {
+    const float* const a = coarser.pixel(part.x_begin, y);
+    const float* const b = finer.pixel(part.x_begin, y);
+    for (int i = 0; i < 3 * (part.x_end - part.x_begin); ++i) {
+      const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+      sum += difference * difference;
+    }
+  }
+  return sum / (finer_samples > growth ? growth + 1 : 2.5);
+}
+
+std::vector<Part> expected_errors(std::span<const Part> parts, int columns) {
+  constexpr double share = 0.1;
+  const int width = 4 * columns;
+  const int height = static_cast<int>(parts.size()) / 4 / columns;
+  const auto index = [&](int x, int y) {
+    return 16 * static_cast<std::size_t>(y / 4 * columns + x / 4) +
+           static_cast<std::size_t>(y % 4 * 4 + x % 4);
+  };
+  // What errors have in common at all numbers of samples, with a rim of nothing.
+  const std::size_t stride = static_cast<std::size_t>(width) + 2;
+  std::vector<double> detail(stride * (static_cast<std::size_t>(height) + 2), 0.0);
+  const auto place = [&](int x, int y) {
+    return static_cast<std::size_t>(y + 1) * stride + static_cast<std::size_t>(x + 1);
+  };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const Part& part = parts[index(x, y)];
+      detail[place(x, y)] = part.error2 * part.samples * std::sqrt(part.samples);
+    }
+  std::vector<Part> expected(parts.begin(), parts.end());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const std::size_t at = place(x, y);
+      double sum = -detail[at];
+      for (const std::size_t row : {at - stride, at, at + stride})
+        sum += detail[row - 1] + detail[row] + detail[row + 1];
+      Part& part = expected[index(x, y)];
+      part.error2 =
+          std::max(part.error2, share * sum / 8 / (part.samples * std::sqrt(part.samples)));
+    }
+  return expected;
+}
+
+std::vector<std::size_t> parts_to_refine(std::span<const Part> parts, double bound,
+                                         int most_samples) {
+  std::array<double, step_count> error2_by_step{};
+  double rest = 0;  // that nothing can be done about
+  double sum = 0;
+  const auto can_grow = [&](const Part& part) {
+    return part.error2 > 0 && part.samples <= most_samples / growth;
+  };
+  for (const Part& part : parts) {
+    sum += part.error2;
+    if (can_grow(part))
+      error2_by_step[static_cast<std::size_t>(step_of(part))] += part.error2;
+    else
+      rest += part.error2;
+  }
+  if (sum <= bound) return {};
+
+  /// What is left when all parts are refined until their errors per sample are below `level`.
+  const auto left_at = [&](int level) {
+    double left = rest;
+    for (int step = 0; step < step_count; ++step) {
+      const int above = std::max(step - level, 0);
+      const int refinements = (above + steps_per_refinement - 1) / steps_per_refinement;
+      left +=
+          std::ldexp(error2_by_step[static_cast<std::size_t>(step)], -shrinkage_log2 * refinements);
+    }
+    return left;
+  };
+  // The highest that is low enough; at -1 all are refined that have an error.
+  int level = -1;
+  for (int too_high = step_count - 1; too_high - level > 1;) {
+    const int middle = (level + too_high) / 2;
+    (left_at(middle) <= bound ? level : too_high) = middle;
+  }
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (can_grow(parts[i]) && step_of(parts[i]) > level) chosen.push_back(i);
+  return chosen;
+}
+
+}  // namespace raytracer
