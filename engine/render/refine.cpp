@@ -32,6 +32,12 @@ struct Task {
   }
 };
 
+/// The first refinement must find what the later ones follow: an edge along a row of pixels too,
+/// which passes all of their samples alike. Those err less with the same places in every pixel.
+SamplePattern pattern_of(int samples) {
+  return samples == growth ? staggered_pattern(samples) : sample_pattern(samples);
+}
+
 class Refinement {
  public:
   Refinement(Tracing& tracing, Preview::Whole& shown, Image& image)
@@ -140,7 +146,7 @@ class Refinement {
       if (part / parts_in_block != block) open.clear();
       block = part / parts_in_block;
       const int samples = growth * parts_[part].samples;
-      if (!patterns_.contains(samples)) patterns_[samples] = staggered_pattern(samples);
+      if (!patterns_.contains(samples)) patterns_[samples] = pattern_of(samples);
       const auto found = open.find(samples);
       if (found == open.end() || tasks[found->second].sample_count() >= most_samples) {
         open[samples] = tasks.size();

@@ -11,8 +11,7 @@ namespace raytracer {
 /// has one. A single sample is at the centre. The same for every pixel.
 SamplePattern sample_pattern(int count);
 
-/// The same, for pixels that are compared or averaged with their neighbours: each has its samples
-/// elsewhere in the columns and rows.
+/// The same, but neighbouring pixels have their samples elsewhere in the columns and rows.
 SamplePattern staggered_pattern(int count);
 
 }  // namespace raytracer

@@ -40,7 +40,7 @@ double estimate_error2(const Image& coarser, const Image& finer, const Tile& par
       sum += difference * difference;
     }
   }
-  return sum / (finer_samples > growth ? growth + 1 : 2.5);
+  return sum / (finer_samples > growth ? growth : 2);
 }
 
 std::vector<Part> expected_errors(std::span<const Part> parts, int columns) {

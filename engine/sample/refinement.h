@@ -33,9 +33,9 @@ int most_samples(const Scene& scene, const Limits& limits);
 
 /// The sum of squared errors of `finer`, which took `growth` times the samples of `coarser`, over
 /// the values of one part. The two have no samples in common, so their squared errors add up in
-/// the difference; of these the finer one's is at most a share of 1 / (growth + 1), as large if
-/// samples err like random ones. After the first sample, which is at the centre, it is more: 0.4
-/// is above what was measured.
+/// the difference; of these the finer one's share is 1 / (growth + 1) if samples err like random
+/// ones, and less where they do better. It is taken as 1 / growth, for small images, and as a half
+/// after the first sample, which is at the centre.
 double estimate_error2(const Image& coarser, const Image& finer, const Tile& part,
                        int finer_samples);
 

@@ -91,9 +91,9 @@ TEST(EstimateError, OfEqualImagesIsZero) {
   EXPECT_EQ(estimate_error2(gray(0.5F), gray(0.5F), whole_part, 16), 0);
 }
 
-TEST(EstimateError, IsAFifthOfTheSquaredDifference) {
-  EXPECT_DOUBLE_EQ(estimate_error2(gray(0.5F), gray(0.75F), whole_part, 16), 48 * 0.0625 / 5);
-  EXPECT_DOUBLE_EQ(estimate_error2(gray(0.75F), gray(0.5F), {0, 0, 2, 1}, 16), 6 * 0.0625 / 5);
+TEST(EstimateError, IsAQuarterOfTheSquaredDifference) {
+  EXPECT_DOUBLE_EQ(estimate_error2(gray(0.5F), gray(0.75F), whole_part, 16), 48 * 0.0625 / 4);
+  EXPECT_DOUBLE_EQ(estimate_error2(gray(0.75F), gray(0.5F), {0, 0, 2, 1}, 16), 6 * 0.0625 / 4);
 }
 
 TEST(EstimateError, IsLargerAfterTheFirstSample) {
