@@ -1,5 +1,6 @@
 // Tells when clients have left: one thread looks at the connections of all requests that render or
-// wait, some twenty times a second. A request that is answered before the next look costs it nothing.
+// wait, some twenty times a second. A request that is answered before the next look costs it
+// nothing.
 #pragma once
 
 #include <condition_variable>

@@ -44,7 +44,7 @@ struct Services {
   BodyMemory body_memory;
   Admission admission;
   WorkerPool pool;
-  const std::string maker;  ///< of pictures, in their entity tags
+  const std::string maker;           ///< of pictures, in their entity tags
   const MachineCosts machine_costs;  ///< measured before anyone waits
   Departures departures{};
   EventStreams event_streams{};
