@@ -12,9 +12,12 @@
 namespace raytracer {
 
 std::string sha256_hex(std::string_view bytes) {
+  // EVP_sha256() would be looked up at each use, behind a lock.
+  static EVP_MD* const sha256 = EVP_MD_fetch(nullptr, "SHA256", nullptr);
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int length = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
+  if (sha256 == nullptr ||
+      EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, sha256, nullptr) != 1)
     throw std::runtime_error("OpenSSL does not compute SHA-256");
   constexpr std::string_view digits = "0123456789abcdef";
   std::string hex;
