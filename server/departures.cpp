@@ -30,7 +30,8 @@ void Departures::look() {
 void Departures::Watch::look() {
   if (!left_) return;
   if (!socket_) socket_ = find_socket(connection_);
-  if (client_has_left(*socket_)) std::exchange(left_, nullptr)();
+  // Of a connection that was reset the system does not know the ends any more.
+  if (*socket_ < 0 || client_has_left(*socket_)) std::exchange(left_, nullptr)();
 }
 
 Departures::Watch::Watch(Departures& departures, ConnectionEnds connection,

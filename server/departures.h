@@ -36,7 +36,7 @@ class Departures {
 
     Departures& departures_;
     const ConnectionEnds connection_;
-    std::optional<int> socket_;   ///< found at the first look
+    std::optional<int> socket_;   ///< looked for at the first look; -1: not there any more
     std::function<void()> left_;  ///< null once called
   };
 

@@ -59,25 +59,29 @@ bool RawConnection::read_some() {
   return count > 0;
 }
 
-bool RawConnection::receives(std::string_view text, std::chrono::milliseconds limit) {
+/// Also if the end comes first.
+template <typename Predicate>
+bool RawConnection::reads_until(Predicate holds, std::chrono::milliseconds limit) {
   eventually(
       [&] {
-        while (read_some()) {
+        while (!holds() && read_some()) {
         }
-        return ended_ || received_.find(text) != std::string::npos;
+        return ended_ || holds();
       },
       limit);
-  return received_.find(text) != std::string::npos;
+  return holds();
+}
+
+bool RawConnection::receives(std::string_view text, std::chrono::milliseconds limit) {
+  return reads_until([&] { return received_.find(text) != std::string::npos; }, limit);
+}
+
+bool RawConnection::receives(std::size_t byte_count, std::chrono::milliseconds limit) {
+  return reads_until([&] { return received_.size() >= byte_count; }, limit);
 }
 
 bool RawConnection::ends(std::chrono::milliseconds limit) {
-  return eventually(
-      [&] {
-        while (read_some()) {
-        }
-        return ended_;
-      },
-      limit);
+  return reads_until([&] { return ended_; }, limit);
 }
 
 int count_answers(std::string_view bytes) {
