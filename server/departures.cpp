@@ -20,8 +20,11 @@ void Departures::look() {
   constexpr std::chrono::milliseconds interval{50};
   std::unique_lock lock(mutex_);
   for (;;) {
-    is_idle_ = watched_.empty();
-    changed_.wait(lock, [&] { return closing_ || !watched_.empty(); });
+    // Again after a watch that woke this thread and was over before it ran: the next must wake it.
+    changed_.wait(lock, [&] {
+      is_idle_ = !closing_ && watched_.empty();
+      return !is_idle_;
+    });
     if (changed_.wait_for(lock, interval, [&] { return closing_; })) return;
     for (Watch* const watch : watched_) watch->look();
   }

@@ -55,6 +55,9 @@ TEST(Departure, waiting_render_leaves_the_queue_with_its_client) {
 
 TEST(Departure, render_ends_whose_client_left_in_the_first_moment) {
   const ServerProcess server({"--threads", "1", "--max-queue", "20"});
+  // Renders that are over before anybody looked at their clients.
+  for (int i = 0; i < 200; ++i)
+    ASSERT_EQ(post(server, "/render", as_another_picture(small_scene, i)).status, 200);
   for (int i = 0; i < 20; ++i) {
     RawConnection client(server.port());
     // The second request is never read, so that closing resets the connection.
