@@ -85,10 +85,13 @@ bool RawConnection::ends(std::chrono::milliseconds limit) {
 }
 
 int count_answers(std::string_view bytes) {
+  constexpr std::string_view protocol = "HTTP/1.1 ";
   int count = 0;
-  for (std::size_t at = bytes.find("HTTP/1.1 "); at != std::string_view::npos;
-       at = bytes.find("HTTP/1.1 ", at + 1))
-    ++count;
+  for (std::size_t at = bytes.find(protocol); at != std::string_view::npos;
+       at = bytes.find(protocol, at + 1)) {
+    const std::string_view status = bytes.substr(at + protocol.size(), 1);
+    if (status >= "1" && status <= "5") ++count;  // and not a sentence about HTTP/1.1
+  }
   return count;
 }
 
