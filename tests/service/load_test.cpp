@@ -46,7 +46,7 @@ double metric(const ServerProcess& server, const std::string& name) {
 
 /// The job's path, once it runs.
 std::string start_job(const ServerProcess& server, const std::string& target) {
-  const std::string path = request(server, "POST", target).get_header_value("Location");
+  std::string path = request(server, "POST", target).get_header_value("Location");
   EXPECT_TRUE(
       eventually([&] { return json_of(get(server, path)).value("status", "") == "running"; }));
   return path;
@@ -86,6 +86,7 @@ TEST(Load, overload_is_refused_and_health_is_not_disturbed) {
   std::mutex mutex;
   std::map<int, int> counts;
   std::vector<std::thread> clients;
+  clients.reserve(60);
   std::atomic<int> left{60};
   for (int i = 0; i < 60; ++i)
     clients.emplace_back([&, i] {

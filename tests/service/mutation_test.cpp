@@ -206,6 +206,7 @@ TEST(Mutation, requests_are_answered_and_harm_nobody) {
   std::map<int, int> counts;
   const auto begin = std::chrono::steady_clock::now();
   std::vector<std::thread> clients;
+  clients.reserve(client_count);
   for (int i = 0; i < client_count; ++i)
     clients.emplace_back([&, i] {
       Mutator mutator(seed + static_cast<unsigned>(i));
