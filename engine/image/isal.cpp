@@ -9,11 +9,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <stdexcept>
 #include <vector>
 
-#include "engine/image/picture_codes.h"
+#include "engine/image/picture_symbols.h"
 #include "engine/parallel/chunks.h"
 
 namespace raytracer {
@@ -64,12 +65,35 @@ Checksum checksum_of(std::span<const unsigned char> bytes) {
   return Checksum(adler);
 }
 
+isal_hufftables make_picture_codes() {
+  constexpr unsigned int bytes = 256;
+  isal_huff_histogram histogram{};
+  for (unsigned int byte = 0; byte < bytes; ++byte) {
+    const unsigned int difference = std::min(byte, bytes - byte);
+    histogram.lit_len_histogram[byte] = picture_symbols::differences[std::bit_width(difference)];
+  }
+  histogram.lit_len_histogram[bytes] = picture_symbols::ends;
+  std::copy(picture_symbols::lengths.begin(), picture_symbols::lengths.end(),
+            histogram.lit_len_histogram + bytes + 1);
+  std::copy(picture_symbols::distances.begin(), picture_symbols::distances.end(),
+            histogram.dist_histogram);
+  isal_hufftables codes{};
+  if (isal_create_hufftables(&codes, &histogram) != 0)
+    throw std::logic_error("ISA-L finds no codes for pictures");
+  return codes;
+}
+
+const isal_hufftables& picture_codes() {
+  static const isal_hufftables codes = make_picture_codes();
+  return codes;
+}
+
 /// Deflates a strip to `out`, which has room for largest_compressed() of it. Returns the size.
 std::size_t deflate_strip(std::span<const unsigned char> bytes, bool is_last, unsigned char* out) {
   isal_zstream stream;
   isal_deflate_stateless_init(&stream);
   LargeArray<std::uint8_t> work_area;
-  if (bytes.size() <= largest_with_picture_codes) {
+  if (bytes.size() <= picture_symbols::largest_picture) {
     // Level 0 takes codes that are there, level 1 makes its own; ISA-L only reads them.
     stream.hufftables = const_cast<isal_hufftables*>(&picture_codes());
   } else {
