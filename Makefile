@@ -7,7 +7,7 @@ JOBS ?= $(shell getconf _NPROCESSORS_ONLN)
 MAKEFLAGS += --no-print-directory
 
 sources = $(shell find engine server client tests -name '*.h' -o -name '*.cpp')
-scripts = raytracer-demo .ci/install .ci/run tests/instructions/check tests/package/check
+scripts = raytracer-demo .ci/install .ci/run tests/instructions/check tests/load/run tests/package/check
 
 # Configures every time: it takes a second, and finds what was installed since the last time.
 # $(1) is the directory, $(2) more flags.
@@ -25,7 +25,7 @@ define test_in
 	$(3) ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
 endef
 
-.PHONY: all test check sanitize tsan tradeoff bench extremes fuzz install clean help
+.PHONY: all test check sanitize tsan tradeoff bench extremes fuzz load soak install clean help
 
 all:
 	$(call configure,build)
@@ -89,6 +89,18 @@ fuzz:
 	  -dict=../tests/fuzz/scene.dict -max_len=4096 documents ../server/scenes ../tests/extremes/scenes
 	cd build-fuzz && ./fuzz_render -max_total_time=$(fuzz_seconds) -timeout=20 -max_len=600 scenes
 
+load: all
+	.ci/install build load
+	@tests/load/run build
+
+# Ten minutes of mixed traffic; fails if the server then holds more than at first.
+soak_seconds ?= 600
+soak:
+	.ci/install build test
+	$(call configure,build,-DRAYTRACER_TESTS=ON)
+	@cmake --build build --parallel $(JOBS) --target raytracer_soak
+	@build/raytracer_soak $(soak_seconds)
+
 # DESTDIR, as packagers use it, is read by cmake itself.
 install: all
 	cmake --install build --prefix $(PREFIX)
@@ -106,6 +118,8 @@ help:
 	@echo "make bench     times against Embree and POV-Ray, written to tests/bench/runs"
 	@echo "make extremes  scenes at the extremes against exact pictures, written to tests/extremes/runs"
 	@echo "make fuzz      a minute each of random documents and of random scenes, with libFuzzer"
+	@echo "make load      small pictures a second against /healthz, with wrk"
+	@echo "make soak      ten minutes of mixed traffic: no memory, thread or descriptor is lost"
 	@echo "make install   both programs to PREFIX ($(PREFIX)), below DESTDIR if that is set"
 	@echo "make clean     remove what was built"
 

@@ -10,10 +10,13 @@
 namespace raytracer {
 
 struct Admission::Entry {
+  Entry(RenderProgress& of, Clock::time_point now) : progress(of), entered(now) {}
+
   RenderProgress& progress;
   Clock::time_point entered;
   Clock::time_point started{};
   bool is_running = false;
+  std::condition_variable turn_came{};  ///< its own: a turn wakes nobody but whose it is
 };
 
 Admission::Admission(std::size_t most_running, std::size_t most_waiting)
@@ -22,7 +25,7 @@ Admission::Admission(std::size_t most_running, std::size_t most_waiting)
 Admission::Place Admission::enter(RenderProgress& progress) {
   const std::scoped_lock lock(mutex_);
   demand_open_locked();
-  auto entry = std::make_unique<Entry>(Entry{progress, Clock::now()});
+  auto entry = std::make_unique<Entry>(progress, Clock::now());
   if (running_.size() >= most_running_ && !may_wait()) refuse_full();
   waiting_.push_back(entry.get());
   let_in_next();
@@ -59,7 +62,7 @@ void Admission::demand_open_locked() const {
 void Admission::close() {
   const std::scoped_lock lock(mutex_);
   closed_ = true;
-  changed_.notify_all();
+  for (Entry* const entry : waiting_) entry->turn_came.notify_all();
 }
 
 void Admission::stop_running() {
@@ -84,7 +87,7 @@ bool Admission::is_full() const {
 
 bool Admission::wait_until_empty(std::chrono::milliseconds timeout) const {
   std::unique_lock lock(mutex_);
-  return changed_.wait_for(lock, timeout, [&] { return running_.empty() && waiting_.empty(); });
+  return emptied_.wait_for(lock, timeout, [&] { return running_.empty() && waiting_.empty(); });
 }
 
 void Admission::leave(Entry& entry) {
@@ -96,7 +99,7 @@ void Admission::leave(Entry& entry) {
   std::erase(running_, &entry);
   std::erase(waiting_, &entry);
   let_in_next();
-  changed_.notify_all();
+  if (running_.empty() && waiting_.empty()) emptied_.notify_all();
 }
 
 void Admission::let_in_next() {
@@ -106,8 +109,8 @@ void Admission::let_in_next() {
     running_.push_back(next);
     next->is_running = true;
     next->started = Clock::now();
+    next->turn_came.notify_all();
   }
-  changed_.notify_all();
 }
 
 /// When those who wait now will have been served, if renders go on as they did.
@@ -138,7 +141,7 @@ bool Admission::Place::wait_for_turn() {
   while (!entry_->is_running) {
     if (entry_->progress.stop) return false;
     admission_->demand_open_locked();
-    admission_->changed_.wait_for(lock, look_again);
+    entry_->turn_came.wait_for(lock, look_again);
   }
   return !entry_->progress.stop;
 }

@@ -65,7 +65,7 @@ class Admission {
   const std::size_t most_running_;
   const std::size_t most_waiting_;
   mutable std::mutex mutex_;
-  mutable std::condition_variable changed_;
+  mutable std::condition_variable emptied_;
   std::vector<Entry*> running_;
   std::deque<Entry*> waiting_;
   std::size_t companions_ = 0;

@@ -44,6 +44,9 @@ void answer_bytes(httplib::Response& response, std::string bytes, std::string_vi
 
 void answer_shared_bytes(httplib::Response& response, std::shared_ptr<const std::string> bytes,
                          std::string_view media_type) {
+  constexpr std::size_t quickly_copied =
+      16'384;  // httplib asks the socket more for what it is given
+  if (bytes->size() <= quickly_copied) return answer_bytes(response, *bytes, media_type);
   response.status = 200;
   const std::size_t length = bytes->size();
   response.set_content_provider(

@@ -80,19 +80,18 @@ std::int64_t body_length(const httplib::Request& request) {
   return announced_length(request).value_or(0);
 }
 
-std::string read_body(Call& call) {
+std::string read_body(Call& call, std::int64_t length) {
   using Clock = std::chrono::steady_clock;
-  constexpr std::size_t bytes_per_s = 1'000'000;
-  const auto length = static_cast<std::size_t>(body_length(call.request));
-  const auto deadline =
-      Clock::now() + std::chrono::seconds(30) + std::chrono::seconds(length / bytes_per_s);
+  constexpr std::int64_t bytes_per_s = 1'000'000;
+  const auto deadline = Clock::now() + std::chrono::seconds(30 + length / bytes_per_s);
   std::string body;
-  body.reserve(length);  // growing, it would be held twice; what does not arrive is not written
+  body.reserve(static_cast<std::size_t>(
+      length));  // growing, it would be held twice; what does not arrive is not written
   const bool is_complete = (*call.content)([&](const char* bytes, std::size_t count) {
     body.append(bytes, count);
     return Clock::now() < deadline;
   });
-  if (!is_complete || body.size() != length)
+  if (!is_complete || static_cast<std::int64_t>(body.size()) != length)
     refuse(408, fmt::format("Only {} of the body's {} bytes arrived in time", body.size(), length));
   call.body_was_read = true;
   return body;

@@ -26,7 +26,8 @@ void demand_scene_body(const httplib::Request& request, std::int64_t most_bytes)
 /// The Content-Length, 0 without one; the request was judged before.
 std::int64_t body_length(const httplib::Request& request);
 
-/// The whole body. Throws Refusal 408 if it is late: 30 s and 1 s for each megabyte.
-std::string read_body(Call& call);
+/// The whole body, of body_length(). Throws Refusal 408 if it is late: 30 s and 1 s for each
+/// megabyte.
+std::string read_body(Call& call, std::int64_t length);
 
 }  // namespace raytracer

@@ -19,7 +19,7 @@
 namespace raytracer {
 namespace {
 
-// The HTTP threads outnumber those who wait, and httplib's select() ends at 1,024 descriptors.
+// Each of those who wait holds a connection, and most systems give a process 1,024 descriptors.
 constexpr std::int64_t longest_queue = 500;
 constexpr std::int64_t most_memory = 1LL << 40;  // bytes
 

@@ -1,6 +1,7 @@
 #include "server/connection.h"
 
 #include <netdb.h>
+#include <netinet/in.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -21,30 +22,39 @@ constexpr short end_of_input = 0;
 
 using NameFunction = int (*)(int, sockaddr*, socklen_t*);
 
-/// One end of a TCP connection, in figures.
+/// One end of a TCP connection.
 struct End {
-  std::string address;
-  std::string port;
+  sockaddr_storage storage{};
+  socklen_t length = sizeof storage;
+
+  const sockaddr* address() const { return reinterpret_cast<const sockaddr*>(&storage); }
+
+  int port() const {
+    return ntohs(storage.ss_family == AF_INET
+                     ? reinterpret_cast<const sockaddr_in*>(&storage)->sin_port
+                     : reinterpret_cast<const sockaddr_in6*>(&storage)->sin6_port);
+  }
+
+  /// In figures; empty if the system has none.
+  std::string host() const {
+    std::array<char, NI_MAXHOST> host{};
+    if (getnameinfo(address(), length, host.data(), host.size(), nullptr, 0, NI_NUMERICHOST) != 0)
+      return {};
+    return host.data();
+  }
 };
 
 /// What getpeername or getsockname tells; nothing if the descriptor is no TCP connection.
 std::optional<End> end_of(int socket, NameFunction name_of_end) {
-  sockaddr_storage storage{};
-  socklen_t length = sizeof storage;
-  auto* const end = reinterpret_cast<sockaddr*>(&storage);
-  if (name_of_end(socket, end, &length) != 0) return {};
-  if (storage.ss_family != AF_INET && storage.ss_family != AF_INET6) return {};
-  std::array<char, NI_MAXHOST> host{};
-  std::array<char, NI_MAXSERV> service{};
-  if (getnameinfo(end, length, host.data(), host.size(), service.data(), service.size(),
-                  NI_NUMERICHOST | NI_NUMERICSERV) != 0)
-    return {};
-  return End{host.data(), service.data()};
+  End end;
+  if (name_of_end(socket, reinterpret_cast<sockaddr*>(&end.storage), &end.length) != 0) return {};
+  if (end.storage.ss_family != AF_INET && end.storage.ss_family != AF_INET6) return {};
+  return end;
 }
 
 bool end_is(int socket, NameFunction name_of_end, const std::string& address, int port) {
   const std::optional<End> end = end_of(socket, name_of_end);
-  return end && end->address == address && end->port == std::to_string(port);
+  return end && end->port() == port && end->host() == address;  // the text last: it takes longest
 }
 
 int descriptor_limit() {
@@ -70,7 +80,7 @@ void hang_up_all(int local_port) {
   const int limit = descriptor_limit();
   for (int socket = 0; socket < limit; ++socket) {
     const std::optional<End> local = end_of(socket, getsockname);
-    if (local && local->port == std::to_string(local_port) && end_of(socket, getpeername))
+    if (local && local->port() == local_port && end_of(socket, getpeername))
       shutdown(socket, SHUT_RDWR);
   }
 }

@@ -3,8 +3,6 @@
 #include <chrono>
 #include <utility>
 
-#include "server/connection.h"
-
 namespace raytracer {
 
 Departures::Departures() : thread_([this] { look(); }) {}
@@ -22,18 +20,29 @@ void Departures::look() {
   constexpr std::chrono::milliseconds interval{50};
   std::unique_lock lock(mutex_);
   for (;;) {
-    changed_.wait(lock, [&] { return closing_ || !watched_.empty(); });
+    // Again after a watch that woke this thread and was over before it ran: the next must wake it.
+    changed_.wait(lock, [&] {
+      is_idle_ = !closing_ && watched_.empty();
+      return !is_idle_;
+    });
     if (changed_.wait_for(lock, interval, [&] { return closing_; })) return;
-    for (Watch* const watch : watched_)
-      if (watch->left_ && client_has_left(watch->socket_)) std::exchange(watch->left_, nullptr)();
+    for (Watch* const watch : watched_) watch->look();
   }
 }
 
-Departures::Watch::Watch(Departures& departures, int socket, std::function<void()> left)
-    : departures_(departures), socket_(socket), left_(std::move(left)) {
+void Departures::Watch::look() {
+  if (!left_) return;
+  if (!socket_) socket_ = find_socket(connection_);
+  // Of a connection that was reset the system does not know the ends any more.
+  if (*socket_ < 0 || client_has_left(*socket_)) std::exchange(left_, nullptr)();
+}
+
+Departures::Watch::Watch(Departures& departures, ConnectionEnds connection,
+                         std::function<void()> left)
+    : departures_(departures), connection_(std::move(connection)), left_(std::move(left)) {
   const std::scoped_lock lock(departures_.mutex_);
   departures_.watched_.push_back(this);
-  departures_.changed_.notify_all();
+  if (std::exchange(departures_.is_idle_, false)) departures_.changed_.notify_all();
 }
 
 Departures::Watch::~Watch() {

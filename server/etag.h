@@ -18,9 +18,13 @@ std::string content_digest(const Scene& scene);
 /// Hexadecimal digest of everything that decides the picture. Takes the same time for every scene.
 std::string picture_digest(std::string_view content_digest, const Scene& view);
 
-/// The strong entity tag, with its quotes, of the picture drawn by this build on this machine in
-/// one media type.
-std::string entity_tag(std::string_view picture_digest, std::string_view media_type);
+/// Who draws: this build, the machine's instruction set, its processor. Slow, as asking a virtual
+/// machine's processor for its name is: to be asked once.
+std::string maker_of_pictures(const Machine& machine);
+
+/// The strong entity tag, with its quotes, of the picture as `maker` draws it in one media type.
+std::string entity_tag(std::string_view picture_digest, std::string_view media_type,
+                       std::string_view maker);
 
 /// Whether an If-None-Match field names `tag`, by weak comparison (RFC 9110, 13.1.2), or is "*".
 bool names_tag(std::string_view if_none_match, std::string_view tag);

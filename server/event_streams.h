@@ -1,11 +1,10 @@
 // Server-sent events about a job (the WHATWG's text/event-stream), and how many such streams may be
 // open at once.
 //
-// httplib gives each connection a thread, and a stream holds it until the job has ended: the
-// listener has as many threads more as there may be streams, and further ones are refused, because
-// polling serves as well. A step of a stream waits a tenth of a second at most, so that a client
-// that left and a server that ends are seen soon; only a client that reads nothing can hold it
-// longer, in a write, and httplib ends those.
+// httplib gives each connection a thread, and a stream holds it until the job has ended: there may
+// be a few, and further ones are refused, because polling serves as well. A step of a stream waits
+// a tenth of a second at most, so that a client that left and a server that ends are seen soon;
+// only a client that reads nothing can hold it longer, in a write, and httplib ends those.
 #pragma once
 
 #include <atomic>

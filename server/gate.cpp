@@ -27,6 +27,12 @@ void demand_plain_field_names(const httplib::Request& request) {
       throw Refusal({400, "A header field's name contains white space"});
 }
 
+/// RFC 9112, 3.2: proxies would route by the one or by the other.
+void demand_one_host(const httplib::Request& request) {
+  if (request.version == "HTTP/1.1" && request.get_header_value_count("Host") != 1)
+    throw Refusal({400, "A request must have one Host field"});
+}
+
 void demand_token(const httplib::Request& request, const std::string& token) {
   const bool is_open = request.path == "/healthz" || request.path == "/readyz";
   if (token.empty() || is_open) return;
@@ -43,6 +49,7 @@ RouteTable::Match pass_gate(const httplib::Request& request, const RouteTable& r
                             const Config& config) {
   demand_short_target(request);
   demand_plain_field_names(request);
+  demand_one_host(request);
   demand_token(request, config.token);
   RouteTable::Match match = routes.match(request.method, request.path);
   if (match.route.body == RequestBody::none)

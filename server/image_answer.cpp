@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdint>
+
 #include "server/answer.h"
 #include "server/etag.h"
 #include "server/header_text.h"
@@ -11,17 +14,13 @@
 namespace raytracer {
 namespace {
 
-std::string tag_of(const std::string& digest, ImageFormat format) {
-  return entity_tag(digest, media_type(format));
-}
-
-void set_caching(httplib::Response& response, const Reproducible& digest, ImageFormat format) {
+void set_caching(httplib::Response& response, const Representation& wanted) {
   response.set_header("Vary", "Accept");
-  if (!digest) {
+  if (!wanted.tag) {
     response.set_header("Cache-Control", "no-store");
     return;
   }
-  response.set_header("ETag", tag_of(*digest, format));
+  response.set_header("ETag", *wanted.tag);
   // May be stored, but is to be asked for again: another build draws another picture.
   response.set_header("Cache-Control", "no-cache");
 }
@@ -33,6 +32,13 @@ bool wants_anew(const httplib::Request& request) {
     found = found || lower_case(directive) == "no-cache";
   });
   return found;
+}
+
+/// Milliseconds with three decimals: as whole microseconds, because fmt takes longer for the six
+/// doubles of an answer than the smallest picture takes to plan.
+std::string milliseconds(double ms) {
+  const std::int64_t us = std::llround(1000 * ms);
+  return fmt::format("{}.{:03}", us / 1000, us % 1000);
 }
 
 /// What of the making this request waited for, and that it was no more.
@@ -52,9 +58,9 @@ std::string server_timing(const Delivery& delivery, double parse_ms) {
       break;
   }
   return fmt::format(
-      "queue;dur={:.3f}, parse;dur={:.3f}, plan;dur={:.3f}, build;dur={:.3f}, trace;dur={:.3f}, "
-      "encode;dur={:.3f}{}",
-      stages.queue_ms, parse_ms, stages.plan_ms, stages.build_ms, stages.trace_ms, stages.encode_ms,
+      "queue;dur={}, parse;dur={}, plan;dur={}, build;dur={}, trace;dur={}, encode;dur={}{}",
+      milliseconds(stages.queue_ms), milliseconds(parse_ms), milliseconds(stages.plan_ms),
+      milliseconds(stages.build_ms), milliseconds(stages.trace_ms), milliseconds(stages.encode_ms),
       origin);
 }
 
@@ -65,12 +71,14 @@ Reproducible reproducible_digest(const SceneRequest& request) {
   return picture_digest(request.known->content_digest, request.scene);
 }
 
-ImageWish wish_of(const Call& call, const Reproducible& digest, ImageFormat format) {
-  ImageWish wish;
-  if (digest) wish.tag = tag_of(*digest, format);
-  wish.anew = wants_anew(call.request);
-  wish.socket = find_socket(ends_of(call.request));
-  return wish;
+Representation represent(const Reproducible& digest, ImageFormat format, std::string_view maker) {
+  Representation wanted{format, {}};
+  if (digest) wanted.tag = entity_tag(*digest, media_type(format), maker);
+  return wanted;
+}
+
+ImageWish wish_of(const Call& call, const Representation& wanted) {
+  return {wanted.tag, wants_anew(call.request), ends_of(call.request)};
 }
 
 ImageFormat demand_format(const httplib::Request& request) {
@@ -81,28 +89,29 @@ ImageFormat demand_format(const httplib::Request& request) {
                                   media_type(ImageFormat::pfm))});
 }
 
-bool answer_not_modified(Call& call, const Reproducible& digest, ImageFormat format) {
-  if (!digest || wants_anew(call.request)) return false;
-  const std::string known = header_list(call.request, "If-None-Match");
-  if (!names_tag(known, tag_of(*digest, format))) return false;
+bool answer_not_modified(Call& call, const Representation& wanted) {
+  if (!wanted.tag || !call.request.has_header("If-None-Match")) return false;
+  if (wants_anew(call.request)) return false;
+  if (!names_tag(header_list(call.request, "If-None-Match"), *wanted.tag)) return false;
   call.response.status = 304;
-  set_caching(call.response, digest, format);
+  set_caching(call.response, wanted);
   return true;
 }
 
-void answer_image(Call& call, const Delivery& delivery, double parse_ms, const Reproducible& digest,
-                  ImageFormat format) {
+void answer_image(Call& call, const Delivery& delivery, double parse_ms,
+                  const Representation& wanted) {
   httplib::Response& response = call.response;
-  answer_shared_bytes(response, {delivery.image, &delivery.image->bytes}, media_type(format));
-  set_caching(response, digest, format);
+  answer_shared_bytes(response, {delivery.image, &delivery.image->bytes},
+                      media_type(wanted.format));
+  set_caching(response, wanted);
   response.set_header("Server-Timing", server_timing(delivery, parse_ms));
   for (const auto& [name, value] : delivery.image->fields) response.set_header(name, value);
 }
 
-void answer_image_head(Call& call, const Reproducible& digest, ImageFormat format) {
+void answer_image_head(Call& call, const Representation& wanted) {
   call.response.status = 200;
-  call.response.set_header("Content-Type", std::string(media_type(format)));
-  set_caching(call.response, digest, format);
+  call.response.set_header("Content-Type", std::string(media_type(wanted.format)));
+  set_caching(call.response, wanted);
 }
 
 }  // namespace raytracer

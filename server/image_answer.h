@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "engine/engine.h"
 #include "server/call.h"
@@ -21,18 +22,25 @@ Reproducible reproducible_digest(const SceneRequest& request);
 /// The format that the call's Accept asks for. Throws Refusal 406.
 ImageFormat demand_format(const httplib::Request& request);
 
+/// What is to be answered.
+struct Representation {
+  ImageFormat format;
+  std::optional<std::string> tag;  ///< its entity tag, if the same request would give it again
+};
+Representation represent(const Reproducible& digest, ImageFormat format, std::string_view maker);
+
 /// Answers 304 if the client has this picture already and does not insist (Cache-Control:
 /// no-cache); returns whether it did.
-bool answer_not_modified(Call& call, const Reproducible& digest, ImageFormat format);
+bool answer_not_modified(Call& call, const Representation& wanted);
 
 /// What the call asks Images for.
-ImageWish wish_of(const Call& call, const Reproducible& digest, ImageFormat format);
+ImageWish wish_of(const Call& call, const Representation& wanted);
 
 /// The picture, with its stages as far as this call waited for them.
-void answer_image(Call& call, const Delivery& delivery, double parse_ms, const Reproducible& digest,
-                  ImageFormat format);
+void answer_image(Call& call, const Delivery& delivery, double parse_ms,
+                  const Representation& wanted);
 
 /// The fields that a GET would have, without drawing anything: for HEAD.
-void answer_image_head(Call& call, const Reproducible& digest, ImageFormat format);
+void answer_image_head(Call& call, const Representation& wanted);
 
 }  // namespace raytracer

@@ -73,7 +73,7 @@ Delivery Images::fetch(const ImageWish& wish, const Make& make) {
     ++flight->interested;
   }
   Passenger passenger(*this, flight);
-  const Departures::Watch watch(departures_, wish.socket, [&] { passenger.leave(); });
+  const Departures::Watch watch(departures_, wish.connection, [&] { passenger.leave(); });
   return is_first ? make_now(wish, make, *flight) : wait_for(*flight, passenger);
 }
 

@@ -17,6 +17,7 @@
 
 #include "engine/engine.h"
 #include "server/admission.h"
+#include "server/connection.h"
 #include "server/departures.h"
 #include "server/finished_image.h"
 #include "server/lru_memory.h"
@@ -37,7 +38,7 @@ struct Delivery {
 struct ImageWish {
   std::optional<std::string> tag;  ///< its entity tag; none: it will never be the same again
   bool anew = false;               ///< neither remembered nor shared, but made now
-  int socket = -1;                 ///< of the client's connection
+  ConnectionEnds connection{};     ///< the client's
 };
 
 /// Every member function may be called from any thread.

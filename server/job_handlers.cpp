@@ -96,12 +96,13 @@ void get_job_image(Services& services, Call& call) {
                                     name_of(job->task), job->id)});
   const Rendering* const rendering = job->rendering();
   if (!rendering) return answer_image_so_far(services, call, *job, format);
-  if (answer_not_modified(call, job->digest, format)) return;
-  if (call.is_head()) return answer_image_head(call, job->digest, format);
+  const Representation wanted = represent(job->digest, format, services.maker);
+  if (answer_not_modified(call, wanted)) return;
+  if (call.is_head()) return answer_image_head(call, wanted);
   const auto image = std::make_shared<const FinishedImage>(
       finish_image(*rendering, job->queue_ms(), format, services.pool));
   services.metrics.took(Stage::encode, image->stages.encode_ms);
-  answer_image(call, {image}, job->parse_ms, job->digest, format);
+  answer_image(call, {image}, job->parse_ms, wanted);
 }
 
 void get_job_result(Services& services, Call& call) {

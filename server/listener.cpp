@@ -11,16 +11,12 @@
 
 #include "server/answer.h"
 #include "server/body.h"
+#include "server/connection_threads.h"
 #include "server/gate.h"
 #include "server/problem.h"
-#include "server/services.h"
 
 namespace raytracer {
 namespace {
-
-/// Threads beyond those that may be held by renders and event streams: for everything that answers
-/// at once.
-constexpr std::size_t spare_threads = 32;
 
 // Nothing but this server's own files runs in the page; nobody else's page may frame it.
 constexpr const char* content_security_policy =
@@ -69,9 +65,7 @@ Listener::Listener(const Config& config, const RouteTable& routes, RequestLog& l
 }
 
 void Listener::set_options() {
-  const std::size_t thread_count =
-      config_.max_queue + renders_at_once + most_event_streams + spare_threads;
-  server_.new_task_queue = [thread_count] { return new httplib::ThreadPool(thread_count); };
+  server_.new_task_queue = [] { return new ConnectionThreads(most_connections()); };
   // Without SO_REUSEPORT, httplib's default: a second server would share the port in silence.
   server_.set_socket_options([this](socket_t socket) {
     const int yes = 1;

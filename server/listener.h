@@ -1,8 +1,8 @@
 // The HTTP server: httplib with its traps closed, between the route table and the network.
 //
 // httplib reads requests and writes answers; which handler answers is the route table's business.
-// One HTTP thread serves one connection; there are more of them than renders can run and wait and
-// event streams be open together, so that /healthz always finds one. Tracing has its own threads.
+// Each connection has a thread of its own (connection_threads.h), so that /healthz waits for
+// nobody. Tracing has its own threads.
 #pragma once
 
 #include <httplib.h>

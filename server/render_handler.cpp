@@ -13,8 +13,9 @@ void post_or_get_render(Services& services, Call& call) {
   const RenderQuery query = read_query(call.request.target, QueryOf::render);
   const SceneRequest request = read_scene_request(call, query, services);
   const Reproducible digest = reproducible_digest(request);
-  if (answer_not_modified(call, digest, format)) return;
-  if (call.is_head()) return answer_image_head(call, digest, format);
+  const Representation wanted = represent(digest, format, services.maker);
+  if (answer_not_modified(call, wanted)) return;
+  if (call.is_head()) return answer_image_head(call, wanted);
 
   const auto make_with = [&](const auto& render, RenderProgress& progress) {
     auto rendering = decltype(render(request.scene, Limits{}, services.pool, progress)){};
@@ -30,8 +31,8 @@ void post_or_get_render(Services& services, Call& call) {
   const auto make = [&](RenderProgress& progress) {
     return holds_floats(format) ? make_with(render, progress) : make_with(render_bytes, progress);
   };
-  const Delivery delivery = services.images.fetch(wish_of(call, digest, format), make);
-  answer_image(call, delivery, request.parse_ms, digest, format);
+  const Delivery delivery = services.images.fetch(wish_of(call, wanted), make);
+  answer_image(call, delivery, request.parse_ms, wanted);
 }
 
 }  // namespace raytracer

@@ -29,16 +29,16 @@ void post_scene(Services& services, Call& call) {
     throw Refusal({400, "POST /scenes takes no query: views of the scene say theirs later"});
   const SceneRequest request = read_scene_request(call, {}, services);
   const KnownScene& scene = *request.known;
-  services.scenes.keep(request.known);
+  const std::string id = services.scenes.keep(request.known);
   answer_json(call.response, 201,
-              {{"id", scene.id},
+              {{"id", id},
                {"objects", count_objects(scene.scene)},
                {"lights", scene.scene.lights.size()},
                {"width", scene.scene.camera.width},
                {"height", scene.scene.camera.height},
                {"bytes", scene.bytes()},
-               {"render", "/render?scene=" + scene.id}});
-  call.response.set_header("Location", "/scenes/" + scene.id);
+               {"render", "/render?scene=" + id}});
+  call.response.set_header("Location", "/scenes/" + id);
   call.response.set_header("Cache-Control", "no-store");
 }
 

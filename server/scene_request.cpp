@@ -19,8 +19,9 @@ SceneRequest read_scene_request(Call& call, const RenderQuery& query, Services& 
   BodyMemory::Share share;
   std::string body;
   if (!query.scene) {
-    share = services.body_memory.take(body_length(call.request));
-    body = read_body(call);
+    const std::int64_t length = body_length(call.request);
+    share = services.body_memory.take(length);
+    body = read_body(call, length);
   }
   const auto begin = std::chrono::steady_clock::now();
   SceneView view = query.scene ? services.scenes.at(*query.scene, query.overrides)

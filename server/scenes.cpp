@@ -20,8 +20,7 @@ bool is_scene_id(std::string_view name) {
 }  // namespace
 
 std::size_t KnownScene::bytes() const {
-  return sizeof *this + memory_bytes(scene) + document.capacity() + content_digest.capacity() +
-         id.capacity();
+  return sizeof *this + memory_bytes(scene) + document.capacity() + content_digest.capacity();
 }
 
 Scenes::Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_kept,
@@ -36,7 +35,6 @@ SceneView Scenes::read(std::string document, const Overrides& overrides) {
   auto known = std::make_shared<KnownScene>();
   known->scene = read.value().scene;
   known->content_digest = content_digest(known->scene);
-  known->id = picture_digest(known->content_digest, known->scene).substr(0, id_length);
   document.shrink_to_fit();
   known->document = std::move(document);
   read_.keep(text_digest, known, known->bytes() + text_digest.size());
@@ -49,9 +47,10 @@ SceneView Scenes::view(std::shared_ptr<const KnownScene> known, const Overrides&
   return {std::move(known), view.value()};
 }
 
-void Scenes::keep(const std::shared_ptr<const KnownScene>& scene) {
+std::string Scenes::keep(const std::shared_ptr<const KnownScene>& scene) {
   const std::size_t bytes = scene->bytes() + id_length;
-  if (kept_.keep(scene->id, scene, bytes)) return;
+  std::string id = picture_digest(scene->content_digest, scene->scene).substr(0, id_length);
+  if (kept_.keep(id, scene, bytes)) return id;
   throw Refusal({413, fmt::format("The scene takes {} bytes in memory, but this server keeps {} in "
                                   "all (--max-kept); POST it to /render instead",
                                   bytes, kept_.most_bytes())});

@@ -21,7 +21,6 @@ struct KnownScene {
   Scene scene;                 ///< as its document says it; only views are within all limits
   std::string content_digest;  ///< see etag.h
   std::string document;
-  std::string id;  ///< 32 hexadecimal digits, the same for all documents that mean this scene
 
   /// What it takes in memory.
   std::size_t bytes() const;
@@ -47,8 +46,9 @@ class Scenes {
   /// or with the view's errors.
   SceneView at(std::string_view name, const Overrides& overrides);
 
-  /// Keeps it, so that at() finds it by its id. Throws Refusal 413 if it is too large for that.
-  void keep(const std::shared_ptr<const KnownScene>& scene);
+  /// Keeps it, so that at() finds it by its id, which is returned: 32 hexadecimal digits, the same
+  /// for all documents that mean this scene. Throws Refusal 413 if it is too large for that.
+  std::string keep(const std::shared_ptr<const KnownScene>& scene);
 
   /// Its document, which is not read for that. Throws Refusal 404.
   std::string document(std::string_view name);

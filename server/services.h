@@ -1,7 +1,7 @@
 // Everything that the handlers share, in the order in which it has to begin and end.
 #pragma once
 
-#include <algorithm>
+#include <string>
 #include <string_view>
 
 #include "engine/engine.h"
@@ -10,6 +10,7 @@
 #include "server/catalog.h"
 #include "server/config.h"
 #include "server/departures.h"
+#include "server/etag.h"
 #include "server/event_streams.h"
 #include "server/images.h"
 #include "server/jobs.h"
@@ -29,6 +30,7 @@ struct Services {
         body_memory(2 * config.limits.body),
         admission(renders_at_once, config.max_queue),
         pool(config.threads),
+        maker(maker_of_pictures(this_machine())),
         machine_costs(measure_machine_costs(pool)),
         scenes(catalog, config.limits, config.max_kept, config.max_cache),
         images(config.max_cache, admission, departures),
@@ -42,6 +44,7 @@ struct Services {
   BodyMemory body_memory;
   Admission admission;
   WorkerPool pool;
+  const std::string maker;           ///< of pictures, in their entity tags
   const MachineCosts machine_costs;  ///< measured before anyone waits
   Departures departures{};
   EventStreams event_streams{};

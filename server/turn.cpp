@@ -26,7 +26,7 @@ double take_turn(Services& services, RenderProgress& progress, const std::functi
 void take_turn(Services& services, const Call& call,
                const std::function<bool(RenderProgress&)>& work) {
   RenderProgress progress;
-  const Departures::Watch watch(services.departures, find_socket(ends_of(call.request)),
+  const Departures::Watch watch(services.departures, ends_of(call.request),
                                 [&] { progress.stop = true; });
   take_turn(services, progress, [&] { return work(progress); });
 }

@@ -9,10 +9,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <stdexcept>
 #include <vector>
 
+#include "engine/image/picture_symbols.h"
 #include "engine/parallel/chunks.h"
 
 namespace raytracer {
@@ -22,8 +24,8 @@ namespace {
 // thread and give 294.6, 293.4 and 293.7 kB; smaller ones are shared out better.
 constexpr std::size_t strip_size = std::size_t{128} << 10;
 
-// Incompressible bytes are stored: 5 bytes for each 65,535, and 5 of the flush.
-constexpr std::size_t largest_compressed_strip = strip_size + 64;
+/// Incompressible bytes are stored: 5 bytes for each 65,535, and 5 of the flush.
+constexpr std::size_t largest_compressed(std::size_t size) { return size + 64; }
 
 /// To be called behind every function of ISA-L's: 2.30 returns with the upper halves of registers
 /// in use, and then all SSE code of the thread, most of this program, is several times as slow: the
@@ -63,22 +65,50 @@ Checksum checksum_of(std::span<const unsigned char> bytes) {
   return Checksum(adler);
 }
 
-/// Deflates `bytes` to `out`, which has room for largest_compressed_strip. Returns the size.
+isal_hufftables make_picture_codes() {
+  constexpr unsigned int bytes = 256;
+  isal_huff_histogram histogram{};
+  for (unsigned int byte = 0; byte < bytes; ++byte) {
+    const unsigned int difference = std::min(byte, bytes - byte);
+    histogram.lit_len_histogram[byte] = picture_symbols::differences[std::bit_width(difference)];
+  }
+  histogram.lit_len_histogram[bytes] = picture_symbols::ends;
+  std::copy(picture_symbols::lengths.begin(), picture_symbols::lengths.end(),
+            histogram.lit_len_histogram + bytes + 1);
+  std::copy(picture_symbols::distances.begin(), picture_symbols::distances.end(),
+            histogram.dist_histogram);
+  isal_hufftables codes{};
+  if (isal_create_hufftables(&codes, &histogram) != 0)
+    throw std::logic_error("ISA-L finds no codes for pictures");
+  return codes;
+}
+
+const isal_hufftables& picture_codes() {
+  static const isal_hufftables codes = make_picture_codes();
+  return codes;
+}
+
+/// Deflates a strip to `out`, which has room for largest_compressed() of it. Returns the size.
 std::size_t deflate_strip(std::span<const unsigned char> bytes, bool is_last, unsigned char* out) {
-  constexpr int level = 1;
-  LargeArray<std::uint8_t> work_area(ISAL_DEF_LVL1_DEFAULT);
   isal_zstream stream;
   isal_deflate_stateless_init(&stream);
-  stream.level = level;
-  stream.level_buf = work_area.data();
-  stream.level_buf_size = static_cast<std::uint32_t>(work_area.size());
+  LargeArray<std::uint8_t> work_area;
+  if (bytes.size() <= picture_symbols::largest_picture) {
+    // Level 0 takes codes that are there, level 1 makes its own; ISA-L only reads them.
+    stream.hufftables = const_cast<isal_hufftables*>(&picture_codes());
+  } else {
+    work_area.resize(ISAL_DEF_LVL1_DEFAULT);
+    stream.level = 1;
+    stream.level_buf = work_area.data();
+    stream.level_buf_size = static_cast<std::uint32_t>(work_area.size());
+  }
   stream.end_of_stream = is_last ? 1 : 0;
   stream.flush = is_last ? NO_FLUSH : FULL_FLUSH;
   // ISA-L's input is not const, but it only reads it.
   stream.next_in = const_cast<unsigned char*>(bytes.data());
   stream.avail_in = static_cast<std::uint32_t>(bytes.size());
   stream.next_out = out;
-  stream.avail_out = largest_compressed_strip;
+  stream.avail_out = static_cast<std::uint32_t>(largest_compressed(bytes.size()));
   const int result = isal_deflate_stateless(&stream);
   clear_upper_halves();
   if (result != COMP_OK || stream.avail_in != 0)
@@ -90,15 +120,15 @@ std::size_t deflate_strip(std::span<const unsigned char> bytes, bool is_last, un
 
 LargeArray<unsigned char> compress_zlib(std::span<const unsigned char> bytes, WorkerPool& pool) {
   const std::size_t count = (bytes.size() + strip_size - 1) / strip_size;
-  LargeArray<unsigned char> pieces(count * largest_compressed_strip);  // mostly never touched
+  const std::size_t room = largest_compressed(std::min(strip_size, bytes.size()));
+  LargeArray<unsigned char> pieces(count * room);  // mostly never touched
   std::vector<std::size_t> sizes(count);
   std::vector<Checksum> checksums(count);
   const auto strip = [&](std::size_t i) {
     return bytes.subspan(i * strip_size, std::min(strip_size, bytes.size() - i * strip_size));
   };
   const auto compress = [&](std::size_t i) {
-    sizes[i] =
-        deflate_strip(strip(i), i == count - 1, pieces.data() + i * largest_compressed_strip);
+    sizes[i] = deflate_strip(strip(i), i == count - 1, pieces.data() + i * room);
     checksums[i] = checksum_of(strip(i));
   };
   if (count == 1) {
@@ -112,7 +142,7 @@ LargeArray<unsigned char> compress_zlib(std::span<const unsigned char> bytes, Wo
   LargeArray<unsigned char> stream(header.begin(), header.end());
   Checksum checksum;
   for (std::size_t i = 0; i < count; ++i) {
-    const unsigned char* const piece = pieces.data() + i * largest_compressed_strip;
+    const unsigned char* const piece = pieces.data() + i * room;
     stream.insert(stream.end(), piece, piece + sizes[i]);
     checksum.append(checksums[i], strip(i).size());
   }

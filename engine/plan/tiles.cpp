@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 
 #include "engine/plan/counted.h"
@@ -11,20 +12,30 @@ namespace {
 
 constexpr double tiles_per_thread = 16;
 constexpr double most_rays = 3 << 14;
+constexpr double few_rays = 1 << 14;
 constexpr int largest = 64;
 constexpr int smallest = 16;  // a block of the kernel and a bin of the screen
+
+double rays_per_pixel(int samples, std::size_t light_count) {
+  return samples * (1 + static_cast<double>(light_count));
+}
 
 }  // namespace
 
 int interruptible_side_px(int samples, std::size_t light_count) {
-  const double rays_per_pixel = samples * (1 + static_cast<double>(light_count));
+  const double rays = rays_per_pixel(samples, light_count);
   int side = largest;
-  while (side > smallest && side * side * rays_per_pixel > most_rays) side /= 2;
+  while (side > smallest && side * side * rays > most_rays) side /= 2;
   return side;
+}
+
+bool is_one_tile(int width, int height, int samples, std::size_t light_count) {
+  return static_cast<double>(width) * height * rays_per_pixel(samples, light_count) <= few_rays;
 }
 
 int tile_side_px(int width, int height, int samples, std::size_t light_count,
                  std::size_t thread_count) {
+  if (is_one_tile(width, height, samples, light_count)) return std::max(width, height);
   const double pixels = static_cast<double>(width) * height;
   int side = interruptible_side_px(samples, light_count);
   while (side > smallest &&
@@ -35,8 +46,11 @@ int tile_side_px(int width, int height, int samples, std::size_t light_count,
 
 Choice<int> choose_tile_side(const Scene& scene, std::size_t thread_count) {
   const Camera& camera = scene.camera;
-  const int side = tile_side_px(camera.width, camera.height, scene.render.samples.value_or(1),
-                                scene.lights.size(), thread_count);
+  const int samples = scene.render.samples.value_or(1);
+  const int side =
+      tile_side_px(camera.width, camera.height, samples, scene.lights.size(), thread_count);
+  if (is_one_tile(camera.width, camera.height, samples, scene.lights.size()))
+    return {side, "the whole image: so few rays are traced before another thread has woken up"};
   const auto along = [&](int length_px) {
     return static_cast<std::uint64_t>((length_px + side - 1) / side);
   };

@@ -12,6 +12,10 @@ namespace raytracer {
 /// of `samples` per pixel to the eye and to each light. A multiple of the kernel's blocks.
 int interruptible_side_px(int samples, std::size_t light_count);
 
+/// Whether a pass takes so few rays that whoever asks for it traces it, as one tile: two spheres at
+/// 64 x 48 take 5 us here and 14 us on the pool's threads, which have to wake up.
+bool is_one_tile(int width, int height, int samples, std::size_t light_count);
+
 /// At most that, and as large as leaves each thread enough tiles to share the work evenly, because
 /// a tile costs a lock. `samples` are those of one pass, per pixel.
 int tile_side_px(int width, int height, int samples, std::size_t light_count,

@@ -46,18 +46,19 @@ struct Tracing {
     std::atomic<std::size_t> done{0};
     std::optional<Preview::Pass> preview;
     if constexpr (std::is_same_v<Channel, float>) preview.emplace(progress.preview, image, tiles);
-    pool.run(
-        tiles.size(),
-        [&](std::size_t i) {
-          if (progress.stop) {
-            stop = true;
-            return;
-          }
-          render_tile(tracer, pattern, scene.render.transfer, tiles[i], &image);
-          if (preview) preview->finished(i);
-          report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
-        },
-        stop);
+    const auto trace = [&](std::size_t i) {
+      if (progress.stop) {
+        stop = true;
+        return;
+      }
+      render_tile(tracer, pattern, scene.render.transfer, tiles[i], &image);
+      if (preview) preview->finished(i);
+      report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
+    };
+    if (is_one_tile(image.width, image.height, samples, scene.lights.size()))
+      trace(0);
+    else
+      pool.run(tiles.size(), trace, stop);
     preview.reset();  // before the image moves
     if (stop) return {};
     ++passes_done;

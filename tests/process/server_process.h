@@ -26,6 +26,7 @@ class ServerProcess {
   /// A connection that may be used by one thread and waits for answers up to patience(30 s).
   httplib::Client client() const;
 
+  pid_t id() const { return process_.id(); }
   void signal(int number) const { process_.signal(number); }
   /// Its exit status; nothing if it does not end within patience(limit).
   std::optional<int> wait(std::chrono::milliseconds limit = std::chrono::milliseconds(10'000)) {

@@ -193,6 +193,18 @@ TEST_F(Body, body_that_stops_half_way_is_given_up) {
   EXPECT_EQ(get("/healthz").status, 200);
 }
 
+TEST_F(Body, body_that_trickles_is_given_up) {
+  RawConnection connection(server().port());
+  connection.send(
+      "POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+      "Content-Length: 500\r\n\r\n");
+  // Never silent for long enough to be cut off for that.
+  const bool was_cut_off = eventually(
+      [&] { return !connection.send(" ") || connection.receives("HTTP/1.1 408 ", 500ms); }, 40s);
+  EXPECT_TRUE(was_cut_off) << "the server still waits";
+  EXPECT_NE(connection.received().find("HTTP/1.1 408 "), std::string::npos);
+}
+
 TEST_F(Body, bodies_together_are_bounded) {
   // Two of the largest fit; a third has to wait until one of them is done with.
   const ServerProcess small({"--max-body", "1000"});

@@ -53,6 +53,26 @@ TEST(Departure, waiting_render_leaves_the_queue_with_its_client) {
       << "its place in the queue is still taken";
 }
 
+TEST(Departure, render_ends_whose_client_left_in_the_first_moment) {
+  const ServerProcess server({"--threads", "1", "--max-queue", "20"});
+  // Renders that are over before anybody looked at their clients.
+  for (int i = 0; i < 200; ++i)
+    ASSERT_EQ(post(server, "/render", as_another_picture(small_scene, i)).status, 200);
+  for (int i = 0; i < 20; ++i) {
+    RawConnection client(server.port());
+    // The second request is never read, so that closing resets the connection.
+    client.send(render_request(as_another_picture(endless_scene(), i)) + render_request("{}"));
+  }
+  EXPECT_TRUE(eventually(
+      [&] {
+        const std::string metrics = get(server, "/metrics").body;
+        return metrics.find("\nraytracer_renders_running 0\n") != std::string::npos &&
+               metrics.find("\nraytracer_queue_length 0\n") != std::string::npos;
+      },
+      5s))
+      << get(server, "/metrics").body.substr(0, 2000);
+}
+
 TEST(Departure, client_that_leaves_before_its_answer_is_read_harms_nobody) {
   const ServerProcess server;
   for (int i = 0; i < 30; ++i) {

@@ -186,7 +186,7 @@ TEST_F(Metrics, say_what_the_process_is_and_takes) {
 #ifdef __linux__
   Samples samples = samples_of(answer.body);
   EXPECT_GT(samples["raytracer_process_resident_memory_bytes"], 1e6);
-  EXPECT_GT(samples["raytracer_process_threads"], 32);
+  EXPECT_GT(samples["raytracer_process_threads"], 4);
 #endif
 }
 

@@ -59,32 +59,39 @@ bool RawConnection::read_some() {
   return count > 0;
 }
 
-bool RawConnection::receives(std::string_view text, std::chrono::milliseconds limit) {
+/// Also if the end comes first.
+template <typename Predicate>
+bool RawConnection::reads_until(Predicate holds, std::chrono::milliseconds limit) {
   eventually(
       [&] {
-        while (read_some()) {
+        while (!holds() && read_some()) {
         }
-        return ended_ || received_.find(text) != std::string::npos;
+        return ended_ || holds();
       },
       limit);
-  return received_.find(text) != std::string::npos;
+  return holds();
+}
+
+bool RawConnection::receives(std::string_view text, std::chrono::milliseconds limit) {
+  return reads_until([&] { return received_.find(text) != std::string::npos; }, limit);
+}
+
+bool RawConnection::receives(std::size_t byte_count, std::chrono::milliseconds limit) {
+  return reads_until([&] { return received_.size() >= byte_count; }, limit);
 }
 
 bool RawConnection::ends(std::chrono::milliseconds limit) {
-  return eventually(
-      [&] {
-        while (read_some()) {
-        }
-        return ended_;
-      },
-      limit);
+  return reads_until([&] { return ended_; }, limit);
 }
 
 int count_answers(std::string_view bytes) {
+  constexpr std::string_view protocol = "HTTP/1.1 ";
   int count = 0;
-  for (std::size_t at = bytes.find("HTTP/1.1 "); at != std::string_view::npos;
-       at = bytes.find("HTTP/1.1 ", at + 1))
-    ++count;
+  for (std::size_t at = bytes.find(protocol); at != std::string_view::npos;
+       at = bytes.find(protocol, at + 1)) {
+    const std::string_view status = bytes.substr(at + protocol.size(), 1);
+    if (status >= "1" && status <= "5") ++count;  // and not a sentence about HTTP/1.1
+  }
   return count;
 }
 

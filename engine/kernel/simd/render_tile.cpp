@@ -217,7 +217,9 @@ std::vector<InstructionSet> supported_instruction_sets() {
 }
 
 Machine this_machine(std::size_t thread_count) {
-  return {supported_instruction_sets().front(), thread_count};
+  // Highway asks the processor each time, which of a virtual one takes as long as a small picture.
+  static const InstructionSet best = supported_instruction_sets().front();
+  return {best, thread_count};
 }
 
 std::int64_t render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,

@@ -1,0 +1,50 @@
+// A thread for each connection, so that none waits for another that is silent.
+//
+// httplib serves a connection on one thread from its first request to its end, and a silent one
+// holds its thread for seconds. With a fixed number of threads as many silent connections would
+// keep everybody waiting, /healthz among them. Here a thread is started whenever a connection finds
+// none idle, and ends when it has been idle for a while.
+#pragma once
+
+#include <httplib.h>
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <unordered_map>
+#include <vector>
+
+namespace raytracer {
+
+/// How many connections are served at once: as many as the process may have descriptors, and no
+/// more than 2,048. More wait for one of them to end.
+std::size_t most_connections();
+
+/// What httplib hands its connections to. It calls shutdown() before the end.
+class ConnectionThreads : public httplib::TaskQueue {
+ public:
+  explicit ConnectionThreads(std::size_t most) : most_(most) {}
+
+  void enqueue(std::function<void()> serve) override;
+
+  /// Waits for the connections that are served, and serves those that wait.
+  void shutdown() override;
+
+ private:
+  void start_thread();
+  void work();
+
+  const std::size_t most_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::function<void()>> waiting_;
+  std::unordered_map<std::thread::id, std::thread> threads_;
+  std::vector<std::thread> ended_;  ///< to be joined
+  std::size_t idle_ = 0;
+  bool closing_ = false;
+};
+
+}  // namespace raytracer
