@@ -56,7 +56,8 @@ TEST(Events, tell_of_progress_while_the_job_runs_and_then_of_its_end) {
   const auto stream = watch(server, job);
   EXPECT_TRUE(stream->receives("event: progress\ndata: {", 1s)) << stream->received();
   EXPECT_NE(stream->received().find("Content-Type: text/event-stream\r\n"), std::string::npos);
-  EXPECT_EQ(json_of(get(server, job)).value("status", ""), "running");
+  EXPECT_TRUE(
+      eventually([&] { return json_of(get(server, job)).value("status", "") == "running"; }, 1s));
   ASSERT_TRUE(stream->ends(20s));
   const std::string& text = stream->received();
   EXPECT_GT(count(text, "event: progress\n"), 2) << text;

@@ -78,7 +78,8 @@ TEST(Load, small_renders_stay_small_beside_a_huge_one) {
   request(server, "DELETE", job);
   std::cout << fmt::format("p95 of 96 x 72: {:.2f} ms idle, {:.2f} ms beside the job: {:.1f}x\n",
                            idle_ms, busy_ms, busy_ms / idle_ms);
-  EXPECT_LT(busy_ms, 10 * idle_ms);
+  // Below a millisecond it is the system's scheduler that is measured, and what else runs there.
+  EXPECT_LT(busy_ms, 10 * std::max(idle_ms, static_cast<double>(patience(1ms).count())));
 }
 
 TEST(Load, overload_is_refused_and_health_is_not_disturbed) {
