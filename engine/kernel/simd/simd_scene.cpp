@@ -201,9 +201,9 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
   packed.has_sphere_bins = structures.sphere_bins;
   // There may be none left of those that the structures were chosen for.
   packed.has_light_grids = structures.light_grids && !scene.spheres.empty();
-  if (structures.sphere_tree)
+  if (structures.sphere_tree && !scene.spheres.empty())
     packed.sphere_tree = make_sphere_tree<T>(scene.spheres, scene.numbers, pool);
-  if (structures.triangle_tree)
+  if (structures.triangle_tree && packed.has_triangles)
     packed.triangle_tree = make_triangle_tree<T>(scene.triangles, scene.numbers, pool);
   packed.has_triangle_bins = structures.triangle_bins;
   for (const PackedLight& light : scene.lights) {
