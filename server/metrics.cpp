@@ -58,6 +58,8 @@ void Metrics::rendered(const RenderReport& report, const std::optional<std::stri
   const auto pixels = static_cast<double>(report.pixel_count);
   pixels_ += pixels;
   samples_ += pixels * report.samples_per_pixel;
+  clamped_pixels_ += static_cast<double>(report.beyond.clamped);
+  nan_pixels_ += static_cast<double>(report.beyond.not_numbers);
   const std::optional<double> foreseen_ms = digest ? predictions_.trace_ms(*digest) : std::nullopt;
   if (!foreseen_ms || *foreseen_ms <= 0) return;
   actual_to_predicted_.observe(report.trace_ms / *foreseen_ms);
@@ -108,6 +110,12 @@ void Metrics::write(Exposition& out) const {
   write_count(out, "raytracer_pixels_rendered_total", "Pixels of the renders done.", pixels_);
   write_count(out, "raytracer_samples_rendered_total", "Samples in the images of the renders done.",
               samples_);
+  write_count(out, "raytracer_pixels_clamped_total",
+              "Pixels of the renders done with a sample brighter than 1, which is cut off.",
+              clamped_pixels_);
+  write_count(out, "raytracer_pixels_nan_total",
+              "Pixels of the renders done with a sample that was no number: 0, or a fault here.",
+              nan_pixels_);
 
   out.family("raytracer_trace_actual_to_predicted_ratio", "histogram",
              "Trace time over the time predicted, of renders whose plan was asked for before.");

@@ -63,6 +63,8 @@ class Metrics {
   std::uint64_t cancelled_ = 0;
   double pixels_ = 0;
   double samples_ = 0;
+  double clamped_pixels_ = 0;
+  double nan_pixels_ = 0;
   Predictions predictions_;
   Histogram actual_to_predicted_;
   double predicted_s_ = 0;

@@ -1,6 +1,7 @@
 #include "engine/pack/packed_scene.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -23,6 +24,13 @@ Vec3 normal_across(const std::array<Vec3, 3>& corners) {
   return unit(cross(unit(sides[(longest + 1) % 3]), unit(sides[(longest + 2) % 3])));
 }
 
+/// Whether rays can tell its corners apart, from each other or from the eye; between corners that
+/// all are one place, every ray would pass.
+bool has_extent(const std::array<Vec3, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  return !(a == b && b == c) && Frame::carries(std::max({max_abs(a), max_abs(b), max_abs(c)}));
+}
+
 /// Appends each object's primitives to the scene's arrays.
 struct Packer {
   const Frame& frame;
@@ -32,27 +40,39 @@ struct Packer {
 
   void operator()(const Sphere& s) const {
     packed.numbers.add_object(1);
-    packed.spheres.push_back(
-        {frame.frame_from_scene(s.center), frame.frame_from_scene(s.radius), {object, 0}});
+    const double radius = frame.frame_from_scene(s.radius);
+    if (Frame::carries(radius))
+      packed.spheres.push_back({frame.frame_from_scene(s.center), radius, {object, 0}});
   }
 
   void operator()(const Spheres& s) const {
     packed.numbers.add_object(s.centers.size());
     const std::size_t first = packed.spheres.size();
     packed.spheres.resize(first + s.centers.size());
+    std::atomic<bool> loses_some{false};
     for_each_range(s.centers.size(), pool, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        packed.spheres[first + i] = {
-            frame.frame_from_scene(s.centers[i]), frame.frame_from_scene(s.radius(i)), {object, i}};
+      for (std::size_t i = begin; i < end; ++i) {
+        const double radius = frame.frame_from_scene(s.radius(i));
+        packed.spheres[first + i] = {frame.frame_from_scene(s.centers[i]), radius, {object, i}};
+        if (!Frame::carries(radius)) loses_some.store(true, std::memory_order_relaxed);
+      }
     });
+    if (loses_some)
+      packed.spheres.erase(
+          std::remove_if(packed.spheres.begin() + static_cast<std::ptrdiff_t>(first),
+                         packed.spheres.end(),
+                         [](const PackedSphere& sphere) { return !Frame::carries(sphere.radius); }),
+          packed.spheres.end());
   }
 
   void operator()(const SphereSquare& s) const {
     packed.numbers.add_object(1);
     static constexpr std::array<std::array<int, 3>, 3> axes{{{0, 2, 1}, {0, 1, 2}, {1, 2, 0}}};
     const auto& [first, second, across] = axes[static_cast<std::size_t>(s.axes)];
-    packed.squares.push_back({frame.frame_from_scene(s.center), frame.frame_from_scene(s.radius),
-                              2 * s.n, object, first, second, across});
+    const double radius = frame.frame_from_scene(s.radius);
+    if (!Frame::carries(radius)) return;
+    packed.squares.push_back(
+        {frame.frame_from_scene(s.center), radius, 2 * s.n, object, first, second, across});
   }
 
   void operator()(const Plane& p) const {
@@ -80,8 +100,10 @@ struct Packer {
         begin_of_mesh[static_cast<std::ptrdiff_t>(i)] = triangle;
       }
     });
-    const auto has_no_area = [](const PackedTriangle& t) { return t.normal == Vec3{}; };
-    packed.triangles.erase(std::remove_if(begin_of_mesh, packed.triangles.end(), has_no_area),
+    const auto is_nothing = [](const PackedTriangle& t) {
+      return t.normal == Vec3{} || !has_extent(t.vertices);
+    };
+    packed.triangles.erase(std::remove_if(begin_of_mesh, packed.triangles.end(), is_nothing),
                            packed.triangles.end());
   }
 };

@@ -54,10 +54,11 @@ struct PackedLight {
 /// Everything that a ray may need, and nothing of how the document said it.
 struct PackedScene {
   View view;
+  // Without what the frame does not carry, and triangles of no area.
   LargeArray<PackedSphere> spheres;  ///< of all objects of type sphere and spheres
   std::vector<PackedSquare> squares;
   std::vector<PackedPlane> planes;
-  LargeArray<PackedTriangle> triangles;  ///< without those of no area
+  LargeArray<PackedTriangle> triangles;
   Numbering numbers;
   std::vector<MaterialIndex> material_of_object;
   std::vector<Material> materials;

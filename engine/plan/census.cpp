@@ -75,6 +75,7 @@ class Counter {
   void operator()(const SphereSquare& s) {
     const Vec3 center = frame_.frame_from_scene(s.center);
     const double r = frame_.frame_from_scene(s.radius);
+    if (is_lost(r)) return;
     const double reach = length(center) + 2 * std::sqrt(2.0) * static_cast<double>(s.n) * r + r;
     approach(distance_to_square(s, center, r));
     census_.farthest = std::max(census_.farthest, reach);
@@ -95,7 +96,11 @@ class Counter {
       add(std::numeric_limits<double>::infinity(), length(vertices.back()));
     }
     for (const auto& corners : m.triangles) {
-      const TriangleBall ball(vertices[corners[0]], vertices[corners[1]], vertices[corners[2]]);
+      const Vec3& a = vertices[corners[0]];
+      const Vec3& b = vertices[corners[1]];
+      const Vec3& c = vertices[corners[2]];
+      if (is_lost(std::max({max_abs(a), max_abs(b), max_abs(c)}))) continue;
+      const TriangleBall ball(a, b, c);
       add(std::max(ball.distance, 0.0), 0);
       census_.triangle_blocks += blocks(ball.reach / ball.distance);
     }
@@ -104,6 +109,15 @@ class Counter {
   double farthest_but_squares() const { return farthest_but_squares_; }
 
  private:
+  bool is_lost(double size) {
+    if (!Frame::carries(size)) {
+      census_.lost += 1;
+      return true;
+    }
+    census_.smallest = std::min(census_.smallest, size);
+    return false;
+  }
+
   /// To a surface; negative inside of it.
   void approach(double distance) {
     census_.nearest = std::min(census_.nearest, std::max(distance, 0.0));
@@ -125,8 +139,9 @@ class Counter {
   }
 
   void add_sphere(const Vec3& scene_center, double scene_radius) {
-    const double distance = length(frame_.frame_from_scene(scene_center));
     const double r = frame_.frame_from_scene(scene_radius);
+    if (is_lost(r)) return;
+    const double distance = length(frame_.frame_from_scene(scene_center));
     add(distance - r, distance + r);
     census_.distance_in_radii = std::max(census_.distance_in_radii, (distance + r) / r);
     note_size(scene_center, scene_radius, distance, r, 1);
@@ -228,6 +243,7 @@ Mirrors find_mirrors(const Scene& scene, const Frame& frame) {
   for (const Object& object : scene.objects) {
     if (!(scene.materials[object.material].reflectivity > 0)) continue;
     const auto add = [&](const Vec3& center, double radius, double number, double reach) {
+      if (!Frame::carries(frame.frame_from_scene(radius))) return;
       mirrors.include(frame.frame_from_scene(center), frame.frame_from_scene(radius), number,
                       frame.frame_from_scene(reach));
     };

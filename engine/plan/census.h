@@ -30,8 +30,11 @@ struct Census {
   double gap = std::numeric_limits<double>::infinity();  ///< as least_gap() says
   double coarseness = 0;  ///< the largest step between a centre's doubles, in radii of its sphere
   double small_spheres = 0;  ///< that may be seen smaller than a pixel
-  double brightest = 0;      ///< i of a light where it is nearest to a surface, any channel
-  double pixel_angle = 0;    ///< radians, at the image's centre
+  /// Radius, or coordinate that a triangle reaches to, of those that the frame carries.
+  double smallest = std::numeric_limits<double>::infinity();
+  double lost = 0;         ///< spheres, squares and triangles that the frame cannot carry
+  double brightest = 0;    ///< i of a light where it is nearest to a surface, any channel
+  double pixel_angle = 0;  ///< radians, at the image's centre
 };
 
 Census take_census(const Scene& scene, const Frame& frame, const Features& features);

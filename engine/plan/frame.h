@@ -3,6 +3,9 @@
 // Scaling is by a power of two, hence exact, and the eye is subtracted before any other
 // arithmetic: a scene moved far away or scaled renders like the same scene at home, and squares
 // neither overflow nor underflow.
+//
+// Limits: a sphere or triangle 2^480 times smaller than the extent is left out of the picture, and
+// the plan's health says so.
 #pragma once
 
 #include <cmath>
@@ -31,6 +34,9 @@ class Frame {
     // The difference of two doubles may overflow, a quarter of it never.
     return (point * 0.25 - eye_ * 0.25) * first_factor_ * second_factor_ * 4;
   }
+
+  /// Whether squares of a length in frame coordinates, and their products with others, are held.
+  static bool carries(double length) { return length >= 0x1p-480; }
 
   /// A length of the scene in frame coordinates.
   double frame_from_scene(double length) const { return length * first_factor_ * second_factor_; }

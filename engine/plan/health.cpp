@@ -13,6 +13,7 @@ class Report {
 
   std::vector<std::string> strains() && {
     say_where_the_eye_is();
+    say_what_is_lost();
     say_what_the_document_rounds();
     say_what_coincides();
     say_what_is_displaced();
@@ -34,6 +35,17 @@ class Report {
           fmt::format("The nearest surface is {:.2g} of the scene's extent before the eye: if what "
                       "lies behind it is meant to be seen, move camera.origin.",
                       census.clearance / census.farthest));
+  }
+
+  void say_what_is_lost() {
+    const double lost = plan_.census.lost;
+    if (lost > 0)
+      add(fmt::format(
+          "{} than 1e-144 of the scene's extent, which double's squares do not hold, "
+          "and {} left out: bring the largest and the smallest sizes and distances, "
+          "those of point lights too, nearer to each other.",
+          lost > 1 ? fmt::format("{:.10g} objects are smaller", lost) : "An object is smaller",
+          lost > 1 ? "are" : "is"));
   }
 
   void say_what_the_document_rounds() {

@@ -56,6 +56,12 @@ ArithmeticError foresee_arithmetic_error(Precision precision, const Features& fe
 
 Choice<Precision> choose_precision(Precision wish, const Features& features, const Census& census) {
   using enum Precision;
+  constexpr double least_in_single = 0x1p-60;  // a square of it is still a normal number
+  if (wish == single_precision && census.smallest < least_in_single)
+    return {double_precision,
+            fmt::format("single, which is asked for, does not hold the square of a size that is "
+                        "{:.2g} of the extent",
+                        census.smallest)};
   if (wish != automatic) return {wish, "it is asked for"};
 
   const double tolerance_px = features.triangles > 0 ? triangle_tolerance_px : sphere_tolerance_px;

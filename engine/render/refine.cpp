@@ -92,6 +92,7 @@ class Refinement {
     std::vector<char> is_done(tasks.size(), 0);
     std::atomic<bool> stop{false};
     std::atomic<std::size_t> done{0};
+    std::atomic<std::size_t> not_numbers{0};
     const double thread_sample_ms = sample_ms_ * static_cast<double>(tracing_.pool.thread_count());
     tracing_.pool.run(
         tasks.size(),
@@ -102,8 +103,9 @@ class Refinement {
             stop = true;
             return;
           }
-          render_tile(tracing_.tracer, patterns_.at(task.samples), tracing_.scene.render.transfer,
-                      task.tile, &finer_);
+          not_numbers += render_tile(tracing_.tracer, patterns_.at(task.samples),
+                                     tracing_.scene.render.transfer, task.tile, &finer_)
+                             .not_numbers;
           for (std::size_t k = 0; k < task.part_count; ++k)
             error2[task.parts[k]] =
                 estimate_error2(image_, finer_, tile_of(task.parts[k]), task.samples);
@@ -113,6 +115,7 @@ class Refinement {
         stop);
     shown_.change([&](Image& image) { keep_done(tasks, is_done, error2, image); });
     ++tracing_.passes_done;
+    tracing_.beyond.not_numbers += not_numbers;
     expected_ = expected_errors(parts_, columns_);
     double samples = 0;
     for (std::size_t i = 0; i < tasks.size(); ++i)

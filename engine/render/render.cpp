@@ -36,6 +36,7 @@ BasicRendering<Channel> make_rendering(const Scene& scene, WorkerPool& pool,
   Tracing tracing{tracer, scene, plan, pool, progress};
   trace(tracing, rendering);
   rendering.trace_ms = tracing.watch.elapsed_ms();
+  rendering.beyond = tracing.beyond;
   if (rendering.stop != Stop::cancelled) progress.fraction = 1;
   return rendering;
 }

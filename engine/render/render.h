@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/image/image.h"
+#include "engine/kernel/beyond_range.h"
 #include "engine/parallel/worker_pool.h"
 #include "engine/render/progress.h"
 #include "engine/scene/limits.h"
@@ -21,6 +22,9 @@ struct RenderReport {
   double samples_per_pixel = 0;           ///< mean
   std::optional<double> estimated_error;  ///< rms; only where passes were compared
   Precision precision = Precision::double_precision;
+  /// Pixels of the image; under a contract `clamped` is as the first pass has it, with a sample a
+  /// pixel, and `not_numbers` counts those of every pass.
+  BeyondRange beyond;
   Stop stop = Stop::samples;  ///< `cancelled`: the image is incomplete
 
   double plan_ms = 0;

@@ -9,6 +9,7 @@
 #include "engine/accel/bvh.h"
 #include "engine/image/image.h"
 #include "engine/image/tile.h"
+#include "engine/kernel/beyond_range.h"
 #include "engine/kernel/simd/render_tile.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/plan/plan.h"
@@ -36,7 +37,7 @@ Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool);
 
 /// Traces the tile's pixels with one sample at each place of `pattern` and stores their encoded
 /// means. Touches no other pixel.
-void render_tile(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
-                 const Tile& tile, const Canvas& canvas);
+BeyondRange render_tile(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
+                        const Tile& tile, const Canvas& canvas);
 
 }  // namespace raytracer

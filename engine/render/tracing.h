@@ -26,6 +26,7 @@ struct Tracing {
   WorkerPool& pool;
   RenderProgress& progress;
   int passes_done = 0;
+  BeyondRange beyond{};  ///< of the passes so far, as RenderReport says
   Stopwatch watch{};
 
   /// Whether the budget is spent, or would be `more_ms` from now.
@@ -42,6 +43,7 @@ struct Tracing {
     const std::vector<Tile> tiles = split_into_tiles(
         image.width, image.height,
         tile_side_px(image.width, image.height, samples, scene.lights.size(), pool.thread_count()));
+    std::vector<BeyondRange> beyond_in_tiles(tiles.size());
     std::atomic<bool> stop{progress.stop.load()};
     std::atomic<std::size_t> done{0};
     std::optional<Preview::Pass> preview;
@@ -51,7 +53,7 @@ struct Tracing {
         stop = true;
         return;
       }
-      render_tile(tracer, pattern, scene.render.transfer, tiles[i], &image);
+      beyond_in_tiles[i] = render_tile(tracer, pattern, scene.render.transfer, tiles[i], &image);
       if (preview) preview->finished(i);
       report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
     };
@@ -61,6 +63,7 @@ struct Tracing {
       pool.run(tiles.size(), trace, stop);
     preview.reset();  // before the image moves
     if (stop) return {};
+    for (const BeyondRange& in_tile : beyond_in_tiles) beyond += in_tile;
     ++passes_done;
     return image;
   }

@@ -1,5 +1,5 @@
-// Any bytes as the numbers of a valid scene: its tiny picture has values from 0 to 1, in single and
-// in double.
+// Any bytes as the numbers of a valid scene: its tiny picture has values from 0 to 1, none of
+// them clamped from what is no number, in single and in double.
 //
 // Limits: squares of at most 200 x 200 spheres, so that a ray along them ends in time.
 #include <cmath>
@@ -126,8 +126,9 @@ void expect_picture(Scene scene, Precision precision) {
   static WorkerPool pool(1);  // for all pictures: threads are slow to start
   scene.render.precision = precision;
   RenderProgress progress;
-  const Image image = render(scene, {}, pool, progress).image;
-  for (const float value : image.values)
+  const Rendering rendering = render(scene, {}, pool, progress);
+  if (rendering.beyond.not_numbers > 0) std::abort();
+  for (const float value : rendering.image.values)
     if (!(value >= 0 && value <= 1)) std::abort();
 }
 

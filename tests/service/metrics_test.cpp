@@ -156,6 +156,7 @@ TEST_F(Metrics, count_what_was_rendered) {
   EXPECT_EQ(samples["raytracer_renders_total"], 2);
   EXPECT_EQ(samples["raytracer_pixels_rendered_total"], 2 * 12 * 8);
   EXPECT_EQ(samples["raytracer_samples_rendered_total"], (1 + 3) * 12 * 8);
+  EXPECT_EQ(samples.at("raytracer_pixels_nan_total"), 0);
   EXPECT_EQ(samples["raytracer_queue_duration_seconds_count"], 3);  // a plan waits, too
   for (const char* const stage : {"plan", "build", "trace", "encode"}) {
     const std::string labels = std::string("{stage=\"") + stage + "\"}";
@@ -165,6 +166,18 @@ TEST_F(Metrics, count_what_was_rendered) {
   EXPECT_GE(samples[R"(raytracer_stage_duration_seconds_count{stage="parse"})"], 3);
   EXPECT_EQ(samples[R"(raytracer_jobs{status="done"})"], 1);
   EXPECT_EQ(samples[R"(raytracer_jobs{status="queued"})"], 0);
+}
+
+TEST_F(Metrics, count_pixels_that_are_clamped) {
+  const double before = scrape(server_).at("raytracer_pixels_clamped_total");
+  nlohmann::json bright = nlohmann::json::parse(small_scene);
+  bright["ambient"] = 1;
+  bright["shadows"] = "off";
+  bright["objects"] = {{{"type", "plane"}, {"point", {0, 0, 0}}, {"normal", {0, 0, 1}}}};
+  bright["lights"] = {{{"type", "distant"}, {"direction", {0, 0, 1}}, {"intensity", 1}},
+                      {{"type", "distant"}, {"direction", {0, 0, -1}}, {"intensity", 1}}};
+  EXPECT_EQ(post(server_, "/render", bright.dump()).status, 200);
+  EXPECT_GT(scrape(server_).at("raytracer_pixels_clamped_total"), before);
 }
 
 TEST_F(Metrics, compare_the_prediction_with_what_came) {

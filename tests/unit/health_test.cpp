@@ -38,6 +38,13 @@ TEST(Health, SaysThatTheEyeIsInside) {
   EXPECT_TRUE(says(scene_with({{Sphere{{}, 100}, 0}}), "on or inside a surface"));
 }
 
+TEST(Health, SaysWhatIsTooSmallForTheExtent) {
+  std::vector<Object> objects{{Sphere{{}, 1}, 0}, {Sphere{{}, 1e-160}, 0}};
+  EXPECT_TRUE(says(scene_with(objects), "An object is smaller than 1e-144 of the scene's extent"));
+  objects.push_back({SphereSquare{{}, 1e-160, 5, Axes::xz}, 0});
+  EXPECT_TRUE(says(scene_with(objects), "2 objects are smaller"));
+}
+
 TEST(Health, SaysThatASurfaceIsAlmostAtTheEye) {
   EXPECT_TRUE(says(scene_with({{Sphere{{0, 2, -9}, 1 - 1e-11}, 0}}), "before the eye"));
 }

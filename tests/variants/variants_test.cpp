@@ -313,9 +313,11 @@ TEST(Variants, runsOnTheInstructionSetThatIsAskedFor) {
     Image image(16, 16);
     const SamplePattern pattern = sample_pattern(1);
     const Tile tile{0, 0, image.width, image.height};
-    EXPECT_EQ(render_tile(single, pattern, Transfer::linear, tile, set.target, &image), set.target)
+    EXPECT_EQ(render_tile(single, pattern, Transfer::linear, tile, set.target, &image).target,
+              set.target)
         << set.name;
-    EXPECT_EQ(render_tile(twice, pattern, Transfer::linear, tile, set.target, &image), set.target)
+    EXPECT_EQ(render_tile(twice, pattern, Transfer::linear, tile, set.target, &image).target,
+              set.target)
         << set.name;
   }
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/kernel/simd/beyond_range-inl.h"
 #include "engine/kernel/simd/block-inl.h"
 #include "engine/kernel/simd/packet-inl.h"
 #include "engine/kernel/simd/rays-inl.h"
@@ -129,7 +130,7 @@ HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
 
 template <typename T>
 void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
-                  const Block& block, const Canvas& canvas) {
+                  const Block& block, const Canvas& canvas, BeyondRange& beyond) {
   using D = hn::ScalableTag<T>;
   const D d;
   using V = hn::Vec<D>;
@@ -147,14 +148,21 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
   const EyeRays<D> rays(d, scene, block, pattern.stagger);
   BlockColours<T> sums;
   BlockColours<T> colours;
+  BlockBeyondRange<D> block_beyond;
   for (std::size_t sample = 0; sample < pattern.points.size(); ++sample) {
     trace_sample(d, scene, block, contents, rays, pattern.points[sample], colours);
+    Highest<D> highest(d);
     for (int packet = 0; packet < Shape::packets; ++packet) {
       if (!PacketPlace<D>(packet).is_in(block)) continue;
       const std::size_t i = static_cast<std::size_t>(packet) * Shape::lanes;
-      const V3<V> seen = clamped(d, load(d, colours, i));
+      const V3<V> colour = load(d, colours, i);
+      highest.include(colour);
+      const V3<V> seen = clamped(d, colour);
       store(d, sample == 0 ? seen : add(seen, load(d, sums, i)), i, sums);
     }
+    if (HWY_UNLIKELY(highest.is_beyond_range(d)))
+      block_beyond.note(d, block, colours,
+                        [&](const auto& place) HWY_ATTR { return rays.active(d, place); });
   }
   const V share = hn::Set(d, static_cast<T>(1 / static_cast<double>(pattern.points.size())));
   for (int i = 0; i < Shape::packets; ++i) {
@@ -164,27 +172,29 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
     store(d, resolved(clamped(d, scale(load(d, sums, first), share))), first, sums);
   }
   store_block(d, sums, block, canvas);
+  block_beyond.add_to(beyond);
 }
 
 template <typename T>
-std::int64_t render_blocks(const SimdScene<T>& scene, const SamplePattern& pattern,
-                           Transfer transfer, const Tile& tile, const Canvas& canvas) {
+TracedTile render_blocks(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
+                         const Tile& tile, const Canvas& canvas) {
+  TracedTile traced{HWY_TARGET, {}};
   for (int y = tile.y_begin; y < tile.y_end; y += block_side)
     for (int x = tile.x_begin; x < tile.x_end; x += block_side)
       render_block(scene, pattern, transfer,
                    {x, y, std::min(block_side, tile.x_end - x),
                     std::min(block_side, tile.y_end - y), tile.parts},
-                   canvas);
-  return HWY_TARGET;
+                   canvas, traced.beyond);
+  return traced;
 }
 
-std::int64_t render_single(const SimdScene<float>& scene, const SamplePattern& pattern,
-                           Transfer transfer, const Tile& tile, const Canvas& canvas) {
+TracedTile render_single(const SimdScene<float>& scene, const SamplePattern& pattern,
+                         Transfer transfer, const Tile& tile, const Canvas& canvas) {
   return render_blocks(scene, pattern, transfer, tile, canvas);
 }
 
-std::int64_t render_double(const SimdScene<double>& scene, const SamplePattern& pattern,
-                           Transfer transfer, const Tile& tile, const Canvas& canvas) {
+TracedTile render_double(const SimdScene<double>& scene, const SamplePattern& pattern,
+                         Transfer transfer, const Tile& tile, const Canvas& canvas) {
   return render_blocks(scene, pattern, transfer, tile, canvas);
 }
 
@@ -222,16 +232,16 @@ Machine this_machine(std::size_t thread_count) {
   return {best, thread_count};
 }
 
-std::int64_t render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,
-                         Transfer transfer, const Tile& tile, std::int64_t target,
-                         const Canvas& canvas) {
+TracedTile render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,
+                       Transfer transfer, const Tile& tile, std::int64_t target,
+                       const Canvas& canvas) {
   return HWY_DISPATCH_TABLE(render_single)[table_index(target)](scene, pattern, transfer, tile,
                                                                 canvas);
 }
 
-std::int64_t render_tile(const SimdScene<double>& scene, const SamplePattern& pattern,
-                         Transfer transfer, const Tile& tile, std::int64_t target,
-                         const Canvas& canvas) {
+TracedTile render_tile(const SimdScene<double>& scene, const SamplePattern& pattern,
+                       Transfer transfer, const Tile& tile, std::int64_t target,
+                       const Canvas& canvas) {
   return HWY_DISPATCH_TABLE(render_double)[table_index(target)](scene, pattern, transfer, tile,
                                                                 canvas);
 }

@@ -8,6 +8,7 @@
 
 #include "engine/image/image.h"
 #include "engine/image/tile.h"
+#include "engine/kernel/beyond_range.h"
 #include "engine/kernel/sample_point.h"
 #include "engine/kernel/simd/simd_scene.h"
 #include "engine/plan/machine.h"
@@ -17,14 +18,18 @@ namespace raytracer {
 /// What this machine can run of what was compiled, best first.
 std::vector<InstructionSet> supported_instruction_sets();
 
+struct TracedTile {
+  std::int64_t target;  ///< of the code that ran, which is the one asked for if that is supported
+  BeyondRange beyond;
+};
+
 /// Traces one sample at each place of `pattern` in each of the tile's pixels, and stores the means
 /// of their clamped colours after `transfer`. The tile begins at multiples of `block_side`.
-/// Returns the target of the code that ran, which is the one asked for if that is supported.
-std::int64_t render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,
-                         Transfer transfer, const Tile& tile, std::int64_t target,
-                         const Canvas& canvas);
-std::int64_t render_tile(const SimdScene<double>& scene, const SamplePattern& pattern,
-                         Transfer transfer, const Tile& tile, std::int64_t target,
-                         const Canvas& canvas);
+TracedTile render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,
+                       Transfer transfer, const Tile& tile, std::int64_t target,
+                       const Canvas& canvas);
+TracedTile render_tile(const SimdScene<double>& scene, const SamplePattern& pattern,
+                       Transfer transfer, const Tile& tile, std::int64_t target,
+                       const Canvas& canvas);
 
 }  // namespace raytracer

@@ -199,10 +199,11 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
       structures.triangle_bins ? std::span(scene.triangles) : std::span<const PackedTriangle>(),
       block_side, pool);
   packed.has_sphere_bins = structures.sphere_bins;
-  packed.has_light_grids = structures.light_grids;
-  if (structures.sphere_tree)
+  // There may be none left of those that the structures were chosen for.
+  packed.has_light_grids = structures.light_grids && !scene.spheres.empty();
+  if (structures.sphere_tree && !scene.spheres.empty())
     packed.sphere_tree = make_sphere_tree<T>(scene.spheres, scene.numbers, pool);
-  if (structures.triangle_tree)
+  if (structures.triangle_tree && packed.has_triangles)
     packed.triangle_tree = make_triangle_tree<T>(scene.triangles, scene.numbers, pool);
   packed.has_triangle_bins = structures.triangle_bins;
   for (const PackedLight& light : scene.lights) {
@@ -210,9 +211,9 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
     simd.is_distant = light.is_distant;
     simd.place = narrowed<T>(light.place);
     simd.emission = saturated<T>(light.emission);
-    if (structures.light_grids && light.is_distant)
+    if (packed.has_light_grids && light.is_distant)
       simd.grid = build_distant_grid<T>(light.place, scene.spheres, scene.numbers, pool);
-    if (structures.light_grids && !light.is_distant)
+    if (packed.has_light_grids && !light.is_distant)
       simd.point_grid = build_point_grid<T>(light.place, scene.spheres, scene.numbers, pool);
     if (structures.triangle_grids && light.is_distant)
       simd.triangle_grid = build_triangle_grid<T>(light.place, scene.triangles, pool);

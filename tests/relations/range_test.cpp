@@ -1,0 +1,73 @@
+// Sizes so different that no arithmetic holds all of them: what is left out is as if it was not
+// there, and what is too small for the eye is not seen.
+
+#include <gtest/gtest.h>
+
+#include "engine/plan/plan.h"
+#include "tests/relations/varied_scene.h"
+
+namespace raytracer::test {
+namespace {
+
+/// Spheres of all kinds and a triangle, of `size` and around the coordinates' origin.
+std::vector<json> small_things(double size) {
+  json centers = json::array();
+  for (int i = 0; i < 40; ++i) centers.push_back({size * i, 0, 0});
+  return {sphere_json({}, size, {{"reflectivity", 0.5}}),
+          {{"type", "spheres"}, {"centers", centers}, {"radius", size}},
+          square_json({}, size, 3),
+          mesh_json({{size, 0, 0}, {0, size, 0}, {0, 0, size}}, {{0, 1, 2}})};
+}
+
+class Range : public testing::TestWithParam<std::string> {};
+
+TEST_P(Range, WhatTheFrameCannotCarryIsAsIfItWasNotThere) {
+  json with = varied_scene();
+  with["render"] = {{"precision", GetParam()}};
+  const json without = with;
+  for (const json& object : small_things(1e-160)) with["objects"].push_back(object);
+  EXPECT_EQ(image_of(with).values, image_of(without).values);
+}
+
+TEST_P(Range, NothingIsSeenWhereAllIsTooSmallForTheFarthestLight) {
+  json text = document(camera_json(24, 18, 1, {0, 1, -7}, {}), small_things(1e-260),
+                       {point_json({-8, 12, 4e177}, 8), distant_json({0, -1, 1})});
+  text["background"] = {0.25, 0.5, 1};
+  text["render"] = {{"precision", GetParam()}};
+  for (const float value : image_of(text).values) ASSERT_GE(value, 0.25F);
+}
+
+TEST_P(Range, SpheresOfASquareTooSmallForTheSquaresOfSinglesAreNotSeen) {
+  json text = document(camera_json(24, 18, 3, {1.25, 0.125, -7.375}, {0, 0, -8.375}),
+                       {square_json({1, 0, -8.375}, 3.7e-72, 1)}, {distant_json({0, -1, 0})});
+  text["background"] = {0.25, 0.5, 1};
+  text["render"] = {{"precision", GetParam()}};
+  for (const float value : image_of(text).values) ASSERT_GE(value, 0.25F);
+}
+
+TEST_P(Range, ATriangleWhoseCornersAreOnePlaceFromAfarIsNotSeen) {
+  for (const bool is_inside : {false, true}) {
+    json text = document(camera_json(48, 36, 0.6, {1e18, 1e18, 1e18}, {}),
+                         {mesh_json({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})},
+                         {distant_json({-1, -1, -1})});
+    if (is_inside)
+      text["objects"].push_back(sphere_json({1e18, 1e18, 1e18}, 1e19, constant_material({})));
+    text["render"] = {{"precision", GetParam()}};
+    EXPECT_EQ(count_lit(image_of(text)), 0) << is_inside;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Precision, Range, testing::Values("auto", "single", "double"),
+                         [](const auto& precision) { return precision.param; });
+
+TEST(Range, SingleIsRefusedWhereItHoldsNoSquareOfARadius) {
+  json text =
+      document(camera_json(), {sphere_json({0, 0, 1e-20}, 1e-21), sphere_json({0, 0, 9}, 1)});
+  text["render"] = {{"precision", "single"}};
+  const Plan plan = make_plan(scene_of(text), this_machine(1));
+  EXPECT_EQ(plan.precision.value, Precision::double_precision);
+  EXPECT_NE(plan.precision.reason.find("does not hold"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace raytracer::test
