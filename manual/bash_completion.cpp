@@ -1,3 +1,5 @@
+// One function a program, written as a reader would: a case on the command, in it one on the word
+// before.
 #include <fmt/format.h>
 
 #include "manual/completion.h"

@@ -1,3 +1,4 @@
+// One _arguments specification for each option; zsh does the rest.
 #include <fmt/format.h>
 
 #include "manual/completion.h"
