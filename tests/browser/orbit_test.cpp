@@ -51,6 +51,7 @@ TEST_F(Orbit, moves_fluently_and_refines_at_rest) {
   const std::string former = picture();
   const nlohmann::json frames = orbit(5000);
   const std::string meanwhile = state();
+  keep_screenshot("moving");
   await("done", former);
   const double refined_ms =
       value("performance.now()").get<double>() - frames.at("released").get<double>();

@@ -108,11 +108,14 @@ TEST_F(Refine, movement_ends_the_job) {
   browser().open("about:blank");
 }
 
-TEST_F(Refine, cancel_ends_the_job) {
+TEST_F(Refine, cancel_ends_the_job_and_brings_no_picture) {
+  const std::string former = picture();
   begin_endless();
+  keep_screenshot("refining");
   browser().click("#cancel");
   EXPECT_TRUE(eventually([] { return running_jobs() == 0; }, 5s)) << server().log();
   EXPECT_EQ(state(), "done");
+  EXPECT_EQ(picture(), former);
 }
 
 TEST_F(Refine, leaving_the_page_ends_the_job) {
