@@ -149,95 +149,132 @@ ServerChoice server_choice(const CLI::Option* server, const CLI::Option* token) 
   return choice;
 }
 
-}  // namespace
+/// The table of commands and options, and where their values go.
+class CommandLine {
+ public:
+  CommandLine();
+  CommandLine(const CommandLine&) = delete;  // the options refer to members
+  CommandLine& operator=(const CommandLine&) = delete;
 
-std::variant<Arguments, HelpText> read_arguments(int argc, const char* const* argv) {
-  CLI::App app("Renders scenes through a raytracer-server.", "raytracer");
-  app.footer(footer);
-  app.require_subcommand(0, 1);
-  app.allow_extras();  // refuse_rest says more about them than CLI11 would
-  app.set_help_flag("-h,--help", "Print this text");
-  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
-  app.get_formatter()->label("REQUIRED", "");
-  const CLI::Option* server =
-      app.add_option("--server", "The daemon, http://HOST:PORT (or RAYTRACER_SERVER)")
-          ->type_name("URL");
-  const CLI::Option* token =
-      app.add_option("--token", "What the daemon asks for (or RAYTRACER_TOKEN)")
-          ->type_name("TOKEN");
+  const CLI::App& app() const { return app_; }
 
-  RenderArguments render_arguments;
-  std::string output;
-  CLI::App* render = app.add_subcommand("render", "Render a scene");
-  render->add_option("SCENE", render_arguments.scene, scene_help)->required()->type_name("");
-  const CLI::Option* output_option =
-      render
-          ->add_option("-o,--output", output,
-                       "The image's file, .png, .ppm or .pfm; without it the image is shown in "
-                       "the terminal, or written as PNG when standard output is no terminal")
-          ->type_name("IMAGE")
-          ->check(path_of("an image", format_of, known_endings));
-  render->add_flag("--watch", render_arguments.watch,
-                   "Render again whenever the scene's file changes, until Ctrl-C");
-  OverrideOptions render_options(*render, render_arguments.overrides);
+  /// Throws CLI::ParseError and InputError.
+  Arguments parse(int argc, const char* const* argv);
+
+ private:
+  CLI::App* add_command(const char* name, const char* purpose);
+  CLI::App* add_command_on(std::string& scene, const char* name, const char* purpose);
+
+  CLI::App app_{"Renders scenes through a raytracer-server.", "raytracer"};
+  const CLI::Option* server_ = nullptr;
+  const CLI::Option* token_ = nullptr;
+  RenderArguments render_arguments_;
+  PlanArguments plan_arguments_;
+  TradeoffArguments tradeoff_arguments_;
+  ValidateArguments validate_arguments_;
+  std::string image_;
+  std::string curve_;
+  CLI::App* render_ = nullptr;
+  CLI::App* plan_ = nullptr;
+  CLI::App* tradeoff_ = nullptr;
+  CLI::App* validate_ = nullptr;
+};
+
+CommandLine::CommandLine() {
+  app_.footer(footer);
+  app_.require_subcommand(0, 1);
+  app_.allow_extras();  // refuse_rest says more about them than CLI11 would
+  app_.set_help_flag("-h,--help", "Print this text");
+  app_.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app_.get_formatter()->label("REQUIRED", "");
+  server_ = app_.add_option("--server", "The daemon, http://HOST:PORT (or RAYTRACER_SERVER)")
+                ->type_name("URL");
+  token_ = app_.add_option("--token", "What the daemon asks for (or RAYTRACER_TOKEN)")
+               ->type_name("TOKEN");
+
+  render_ = add_command_on(render_arguments_.scene, "render", "Render a scene");
+  render_
+      ->add_option("-o,--output", image_,
+                   "The image's file, .png, .ppm or .pfm; without it the image is shown in "
+                   "the terminal, or written as PNG when standard output is no terminal")
+      ->type_name("IMAGE")
+      ->check(path_of("an image", format_of, known_endings));
+  render_->add_flag("--watch", render_arguments_.watch,
+                    "Render again whenever the scene's file changes, until Ctrl-C");
+  OverrideOptions render_options(*render_, render_arguments_.overrides);
   render_options.add_accuracy();
   render_options.add_picture();
 
-  PlanArguments plan_arguments;
-  CLI::App* plan = app.add_subcommand(
-      "plan", "Say what a scene requires, what the server would choose for it and what that takes");
-  plan->add_option("SCENE", plan_arguments.scene, scene_help)->required()->type_name("");
-  plan->add_flag("--json", plan_arguments.as_json, "The server's answer as it is");
-  OverrideOptions plan_options(*plan, plan_arguments.overrides);
+  plan_ = add_command_on(
+      plan_arguments_.scene, "plan",
+      "Say what a scene requires, what the server would choose for it and what that takes");
+  plan_->add_flag("--json", plan_arguments_.as_json, "The server's answer as it is");
+  OverrideOptions plan_options(*plan_, plan_arguments_.overrides);
   plan_options.add_accuracy();
   plan_options.add_picture();
 
-  TradeoffArguments tradeoff_arguments;
-  std::string curve;
-  CLI::App* tradeoff =
-      app.add_subcommand("tradeoff", "Measure error against time for many settings of a scene");
-  tradeoff->add_option("SCENE", tradeoff_arguments.scene, scene_help)->required()->type_name("");
-  const CLI::Option* curve_option =
-      tradeoff
-          ->add_option("-o,--output", curve,
-                       "The curve's file, .svg, .json or .csv; without it the curve is printed")
-          ->type_name("CURVE")
-          ->check(path_of("a curve", curve_format_of, known_curve_endings));
-  OverrideOptions(*tradeoff, tradeoff_arguments.overrides).add_picture();
+  tradeoff_ = add_command_on(tradeoff_arguments_.scene, "tradeoff",
+                             "Measure error against time for many settings of a scene");
+  tradeoff_
+      ->add_option("-o,--output", curve_,
+                   "The curve's file, .svg, .json or .csv; without it the curve is printed")
+      ->type_name("CURVE")
+      ->check(path_of("a curve", curve_format_of, known_curve_endings));
+  OverrideOptions(*tradeoff_, tradeoff_arguments_.overrides).add_picture();
 
-  ValidateArguments validate_arguments;
-  CLI::App* validate = app.add_subcommand("validate", "Check a scene without rendering it");
-  validate->add_option("SCENE", validate_arguments.scene, scene_help)->required()->type_name("");
+  validate_ =
+      add_command_on(validate_arguments_.scene, "validate", "Check a scene without rendering it");
+  add_command("scenes", "List the shipped scenes");
+}
 
-  CLI::App* scenes = app.add_subcommand("scenes", "List the shipped scenes");
-  for (CLI::App* command : {render, plan, tradeoff, validate, scenes}) {
-    command->group("Commands");
-    command->fallthrough();  // --server and --token may follow the command
-    command->footer("--server and --token may stand here too: see raytracer --help.");
+CLI::App* CommandLine::add_command(const char* name, const char* purpose) {
+  CLI::App* command = app_.add_subcommand(name, purpose);
+  command->group("Commands");
+  command->fallthrough();  // --server and --token may follow the command
+  command->footer("--server and --token may stand here too: see raytracer --help.");
+  return command;
+}
+
+CLI::App* CommandLine::add_command_on(std::string& scene, const char* name, const char* purpose) {
+  CLI::App* command = add_command(name, purpose);
+  command->add_option("SCENE", scene, scene_help)->required()->type_name("");
+  return command;
+}
+
+Arguments CommandLine::parse(int argc, const char* const* argv) {
+  app_.parse(argc, argv);
+  refuse_rest(app_);
+
+  Arguments arguments{server_choice(server_, token_), ScenesArguments{}};
+  if (render_->parsed()) {
+    if (render_->count("--output") > 0) render_arguments_.output = image_;
+    arguments.command = std::move(render_arguments_);
+  } else if (plan_->parsed()) {
+    arguments.command = std::move(plan_arguments_);
+  } else if (tradeoff_->parsed()) {
+    if (tradeoff_->count("--output") > 0) tradeoff_arguments_.output = curve_;
+    arguments.command = std::move(tradeoff_arguments_);
+  } else if (validate_->parsed()) {
+    arguments.command = std::move(validate_arguments_);
   }
+  return arguments;
+}
 
+}  // namespace
+
+std::variant<Arguments, HelpText> read_arguments(int argc, const char* const* argv) {
+  CommandLine line;
   try {
-    app.parse(argc, argv);
+    return line.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    return HelpText{app.help()};
+    return HelpText{line.app().help()};
   } catch (const CLI::ParseError& error) {
     throw InputError(error.what());
   }
-  refuse_rest(app);
+}
 
-  Arguments arguments{server_choice(server, token), ScenesArguments{}};
-  if (render->parsed()) {
-    if (output_option->count() > 0) render_arguments.output = output;
-    arguments.command = std::move(render_arguments);
-  } else if (plan->parsed()) {
-    arguments.command = std::move(plan_arguments);
-  } else if (tradeoff->parsed()) {
-    if (curve_option->count() > 0) tradeoff_arguments.output = curve;
-    arguments.command = std::move(tradeoff_arguments);
-  } else if (validate->parsed()) {
-    arguments.command = std::move(validate_arguments);
-  }
-  return arguments;
+void show_command_line(const std::function<void(const CLI::App&)>& look) {
+  look(CommandLine().app());
 }
 
 }  // namespace raytracer::client

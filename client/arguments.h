@@ -2,12 +2,17 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <variant>
 
 #include "client/server_url.h"
+
+namespace CLI {
+class App;
+}
 
 namespace raytracer::client {
 
@@ -60,5 +65,8 @@ struct HelpText {
 /// Reads argv and the variables RAYTRACER_SERVER and RAYTRACER_TOKEN.
 /// Throws InputError for everything that could not be meant.
 std::variant<Arguments, HelpText> read_arguments(int argc, const char* const* argv);
+
+/// Gives the table of commands and options that --help prints, for the manual and the completions.
+void show_command_line(const std::function<void(const CLI::App&)>& look);
 
 }  // namespace raytracer::client

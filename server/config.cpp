@@ -68,26 +68,14 @@ void demand_token_beyond_loopback(const Config& config) {
       config.host));
 }
 
-/// The table of settings as CLI11 options, and what came of it.
+/// The table of settings, which --help prints.
 class CommandLine {
  public:
-  CommandLine() : app_("Renders scenes over HTTP. A flag stands over its variable.") {
-    app_.set_version_flag("--version",
-                          fmt::format("raytracer-server {} (build {})", version, build_id));
-    app_.add_flag("--quiet", quiet_, "no line on standard error for each request");
-  }
+  CommandLine();
+  CommandLine(const CommandLine&) = delete;  // the options refer to the settings
+  CommandLine& operator=(const CommandLine&) = delete;
 
-  /// The option takes a text; `help` is followed by the default and the variable.
-  const Setting& add(std::string flag, std::string variable, std::string placeholder,
-                     std::string_view help, std::string_view default_text) {
-    Setting& setting =
-        settings_.emplace_back(Setting{std::move(flag), std::move(variable), std::move(placeholder),
-                                       fmt::format("{} [{}]", help, default_text)});
-    setting.option = app_.add_option(setting.flag, setting.from_flag,
-                                     fmt::format("{}, or {}", setting.help, setting.variable));
-    setting.option->type_name(setting.placeholder);
-    return setting;
-  }
+  const CLI::App& app() const { return app_; }
 
   /// A text to print, if one was asked for. Throws ConfigError.
   std::optional<Printout> parse(int argc, const char* const* argv) {
@@ -103,69 +91,87 @@ class CommandLine {
     return {};
   }
 
-  bool quiet() const { return quiet_; }
+  bool quiet = false;
+  const Setting* host = nullptr;
+  const Setting* port = nullptr;
+  const Setting* threads = nullptr;
+  std::vector<const Setting*> limits{};  ///< in the order of limit_table
+  const Setting* max_queue = nullptr;
+  const Setting* max_kept = nullptr;
+  const Setting* max_cache = nullptr;
+  const Setting* token = nullptr;
 
  private:
-  CLI::App app_;
+  /// The option takes a text; `help` is followed by the default and the variable.
+  const Setting* add(std::string flag, std::string variable, std::string placeholder,
+                     std::string_view help, std::string_view default_text) {
+    Setting& setting =
+        settings_.emplace_back(Setting{std::move(flag), std::move(variable), std::move(placeholder),
+                                       fmt::format("{} [{}]", help, default_text)});
+    setting.option = app_.add_option(setting.flag, setting.from_flag,
+                                     fmt::format("{}, or {}", setting.help, setting.variable));
+    setting.option->type_name(setting.placeholder);
+    return &setting;
+  }
+
+  CLI::App app_{"Renders scenes over HTTP. A flag stands over its variable."};
   std::deque<Setting> settings_;  ///< addresses stay
-  bool quiet_ = false;
 };
+
+CommandLine::CommandLine() {
+  const Config defaults;
+  app_.set_version_flag("--version",
+                        fmt::format("raytracer-server {} (build {})", version, build_id));
+  app_.add_flag("--quiet", quiet, "no line on standard error for each request");
+  host = add("--host", "RAYTRACER_HOST", "ADDRESS",
+             "address to listen on; beyond loopback a token is required", defaults.host);
+  port = add("--port", "RAYTRACER_PORT", "PORT", "port to listen on; 0 takes a free one",
+             std::to_string(defaults.port));
+  threads = add("--threads", "RAYTRACER_THREADS", "COUNT", "threads that trace", "every core");
+  limits.reserve(limit_table.size());
+  for (const LimitRow& row : limit_table)
+    limits.push_back(add(row.flag, row.variable, "COUNT", fmt::format("most {}", row.meaning),
+                         std::to_string(defaults.limits.*row.value)));
+  max_queue = add("--max-queue", "RAYTRACER_MAX_QUEUE", "COUNT", "most renders waiting",
+                  std::to_string(defaults.max_queue));
+  max_kept = add("--max-kept", "RAYTRACER_MAX_KEPT", "COUNT", fmt::format("most {}", kept_meaning),
+                 std::to_string(defaults.max_kept));
+  max_cache = add("--max-cache", "RAYTRACER_MAX_CACHE", "COUNT",
+                  fmt::format("most {}", cache_meaning), std::to_string(defaults.max_cache));
+  token = add("--token", "RAYTRACER_TOKEN", "TOKEN",
+              "bearer token that requests must carry; safer in its variable, "
+              "which other users cannot list",
+              "none");
+}
 
 }  // namespace
 
 std::variant<Config, Printout> read_config(int argc, const char* const* argv,
                                            const Environment& environment) {
-  const Config defaults;
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   CommandLine line;
-  const Setting& host =
-      line.add("--host", "RAYTRACER_HOST", "ADDRESS",
-               "address to listen on; beyond loopback a token is required", defaults.host);
-  const Setting& port =
-      line.add("--port", "RAYTRACER_PORT", "PORT", "port to listen on; 0 takes a free one",
-               std::to_string(defaults.port));
-  const Setting& threads = line.add("--threads", "RAYTRACER_THREADS", "COUNT", "threads that trace",
-                                    fmt::format("every core: {}", cores));
-  std::vector<const Setting*> limits;
-  limits.reserve(limit_table.size());
-  for (const LimitRow& row : limit_table)
-    limits.push_back(&line.add(row.flag, row.variable, "COUNT", fmt::format("most {}", row.meaning),
-                               std::to_string(defaults.limits.*row.value)));
-  const Setting& max_queue = line.add("--max-queue", "RAYTRACER_MAX_QUEUE", "COUNT",
-                                      "most renders waiting", std::to_string(defaults.max_queue));
-  const Setting& max_kept =
-      line.add("--max-kept", "RAYTRACER_MAX_KEPT", "COUNT", fmt::format("most {}", kept_meaning),
-               std::to_string(defaults.max_kept));
-  const Setting& max_cache =
-      line.add("--max-cache", "RAYTRACER_MAX_CACHE", "COUNT", fmt::format("most {}", cache_meaning),
-               std::to_string(defaults.max_cache));
-  const Setting& token = line.add("--token", "RAYTRACER_TOKEN", "TOKEN",
-                                  "bearer token that requests must carry; safer in its variable, "
-                                  "which other users cannot list",
-                                  "none");
   if (auto printout = line.parse(argc, argv)) return *std::move(printout);
 
   Config config;
-  config.threads = cores;
-  config.quiet = line.quiet();
-  if (const auto given = host.given(environment)) {
+  config.threads = std::max(1U, std::thread::hardware_concurrency());
+  config.quiet = line.quiet;
+  if (const auto given = line.host->given(environment)) {
     if (given->text.empty()) refuse(*given, "an address, such as 127.0.0.1");
     config.host = given->text;
   }
-  if (const auto given = port.given(environment))
+  if (const auto given = line.port->given(environment))
     config.port = static_cast<int>(integer_of(*given, 0, 65'535));
-  if (const auto given = threads.given(environment))
+  if (const auto given = line.threads->given(environment))
     config.threads = static_cast<std::size_t>(integer_of(*given, 1, 1024));
   for (std::size_t i = 0; i < limit_table.size(); ++i)
-    if (const auto given = limits[i]->given(environment))
+    if (const auto given = line.limits[i]->given(environment))
       config.limits.*limit_table[i].value = integer_of(*given, 1, limit_table[i].largest);
-  if (const auto given = max_queue.given(environment))
+  if (const auto given = line.max_queue->given(environment))
     config.max_queue = static_cast<std::size_t>(integer_of(*given, 0, longest_queue));
-  if (const auto given = max_kept.given(environment))
+  if (const auto given = line.max_kept->given(environment))
     config.max_kept = static_cast<std::size_t>(integer_of(*given, 0, most_memory));
-  if (const auto given = max_cache.given(environment))
+  if (const auto given = line.max_cache->given(environment))
     config.max_cache = static_cast<std::size_t>(integer_of(*given, 0, most_memory));
-  if (const auto given = token.given(environment)) {
+  if (const auto given = line.token->given(environment)) {
     if (!is_token(given->text))
       throw ConfigError(
           fmt::format("{} must be a non-empty text of letters, digits and -._~+/=", given->source));
@@ -174,6 +180,8 @@ std::variant<Config, Printout> read_config(int argc, const char* const* argv,
   demand_token_beyond_loopback(config);
   return config;
 }
+
+void show_flags(const std::function<void(const CLI::App&)>& look) { look(CommandLine().app()); }
 
 bool is_loopback(const std::string& host) {
   if (host == "localhost") return true;

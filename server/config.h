@@ -10,6 +10,10 @@
 
 #include "engine/engine.h"
 
+namespace CLI {
+class App;
+}
+
 namespace raytracer {
 
 inline constexpr const char* kept_meaning = "bytes of posted scenes that are kept";
@@ -44,6 +48,9 @@ using Environment = std::function<const char*(const char* variable)>;
 /// Throws ConfigError. A variable that is set but empty counts as not set.
 std::variant<Config, Printout> read_config(int argc, const char* const* argv,
                                            const Environment& environment);
+
+/// Gives the table of flags that --help prints, for the manual and the completions.
+void show_flags(const std::function<void(const CLI::App&)>& look);
 
 /// Whether only this machine can reach a server that listens on `host`.
 bool is_loopback(const std::string& host);

@@ -1,6 +1,8 @@
 // The service's part that the page uses, as functions. Nothing else in the page calls fetch.
 // Addresses are relative, so that the page also works below a prefix, behind a proxy.
 
+const too_early = 409;
+
 /// An answer that is not the one asked for, in the terms of RFC 9457.
 export class Problem extends Error {
   /// status 0: there was no answer at all.
@@ -31,14 +33,7 @@ export async function keepScene(text, signal) {
 /// Renders `what`: {query} names a scene of the server's, {query, body} is a document.
 /// Returns the PNG and what its headers say; rejects with a Problem, or AbortError by `signal`.
 export async function render(what, signal) {
-  return ask(`render?${new URLSearchParams(what.query)}`, requestOf(what, "image/png", signal), async (answer) => ({
-    blob: await answer.blob(),
-    samples: answer.headers.get("Render-Samples"),
-    precision: answer.headers.get("Render-Precision"),
-    error: answer.headers.get("Render-Error"),
-    stop: answer.headers.get("Render-Stop"),
-    stages: stagesOf(answer.headers.get("Server-Timing") ?? ""),
-  }));
+  return ask(`render?${new URLSearchParams(what.query)}`, requestOf(what, "image/png", signal), rendering);
 }
 
 /// The bytes of a render as a PPM, which takes no time to pack and unpack.
@@ -53,14 +48,30 @@ export async function plan(what, signal) {
   return ask(`plan?${new URLSearchParams(what.query)}`, request, (answer) => answer.json());
 }
 
-/// Starts a job of that task on a document; its id.
-export async function startJob(task, text, signal) {
-  return ask(`jobs?${new URLSearchParams({ task })}`, posted(text, signal), async (answer) => (await answer.json()).id);
+/// Starts a job of that task on `what`; its id.
+export async function startJob(task, what) {
+  const request = { method: "POST", ...requestOf(what, "application/json") };
+  return ask(`jobs?${new URLSearchParams({ task, ...what.query })}`, request, async (answer) => (await answer.json()).id);
 }
 
 /// {status, progress, detail, ...} of a job.
 export async function jobState(id, signal) {
   return ask(`jobs/${id}`, { signal }, (answer) => answer.json());
+}
+
+/// The picture of a job that is done, as render() gives it.
+export async function jobImage(id, signal) {
+  return ask(`jobs/${id}/image`, { signal, headers: { Accept: "image/png" } }, rendering);
+}
+
+/// The bytes of a PPM of the picture as far as it has come; null if there is none at this moment.
+export async function jobFrame(id, signal) {
+  try {
+    return await ask(`jobs/${id}/image`, { signal, headers: { Accept: "image/x-portable-pixmap" } }, (answer) => answer.arrayBuffer());
+  } catch (error) {
+    if (error.status === too_early) return null;
+    throw error;
+  }
 }
 
 export async function jobResult(id, signal) {
@@ -70,6 +81,17 @@ export async function jobResult(id, signal) {
 /// Also for when the page is being left; whether it succeeds is nobody's business then.
 export function cancelJob(id) {
   fetch(`jobs/${id}`, { method: "DELETE", keepalive: true }).catch(() => {});
+}
+
+async function rendering(answer) {
+  return {
+    blob: await answer.blob(),
+    samples: answer.headers.get("Render-Samples"),
+    precision: answer.headers.get("Render-Precision"),
+    error: answer.headers.get("Render-Error"),
+    stop: answer.headers.get("Render-Stop"),
+    stages: stagesOf(answer.headers.get("Server-Timing") ?? ""),
+  };
 }
 
 function requestOf({ body }, accept, signal) {

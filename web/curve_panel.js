@@ -1,15 +1,15 @@
 // The scene's own speed-accuracy curve: measured by the server as a job, drawn, and each of its
 // points a picture with its difference from the reference.
-import { cancelJob, jobResult, jobState, renderFrame, startJob } from "./api.js";
+import { jobResult, renderFrame } from "./api.js";
 import { errorText } from "./accuracy.js";
 import { curvePlot } from "./curve_plot.js";
 import { differenceOf } from "./difference.js";
+import { withJob } from "./job.js";
 import { withValue } from "./json_edit.js";
 import { readPpm } from "./ppm.js";
 import { duration } from "./units.js";
 import { withView } from "./view.js";
 
-const look_again_ms = 250;
 const gain = 16;  // of the difference
 
 /// `box` holds #measure, #curve-progress, #curve-says, #curve-plot and #curve-figures.
@@ -25,24 +25,10 @@ export function createCurvePanel(box, { state, onSettings, onFail }) {
     const { text, view } = state();
     const written = withView(text, view);
     says.textContent = "Measuring: the same picture with many settings, against a reference.";
-    const id = await startJob("tradeoff", written, signal);
-    const leave = () => cancelJob(id);
-    signal.addEventListener("abort", leave);
-    window.addEventListener("pagehide", leave);
-    try {
-      for (;;) {
-        const job = await jobState(id, signal);
-        progress.value = job.progress;
-        if (job.status === "done") break;
-        if (job.status !== "queued" && job.status !== "running") throw new Error(job.detail ?? `the job ${job.status}`);
-        await new Promise((wake) => setTimeout(wake, look_again_ms));
-        signal.throwIfAborted();
-      }
-      show(written, await jobResult(id, signal));
-    } finally {
-      signal.removeEventListener("abort", leave);
-      window.removeEventListener("pagehide", leave);
-    }
+    const onProgress = (job) => {
+      progress.value = job.progress;
+    };
+    show(written, await withJob("tradeoff", { query: {}, body: written }, signal, onProgress, (id) => jobResult(id, signal)));
   }
 
   function show(text, curve) {

@@ -7,6 +7,7 @@ const late_ms = 42;        // slower than this, and the next frames are smaller:
 const early_ms = 22;       // faster than this, and they may grow again
 const scales = [1, 0.75, 0.55, 0.4, 0.28, 0.2];
 const rest_ms = 160;       // without a movement, the hand rests
+const black = 0xff000000;  // in a PPM's words
 const lasting = 0.7;       // of the mean latency, at each frame
 
 /// `canvas` lies over the picture. `ask(settings, signal)` gives the bytes of a frame of the state of
@@ -94,6 +95,17 @@ export function createLive(canvas, { ask, size, onFrame, onRest, onFail }) {
     /// Shows a frame that was not asked for here: the bytes of a PPM.
     show(bytes) {
       paint(readPpm(bytes));
+    },
+
+    /// Shows over what is in sight the bytes of a PPM that is black where there is nothing yet.
+    showPart(bytes) {
+      const part = readPpm(bytes);
+      const words = new Uint32Array(part.data.buffer);
+      for (let pixel = 0; pixel < words.length; pixel += 1)
+        if (words[pixel] === black) words[pixel] = 0;
+      const sheet = new OffscreenCanvas(part.width, part.height);
+      sheet.getContext("2d").putImageData(part, 0, 0);
+      paper.drawImage(sheet, 0, 0, canvas.width, canvas.height);
     },
 
     hide() {

@@ -131,6 +131,7 @@ async function rest(signal) {
         showPlan(at("plan"), foreseen);
       },
       onPreview: (bytes) => live.show(bytes),
+      onPart: (bytes) => live.showPart(bytes),
     }, signal);
     const total_ms = waiting.passed_ms();
     await showPicture(rendering, loaded.name || "scene", total_ms);

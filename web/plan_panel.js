@@ -36,7 +36,7 @@ const plain = (name) => name.replaceAll("_", " ");
 
 function entry(title, choice, ...reasons) {
   const section = document.createElement("section");
-  section.append(element("h3", title), element("p", choice, "choice"));
+  section.append(element("h2", title), element("p", choice, "choice"));
   for (const reason of reasons) if (reason) section.append(element("p", reason, "reason"));
   return section;
 }

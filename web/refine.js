@@ -1,23 +1,45 @@
 // From a view at rest to its picture: what is to be expected, previews if that is long, the picture.
-import { plan, render, renderFrame } from "./api.js";
+// What takes no longer than its first preview is worth is one request; what does is a job, whose
+// picture is seen as it comes.
+import { jobFrame, jobImage, plan, render, renderFrame } from "./api.js";
+import { withJob } from "./job.js";
 
 const previews_ms = [150, 1000];  // of tracing
 const widest_px = 1000;           // of a preview
 const worth = 4;                  // times as long the picture has to take, for a preview
+const rest = 3;                   // times as long as a look at the unfinished picture took, until the next
 
-/// `source`: see scene_source.js; `size`: the picture's {width, height}. onPlan(plan) and onPreview(bytes of a PPM) come before what this
+/// `source`: see scene_source.js; `size`: the picture's {width, height}. onPlan(plan), onPreview(bytes
+/// of a PPM) and onPart(bytes of one that is black where it is not done) come before what this
 /// resolves to, api.js's render(). Rejects as that does.
-export async function refine({ source, text, view, settings, size, onPlan, onPreview }, signal) {
+export async function refine({ source, text, view, settings, size, onPlan, onPreview, onPart }, signal) {
   return source.with(text, view, settings, signal, async (what) => {
     const foreseen = await plan(what, signal);
     onPlan(foreseen);
-    const { samples, target_rmse, ...rest } = what.query;
+    const { samples, target_rmse, ...others } = what.query;
     const part = Math.min(1, widest_px / size.width);
     const [width, height] = [size.width, size.height].map((length) => Math.max(1, Math.round(length * part)));
-    for (const budget_ms of previews_ms) {
-      if (foreseen.prediction.trace_ms < worth * budget_ms) break;
-      onPreview(await renderFrame({ ...what, query: { ...rest, width, height, budget_ms } }, signal));
-    }
-    return render(what, signal);
+    const worthwhile = previews_ms.filter((budget_ms) => foreseen.prediction.trace_ms >= worth * budget_ms);
+    if (worthwhile.length === 0) return render(what, signal);
+    for (const budget_ms of worthwhile)
+      onPreview(await renderFrame({ ...what, query: { ...others, width, height, budget_ms } }, signal));
+    return withJob("render", what, signal, watch(onPart, signal), (id) => jobImage(id, signal));
   });
+}
+
+// What follows a job's progress: one look at a time, and a rest after each.
+function watch(onPart, signal) {
+  let next_ms = 0;
+  return async ({ id, progress }) => {
+    const begun_ms = performance.now();
+    if (progress === 0 || progress === 1 || begun_ms < next_ms) return;
+    next_ms = Infinity;
+    try {
+      const bytes = await jobFrame(id, signal);
+      if (bytes && !signal.aborted) onPart(bytes);
+    } catch (error) {
+      if (!signal.aborted) console.debug(error);  // the job says itself what became of it
+    }
+    next_ms = performance.now() + rest * (performance.now() - begun_ms);
+  };
 }

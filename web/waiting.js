@@ -1,7 +1,5 @@
 // Signs of life of what takes long: seconds passing, and a way to end it.
 
-import { duration } from "./units.js";
-
 const patience_ms = 200;  // what is shorter needs none
 const worth_saying_ms = 1000;
 
@@ -21,7 +19,7 @@ export function startWaiting(elapsed, cancel, onLong) {
   return {
     passed_ms,
     expect(ms) {
-      expected = ms > worth_saying_ms ? ` of about ${duration(ms)}` : "";
+      expected = ms > worth_saying_ms ? ` of ${Math.round(ms / 1000)} s` : "";
     },
     end: () => clearInterval(clock),
   };

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,10 @@ class SharedArray {
   const T* end() const { return begin() + size(); }
   const T& operator[](std::size_t i) const { return (*values_)[i]; }
   /// Throws std::out_of_range if there is no such element.
-  const T& at(std::size_t i) const { return values_ ? values_->at(i) : std::vector<T>().at(i); }
+  const T& at(std::size_t i) const {
+    if (i >= size()) throw std::out_of_range("SharedArray::at");
+    return (*values_)[i];
+  }
 
   T& operator[](std::size_t i) { return own()[i]; }
   void push_back(T value) { own().push_back(std::move(value)); }

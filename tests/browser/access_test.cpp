@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/browser/browser_page.h"
+#include "tests/process/patience.h"
 
 namespace raytracer::test {
 namespace {
@@ -15,7 +16,10 @@ namespace {
 class Access : public BrowserPage {
  protected:
   void SetUp() override { open(); }
+  static void expect_contrast(const std::string& what);
 };
+
+using namespace std::chrono_literals;
 
 /// Text in sight whose contrast is below 4.5, or 3 where it is large; disabled controls are exempt.
 const std::string low_contrast = R"((() => {
@@ -43,7 +47,7 @@ const std::string low_contrast = R"((() => {
     if (!says || !element.checkVisibility({ visibilityProperty: true }) || element.disabled) continue;
     if (element.closest('.unseen, textarea, noscript, select')) continue;
     const ground = behind(element);
-    const ink = over(parts(style.color), ground);
+    const ink = over(parts(element instanceof SVGElement ? style.fill : style.color), ground);
     const [bright, dim] = [light(ink), light(ground)].sort((a, b) => b - a);
     const contrast = (bright + 0.05) / (dim + 0.05);
     const size = parseFloat(style.fontSize);
@@ -54,21 +58,48 @@ const std::string low_contrast = R"((() => {
   return found;
 })())";
 
+/// Of what is in sight now, in both schemes.
+void Access::expect_contrast(const std::string& what) {
+  for (const bool dark : {false, true}) {
+    browser().prefer_dark(dark);
+    EXPECT_EQ(value(low_contrast).get<std::vector<std::string>>(), std::vector<std::string>{})
+        << what << (dark ? ", dark" : ", light");
+  }
+  browser().prefer_dark(false);
+}
+
 TEST_F(Access, controls_and_pictures_have_names) {
-  for (const char* const panel : {"form", "json", "plan"}) {
+  for (const char* const panel : {"form", "json", "plan", "curve"}) {
     show_panel(panel);
     const std::vector<std::string> nameless = value(
         "[...document.querySelectorAll('input, select, textarea, button, a, img, [role], "
         "[tabindex]')]"
         ".filter((each) => each.checkVisibility())"
         ".filter((each) => each.tagName === 'IMG' ? !each.hasAttribute('alt')"
-        "  : !(each.labels?.length || each.textContent.trim() || each.ariaLabel"
+        "  : !(each.labels?.[0]?.textContent.trim() || each.textContent.trim() || each.ariaLabel"
         "  || each.hasAttribute('aria-labelledby')))"
         ".map((each) => each.outerHTML)");
     EXPECT_EQ(nameless, std::vector<std::string>{}) << panel;
   }
   EXPECT_NE(value("document.getElementById('picture').alt"), "");
   EXPECT_EQ(value("document.documentElement.lang"), "en");
+  EXPECT_NE(value("document.title"), "");
+  EXPECT_EQ(value("/user-scalable|maximum-scale/.test(document.querySelector('[name=viewport]')"
+                  ".content)"),
+            false);
+}
+
+TEST_F(Access, headings_leave_no_level_out) {
+  for (const char* const panel : {"form", "json", "plan", "curve"}) {
+    show_panel(panel);
+    const std::vector<int> levels = value(
+        "[...document.querySelectorAll('h1, h2, h3, h4, h5, h6')].filter((each) =>"
+        " each.checkVisibility()).map((each) => Number(each.tagName[1]))");
+    ASSERT_FALSE(levels.empty());
+    EXPECT_EQ(levels.front(), 1);
+    for (std::size_t i = 1; i < levels.size(); ++i)
+      EXPECT_LE(levels[i], levels[i - 1] + 1) << panel;
+  }
 }
 
 TEST_F(Access, page_has_landmarks_and_one_heading_above_all) {
@@ -93,15 +124,31 @@ TEST_F(Access, references_lead_somewhere_and_ids_are_unique) {
 }
 
 TEST_F(Access, text_has_contrast_in_light_and_dark) {
-  for (const bool dark : {false, true}) {
-    browser().prefer_dark(dark);
-    for (const char* const panel : {"form", "json", "plan"}) {
-      show_panel(panel);
-      EXPECT_EQ(value(low_contrast).get<std::vector<std::string>>(), std::vector<std::string>{})
-          << panel << (dark ? ", dark" : ", light");
-    }
+  open("/#scene=first-sphere");
+  for (const char* const panel : {"form", "json", "plan"}) {
+    show_panel(panel);
+    expect_contrast(panel);
   }
-  browser().prefer_dark(false);
+  show_panel("curve");
+  browser().click("#measure");
+  ASSERT_TRUE(eventually(
+      [] { return value("document.querySelectorAll('#curve-plot .point').length > 0"); }, 60s));
+  expect_contrast("curve");
+  browser().click("#open-gallery");
+  expect_contrast("gallery");
+  browser().click("#gallery form button");
+  show_panel("json");
+  edit(R"({"camera": {"fov": "wide"}, "objcets": []})");
+  press_ctrl_enter();
+  await("error");
+  expect_contrast("errors");
+}
+
+TEST_F(Access, contrast_that_is_too_low_is_found) {
+  browser().run(
+      "const faint = document.createElement('p'); faint.textContent = 'faint';"
+      "faint.style = 'color: #999; background: #fff'; document.body.append(faint);");
+  EXPECT_EQ(value(low_contrast), std::vector<std::string>{"faint: 2.85"});
 }
 
 TEST_F(Access, tabs_follow_the_arrow_keys) {
@@ -111,6 +158,7 @@ TEST_F(Access, tabs_follow_the_arrow_keys) {
 }
 
 TEST_F(Access, focus_is_seen_on_every_control) {
+  show_panel("form");
   const std::vector<std::string> unseen = value(R"((() => {
     const bad = [];
     const controls = 'a[href], button, select, input, textarea, [tabindex="0"]';

@@ -26,6 +26,20 @@ TEST_F(Layout, no_window_has_to_be_scrolled_sideways) {
   }
 }
 
+TEST_F(Layout, tabs_and_the_way_to_render_do_not_overlap) {
+  open();
+  for (const int width : {1600, 1024, 768, 480, 360, 320}) {
+    browser().resize(width, 800);
+    EXPECT_EQ(
+        value("(() => { const box = (id) => document.getElementById(id).getBoundingClientRect();"
+              " const [tab, render] = [box('tab-curve'), box('render')];"
+              " return tab.right <= render.left || tab.bottom <= render.top; })()"),
+        true)
+        << width;
+    EXPECT_LE(value("document.getElementById('tab-curve').getBoundingClientRect().right"), width);
+  }
+}
+
 TEST_F(Layout, picture_keeps_its_proportions) {
   open();
   for (const int width : {1280, 360}) {

@@ -43,7 +43,7 @@ TEST_F(Loading, every_scene_can_be_chosen) {
   open();
   const std::vector<std::string> names =
       value("[...document.getElementById('scene-select').options].map((option) => option.value)");
-  EXPECT_GE(names.size(), 6U);
+  EXPECT_GE(names.size(), 10U);
   const auto listed = nlohmann::json::parse(server().client().Get("/scenes")->body);
   EXPECT_EQ(names.size(), listed.at("scenes").size());
 }

@@ -180,6 +180,12 @@ void WebDriver::type(const std::string& selector, const std::string& keys) {
   command("POST", element(selector) + "/value", {{"text", keys}});
 }
 
+void WebDriver::press(const std::string& key) {
+  const json steps{{{"type", "keyDown"}, {"value", key}}, {{"type", "keyUp"}, {"value", key}}};
+  const json keyboard{{"type", "key"}, {"id", "keyboard"}, {"actions", steps}};
+  command("POST", session_ + "/actions", {{"actions", json::array({keyboard})}});
+}
+
 std::string WebDriver::screenshot() {
   return decode_base64(command("GET", session_ + "/screenshot").get<std::string>());
 }

@@ -43,6 +43,8 @@ class WebDriver {
   void drag(std::array<int, 2> from, std::array<int, 2> to);
   /// Presses keys in the element.
   void type(const std::string& selector, const std::string& keys);
+  /// Presses and releases a key wherever the focus is, as a keyboard does.
+  void press(const std::string& key);
   /// A PNG of the window.
   std::string screenshot();
   /// Pretends to be a screen of this size, in CSS pixels.

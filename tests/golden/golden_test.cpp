@@ -84,7 +84,7 @@ TEST(GoldenFolder, has_no_picture_without_its_scene) {
 
 TEST(GoldenFolder, has_the_scenes_of_the_specification) {
   const std::vector<std::string> scenes = shipped_scenes();
-  EXPECT_GE(scenes.size(), 6U);
+  EXPECT_GE(scenes.size(), 10U);
   for (const char* const name : {"demo", "first-sphere", "square-500"})
     EXPECT_EQ(std::count(scenes.begin(), scenes.end(), name), 1) << name;
 }

@@ -82,7 +82,8 @@ TEST_F(Jobs, image_of_a_running_job_is_what_there_is_of_it) {
   EXPECT_EQ(image.body.substr(0, 2), "P6");
   EXPECT_FALSE(image.has_header("ETag"));
   EXPECT_EQ(image.get_header_value("Cache-Control"), "no-store");
-  const std::size_t black = std::count(image.body.begin() + 16, image.body.end(), '\0');
+  const auto black =
+      static_cast<std::size_t>(std::count(image.body.begin() + 16, image.body.end(), '\0'));
   EXPECT_GT(black, image.body.size() / 4) << "it is done already";
   EXPECT_LT(black, image.body.size() - 100) << "nothing is seen of it";
   EXPECT_EQ(request("DELETE", path).status, 204);

@@ -2,7 +2,8 @@
 //
 // math -> scene -> plan -> pack -> accel -> kernel -> sample -> render -> forecast -> tradeoff ->
 // engine.h -> server. The stopwatches and the pool of threads stand below all of them; image stands
-// beside and knows scenes only. The client and the page speak HTTP and know nothing of either.
+// beside and knows scenes only. The client and the page speak HTTP and know nothing of either;
+// manual joins both programs' tables of options.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -105,9 +106,17 @@ TEST(Layers, client_links_neither_engine_nor_server) {
   }
 }
 
+TEST(Layers, manual_sees_tables_of_options_and_names_of_scenes_only) {
+  for (const SourceFile& file : source_files({"manual"}))
+    for (const std::string& include : file.own_includes())
+      EXPECT_TRUE(include.starts_with("manual/") || include == "client/arguments.h" ||
+                  include == "server/config.h" || include == "server/catalog.h")
+          << file.path << " includes " << include;
+}
+
 TEST(Layers, includes_name_files_from_the_root) {
   const std::filesystem::path root = RAYTRACER_SOURCE_DIR;
-  for (const SourceFile& file : source_files({"engine", "server", "client", "tests"}))
+  for (const SourceFile& file : source_files({"engine", "server", "client", "manual", "tests"}))
     for (const std::string& include : file.own_includes())
       EXPECT_TRUE(std::filesystem::exists(root / include)) << file.path << " includes " << include;
 }

@@ -97,7 +97,7 @@ TEST(Png, IsTheSameFileOnAnyNumberOfThreads) {
   const Bytes rgb = mixture(1501, 777);
   WorkerPool one(1);
   const std::string file = encode_png(1501, 777, rgb, one);
-  for (const std::size_t thread_count : {2, 3, 7}) {
+  for (const std::size_t thread_count : {2U, 3U, 7U}) {
     WorkerPool pool(thread_count);
     for (int i = 0; i < 3; ++i) EXPECT_TRUE(encode_png(1501, 777, rgb, pool) == file);
   }

@@ -86,7 +86,7 @@ class Inspector {
 TEST(Tree, OfNothingHasNoNodes) { EXPECT_TRUE(tree_of({}, 1).nodes.empty()); }
 
 TEST(Tree, HoldsEveryPrimitiveOnceInBoxesThatBoundIt) {
-  for (const std::size_t count : {1, 2, 8, 9, 63, 500, 9000, 40'000}) {
+  for (const std::size_t count : {1U, 2U, 8U, 9U, 63U, 500U, 9000U, 40'000U}) {
     const std::vector<Box> boxes = random_boxes(count, 0.02, count);
     Inspector(tree_of(boxes, 2), boxes);
   }
@@ -120,7 +120,7 @@ TEST(Tree, OfALongChainStaysWithinItsDepth) {
 TEST(Tree, DoesNotDependOnTheNumberOfThreads) {
   const std::vector<Box> boxes = random_boxes(100'000, 0.05, 7);
   const Tree expected = tree_of(boxes, 1);
-  for (const std::size_t threads : {2, 3, 5}) {
+  for (const std::size_t threads : {2U, 3U, 5U}) {
     const Tree tree = tree_of(boxes, threads);
     EXPECT_EQ(tree.order, expected.order);
     EXPECT_EQ(tree.leaf_begins, expected.leaf_begins);
