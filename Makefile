@@ -6,7 +6,7 @@ JOBS ?= $(shell getconf _NPROCESSORS_ONLN)
 
 MAKEFLAGS += --no-print-directory
 
-sources = $(shell find engine server client manual tests -name '*.h' -o -name '*.cpp')
+sources = $(shell find engine server client tests -name '*.h' -o -name '*.cpp')
 scripts = raytracer-demo .ci/install .ci/run tests/instructions/check tests/load/run tests/package/check
 
 # Configures every time: it takes a second, and finds what was installed since the last time.
@@ -42,7 +42,7 @@ check:
 	$(call configure,build,-DRAYTRACER_TESTS=ON)
 	@cmake --build build --parallel $(JOBS) --target all render_repeatedly  # headers are generated
 	tests/instructions/check build
-	run-clang-tidy -quiet -j $(JOBS) -p build '^$(CURDIR)/(engine|server|client|manual|tests)/'
+	run-clang-tidy -quiet -j $(JOBS) -p build '^$(CURDIR)/(engine|server|client|tests)/'
 
 # Directories of their own: the two cannot be combined, and neither with the ordinary build.
 sanitize:

@@ -11,7 +11,7 @@ namespace raytracer::test {
 namespace {
 
 std::vector<SourceFile> all_files() {
-  return source_files({"engine", "server", "client", "manual", "web", "tests"});
+  return source_files({"engine", "server", "client", "web", "tests"});
 }
 
 bool is_cpp(const SourceFile& file) {

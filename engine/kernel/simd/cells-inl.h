@@ -72,7 +72,7 @@ HWY_INLINE void for_each_cell(D d, const Begins& begins, V cell, M rest,
     const std::size_t begin = begins[index];
     const std::size_t end = begins[index + 1];
     const M together = hn::And(rest, hn::Eq(cell, hn::Set(d, cells[lane])));
-    if (suits_packet(end - begin, hn::CountTrue(d, together), most_lanes)) {
+    if (suits_packet(end - begin, count_true(d, together), most_lanes)) {
       test_together(begin, end, together);
       rest = hn::AndNot(together, rest);
     } else {

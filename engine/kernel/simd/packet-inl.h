@@ -9,6 +9,9 @@
 
 #include <hwy/highway.h>
 
+#include <cstdint>
+#include <cstring>
+
 #include "engine/kernel/simd/simd_scene.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -98,6 +101,16 @@ HWY_INLINE V inverse(D d, V a) {
   }
 #endif
   return hn::Div(hn::Set(d, T(1)), a);
+}
+
+/// hn::CountTrue, which g++ 12 reads from 64 bits where it has put a mask's 16 on the stack.
+template <class D, class M = hn::Mask<D>>
+HWY_INLINE std::size_t count_true(D d, M mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, bytes, sizeof(bits));
+  return hwy::PopCount(bits);
 }
 
 /// The lanes' directions; the zero vector gives no number.

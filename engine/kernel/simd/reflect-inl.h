@@ -95,7 +95,7 @@ HWY_INLINE void shade_packet(D d, const SimdScene<T>& scene, const Packet<V>& pa
   keep(surface.at.second, reflected.second);
   keep(weight, reflected.weight);
   keep(packet.pixel, reflected.pixel);
-  reflected.count += static_cast<int>(hn::CountTrue(d, mirrors));
+  reflected.count += static_cast<int>(count_true(d, mirrors));
 }
 
 /// One bounce of a block of reflected rays: adds what they see, returns what they mirror.

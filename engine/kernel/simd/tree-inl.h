@@ -58,7 +58,7 @@ HWY_INLINE bool go_together(D d, const V3<V>& direction, M active) {
   const T x = sum(direction.x);
   const T y = sum(direction.y);
   const T z = sum(direction.z);
-  const auto count = static_cast<T>(hn::CountTrue(d, active));
+  const auto count = static_cast<T>(count_true(d, active));
   return x * x + y * y + z * z > 2 * count;
 }
 

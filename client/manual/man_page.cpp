@@ -1,4 +1,4 @@
-#include "manual/man_page.h"
+#include "client/manual/man_page.h"
 
 #include <fmt/format.h>
 

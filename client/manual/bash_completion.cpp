@@ -2,7 +2,7 @@
 // before.
 #include <fmt/format.h>
 
-#include "manual/completion.h"
+#include "client/manual/completion.h"
 
 namespace raytracer::manual {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "manual/program.h"
+#include "client/manual/program.h"
 
 namespace raytracer::manual {
 

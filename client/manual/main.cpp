@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "client/arguments.h"
-#include "manual/completion.h"
-#include "manual/man_page.h"
-#include "manual/program.h"
+#include "client/manual/completion.h"
+#include "client/manual/man_page.h"
+#include "client/manual/program.h"
 #include "server/catalog.h"
 #include "server/config.h"
 

@@ -1,7 +1,7 @@
 // One _arguments specification for each option; zsh does the rest.
 #include <fmt/format.h>
 
-#include "manual/completion.h"
+#include "client/manual/completion.h"
 
 namespace raytracer::manual {
 namespace {

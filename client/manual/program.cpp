@@ -1,4 +1,4 @@
-#include "manual/program.h"
+#include "client/manual/program.h"
 
 #include <CLI/CLI.hpp>
 #include <sstream>

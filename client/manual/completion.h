@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "manual/program.h"
+#include "client/manual/program.h"
 
 namespace raytracer::manual {
 
