@@ -111,9 +111,9 @@ TEST_F(Terminal, picture_in_a_file_is_not_shown_too) {
 TEST_F(Terminal, long_render_shows_a_bar_that_grows_and_goes) {
   if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string image = folder_ / "image.png";
-  // By time, so that it is long enough however fast the engine is.
+  // By time, so that it is long enough however fast the engine is, and with much to refine.
   const std::string screen = shown(
-      {"render", scene_, "-o", image, "--width", "700", "--height", "500", "--budget-ms", "2000"},
+      {"render", "demo", "-o", image, "--width", "700", "--height", "500", "--budget-ms", "2000"},
       80, 24);
   static const std::regex bar(R"(rendering \[#*-*\]\s+(\d+) %)");
   std::vector<int> percents;
