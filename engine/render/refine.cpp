@@ -50,7 +50,7 @@ class Refinement {
                static_cast<std::size_t>((image.height + block_side - 1) / block_side)) {}
 
   /// The parts with the errors that they probably have.
-  std::span<const Part> parts() const { return expected_; }
+  std::span<const ImagePart> parts() const { return expected_; }
 
   /// All parts that have pixels.
   std::vector<std::size_t> all() const {
@@ -62,7 +62,7 @@ class Refinement {
 
   double squared_error() const {
     return std::accumulate(expected_.begin(), expected_.end(), 0.0,
-                           [](double sum, const Part& part) { return sum + part.error2; });
+                           [](double sum, const ImagePart& part) { return sum + part.error2; });
   }
 
   double mean_samples() const {
@@ -187,8 +187,8 @@ class Refinement {
   Image& image_;
   Image finer_;
   int columns_;
-  std::vector<Part> parts_;  ///< a block's one after another, the blocks row by row
-  std::vector<Part> expected_{};
+  std::vector<ImagePart> parts_;  ///< a block's one after another, the blocks row by row
+  std::vector<ImagePart> expected_{};
   std::map<int, SamplePattern> patterns_{};
   double sample_ms_ = 0;
 };

@@ -16,7 +16,7 @@ constexpr int step_count = 128 * steps_per_octave;
 // A refined part's error per sample is less by both.
 constexpr int steps_per_refinement = 5 * steps_per_octave;
 
-int step_of(const Part& part) {
+int step_of(const ImagePart& part) {
   const double octaves = std::log2(part.error2 / part.samples) + 128;
   return std::clamp(static_cast<int>(octaves * steps_per_octave), 0, step_count - 1);
 }
@@ -43,7 +43,7 @@ double estimate_error2(const Image& coarser, const Image& finer, const Tile& par
   return sum / (finer_samples > growth ? growth : 2);
 }
 
-std::vector<Part> expected_errors(std::span<const Part> parts, int columns) {
+std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int columns) {
   constexpr double share = 0.1;
   const int width = 4 * columns;
   const int height = static_cast<int>(parts.size()) / 4 / columns;
@@ -59,32 +59,32 @@ std::vector<Part> expected_errors(std::span<const Part> parts, int columns) {
   };
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const Part& part = parts[index(x, y)];
+      const ImagePart& part = parts[index(x, y)];
       detail[place(x, y)] = part.error2 * part.samples * std::sqrt(part.samples);
     }
-  std::vector<Part> expected(parts.begin(), parts.end());
+  std::vector<ImagePart> expected(parts.begin(), parts.end());
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const std::size_t at = place(x, y);
       double sum = -detail[at];
       for (const std::size_t row : {at - stride, at, at + stride})
         sum += detail[row - 1] + detail[row] + detail[row + 1];
-      Part& part = expected[index(x, y)];
+      ImagePart& part = expected[index(x, y)];
       part.error2 =
           std::max(part.error2, share * sum / 8 / (part.samples * std::sqrt(part.samples)));
     }
   return expected;
 }
 
-std::vector<std::size_t> parts_to_refine(std::span<const Part> parts, double bound,
+std::vector<std::size_t> parts_to_refine(std::span<const ImagePart> parts, double bound,
                                          int most_samples) {
   std::array<double, step_count> error2_by_step{};
   double rest = 0;  // that nothing can be done about
   double sum = 0;
-  const auto can_grow = [&](const Part& part) {
+  const auto can_grow = [&](const ImagePart& part) {
     return part.error2 > 0 && part.samples <= most_samples / growth;
   };
-  for (const Part& part : parts) {
+  for (const ImagePart& part : parts) {
     sum += part.error2;
     if (can_grow(part))
       error2_by_step[static_cast<std::size_t>(step_of(part))] += part.error2;

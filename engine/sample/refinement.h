@@ -23,7 +23,7 @@ namespace raytracer {
 inline constexpr int growth = 4;
 
 /// 4 x 4 pixels, those of them that the image has.
-struct Part {
+struct ImagePart {
   int samples = 1;    ///< per pixel
   double error2 = 0;  ///< estimated: the sum of its values' squared errors
 };
@@ -42,12 +42,12 @@ double estimate_error2(const Image& coarser, const Image& finer, const Tile& par
 /// The parts with the errors that they probably have: where samples met detail there is more beside
 /// it that they have missed. A part counts at least as a share of its neighbours' mean does, at its
 /// own number of samples. Blocks of 4 x 4 parts, row by row, `columns` in a row.
-std::vector<Part> expected_errors(std::span<const Part> parts, int columns);
+std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int columns);
 
 /// The indices of the parts to refine next, so that repeated refinement brings the sum of squared
 /// errors to at most `bound` (0: every part that has an error). Parts of more than
 /// `most_samples` / growth samples stay as they are. None if the bound is kept.
-std::vector<std::size_t> parts_to_refine(std::span<const Part> parts, double bound,
+std::vector<std::size_t> parts_to_refine(std::span<const ImagePart> parts, double bound,
                                          int most_samples);
 
 }  // namespace raytracer

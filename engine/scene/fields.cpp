@@ -34,7 +34,8 @@ bool expect(const Field& field, JsonKind kind, std::string_view wanted) {
 }
 
 /// Exactly three numbers within `range`.
-std::optional<Vec3> read_triple(const Field& field, const Range& range, std::string_view wanted) {
+std::optional<Vec3> read_triple(const Field& field, const ValueRange& range,
+                                std::string_view wanted) {
   if (!expect(field, JsonKind::array, wanted)) return {};
   const std::span<const double> valid = numbers_within(field.value, range);
   if (valid.size() == 3) return Vec3{valid[0], valid[1], valid[2]};
@@ -61,20 +62,20 @@ int hex_digit(char c) {
 
 }  // namespace
 
-std::string Range::describe() const {
+std::string ValueRange::describe() const {
   if (std::isinf(least)) return fmt::format("at most {}", most);
   if (std::isinf(most)) return fmt::format("{} {}", least_excluded ? "above" : "at least", least);
   return fmt::format("{} {} to {}", least_excluded ? "above" : "from", least, most);
 }
 
-std::span<const double> numbers_within(const JsonValue& value, const Range& range) {
+std::span<const double> numbers_within(const JsonValue& value, const ValueRange& range) {
   const std::span<const double> numbers = value.numbers();
   const bool is_valid = std::all_of(numbers.begin(), numbers.end(),
                                     [&](double number) { return range.contains(number); });
   return is_valid ? numbers : std::span<const double>{};
 }
 
-std::optional<double> read_number(const Field& field, const Range& range) {
+std::optional<double> read_number(const Field& field, const ValueRange& range) {
   if (!expect(field, JsonKind::number, "a number")) return {};
   const double value = field.value.number();
   if (std::isnan(value)) return {};  // beyond all doubles, as was noted when it was parsed
@@ -92,7 +93,7 @@ std::optional<std::int64_t> read_integer(const Field& field, std::int64_t least,
     field.refuse(fmt::format("{} must be an integer", value));
     return {};
   }
-  const Range range{.least = static_cast<double>(least), .most = static_cast<double>(most)};
+  const ValueRange range{.least = static_cast<double>(least), .most = static_cast<double>(most)};
   if (!range.contains(value)) {
     field.refuse(fmt::format("{} is out of range: must be an integer {}", value, range.describe()));
     return {};

@@ -32,7 +32,7 @@ struct Field {
 };
 
 /// An interval of doubles, with the words for it.
-struct Range {
+struct ValueRange {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool least_excluded = false;
@@ -43,16 +43,16 @@ struct Range {
   std::string describe() const;
 };
 
-inline constexpr Range any_number{};
-inline constexpr Range not_negative{.least = 0};
-inline constexpr Range positive{.least = 0, .least_excluded = true};
-inline constexpr Range unit_interval{.least = 0, .most = 1};
+inline constexpr ValueRange any_number{};
+inline constexpr ValueRange not_negative{.least = 0};
+inline constexpr ValueRange positive{.least = 0, .least_excluded = true};
+inline constexpr ValueRange unit_interval{.least = 0, .most = 1};
 
 /// The elements of an array of numbers, if all are in `range`; otherwise nothing, and no error:
 /// large scenes are made of these, and one that fails is looked at again number by number.
-std::span<const double> numbers_within(const JsonValue& value, const Range& range);
+std::span<const double> numbers_within(const JsonValue& value, const ValueRange& range);
 
-std::optional<double> read_number(const Field& field, const Range& range = any_number);
+std::optional<double> read_number(const Field& field, const ValueRange& range = any_number);
 
 /// A number without a fraction, 3 and 3.0 alike, from `least` to `most`.
 std::optional<std::int64_t> read_integer(const Field& field, std::int64_t least, std::int64_t most);

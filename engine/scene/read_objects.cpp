@@ -97,7 +97,7 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> read_triangles(
   if (!expect_array(field)) return {};
   std::vector<std::array<std::uint32_t, 3>> triangles;
   triangles.reserve(field.value.node_count());
-  const Range valid_index{.least = 0, .most = static_cast<double>(last_vertex)};
+  const ValueRange valid_index{.least = 0, .most = static_cast<double>(last_vertex)};
   const auto is_integer = [](double number) { return number == std::floor(number); };
   read_elements(field, [&](const Field& element) {
     std::array<std::uint32_t, 3> triangle{};

@@ -60,17 +60,14 @@ bool names(const std::string& text, const std::string& flag) {
 
 /// What Tab offers after these words; the last of them is the one to be completed.
 Words offers(const Words& words, const fs::path& folder = {}) {
-  const std::string program = words.front();
+  const std::string& program = words.front();
   std::string function = "_" + program;
   std::replace(function.begin(), function.end(), '-', '_');
-  Words arguments{
-      "--norc",
-      "-c",
+  const std::string script =
       "source \"$1\" && function=$2 && shift 2 && COMP_WORDS=(\"$@\") && COMP_CWORD=$(($# - 1)) && "
-      "\"$function\"; printf '%s\\n' \"${COMPREPLY[@]}\"",
-      "bash",
-      (manual_dir / "bash" / program).string(),
-      function};
+      "\"$function\"; printf '%s\\n' \"${COMPREPLY[@]}\"";
+  Words arguments{"--norc", "-c", script, "bash", (manual_dir / "bash" / program).string(),
+                  function};
   arguments.insert(arguments.end(), words.begin(), words.end());
   const Outcome said = run({"bash", arguments, "", {}, folder});
   EXPECT_EQ(said.status, 0) << said.err;

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,27 @@ TEST(Tidiness, file_says_what_it_is) {
                             [&](const SourceFile& other) { return other.path == header; }))
         << file.path << " begins without a comment and has no header that does";
   }
+}
+
+/// Two types of one name and namespace are one to the linker, which keeps either's functions: no
+/// compiler sees it.
+TEST(Tidiness, headers_define_each_type_once) {
+  static const std::regex definition(R"(\n(?:struct|class|enum class) (\w+)[^;{]*\{)");
+  static const std::regex name_space(R"(\nnamespace ([\w:]+) \{)");
+  std::map<std::string, std::string> defined_in;
+  for (const SourceFile& file : source_files({"engine", "server", "client"})) {
+    if (!file.path.ends_with(".h")) continue;
+    std::smatch inside;
+    if (!std::regex_search(file.text, inside, name_space)) continue;  // includes others only
+    for (std::sregex_iterator i(file.text.begin(), file.text.end(), definition), end; i != end;
+         ++i) {
+      // Of the kernel there is one for each instruction set.
+      const std::string scope = file.path.ends_with("-inl.h") ? "simd" : inside[1].str();
+      const auto [other, is_new] = defined_in.try_emplace(scope + "::" + (*i)[1].str(), file.path);
+      EXPECT_TRUE(is_new) << other->first << " is in " << other->second << " and in " << file.path;
+    }
+  }
+  EXPECT_GT(defined_in.size(), 100U);
 }
 
 TEST(Tidiness, no_file_name_says_nothing) {

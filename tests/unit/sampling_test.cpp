@@ -104,33 +104,34 @@ TEST(EstimateError, IsLargerAfterTheFirstSample) {
 constexpr int plenty = 1 << 20;
 
 TEST(PartsToRefine, AreNoneWhenTheBoundIsKept) {
-  EXPECT_TRUE(parts_to_refine(std::vector<Part>{{4, 1}, {4, 2}}, 3, plenty).empty());
-  EXPECT_TRUE(parts_to_refine(std::vector<Part>{{4, 0}}, 0, plenty).empty());
+  EXPECT_TRUE(parts_to_refine(std::vector<ImagePart>{{4, 1}, {4, 2}}, 3, plenty).empty());
+  EXPECT_TRUE(parts_to_refine(std::vector<ImagePart>{{4, 0}}, 0, plenty).empty());
 }
 
 TEST(PartsToRefine, AreThoseWithTheLargestErrorPerSample) {
-  const std::vector<Part> parts{{4, 0.1}, {4, 8}, {64, 8}, {4, 0}};
+  const std::vector<ImagePart> parts{{4, 0.1}, {4, 8}, {64, 8}, {4, 0}};
   EXPECT_EQ(parts_to_refine(parts, 10, plenty), std::vector<std::size_t>{1});
 }
 
 TEST(PartsToRefine, AreAllWithAnErrorWhenNothingIsAllowed) {
-  const std::vector<Part> parts{{4, 0.1}, {4, 8}, {64, 1e-30}, {4, 0}};
+  const std::vector<ImagePart> parts{{4, 0.1}, {4, 8}, {64, 1e-30}, {4, 0}};
   EXPECT_EQ(parts_to_refine(parts, 0, plenty), (std::vector<std::size_t>{0, 1, 2}));
 }
 
 TEST(PartsToRefine, NeverGetMoreThanTheLimit) {
-  const std::vector<Part> parts{{16, 1}, {4, 0.5}};
+  const std::vector<ImagePart> parts{{16, 1}, {4, 0.5}};
   EXPECT_EQ(parts_to_refine(parts, 1e-9, 32), std::vector<std::size_t>{1});
 }
 
 TEST(PartsToRefine, LeadToTheBoundIfErrorsFallAsExpected) {
-  std::vector<Part> parts;
-  for (int i = 0; i < 1000; ++i) parts.push_back({4, std::pow(1.02, i % 300)});
+  std::vector<ImagePart> parts(1000, ImagePart{4, 0});
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i].error2 = std::pow(1.02, static_cast<double>(i % 300));
   double sum = 0;
   int rounds = 0;
   for (;; ++rounds) {
     sum = 0;
-    for (const Part& part : parts) sum += part.error2;
+    for (const ImagePart& part : parts) sum += part.error2;
     const std::vector<std::size_t> chosen = parts_to_refine(parts, 500, plenty);
     if (chosen.empty()) break;
     for (const std::size_t i : chosen) parts[i] = {growth * parts[i].samples, parts[i].error2 / 8};
@@ -142,9 +143,9 @@ TEST(PartsToRefine, LeadToTheBoundIfErrorsFallAsExpected) {
 
 /// Two blocks side by side: 8 x 4 parts.
 TEST(ExpectedErrors, RiseBesideDetail) {
-  std::vector<Part> parts(32, Part{4, 0});
+  std::vector<ImagePart> parts(32, ImagePart{4, 0});
   parts[3] = {16, 1};  // at (3, 0), at the second block's side
-  const std::vector<Part> expected = expected_errors(parts, 2);
+  const std::vector<ImagePart> expected = expected_errors(parts, 2);
   EXPECT_EQ(expected[3].error2, 1);
   EXPECT_GT(expected[16].error2, 0);     // at (4, 0)
   EXPECT_GT(expected[2 + 4].error2, 0);  // at (2, 1)

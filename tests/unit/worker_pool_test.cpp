@@ -130,9 +130,9 @@ TEST(WorkerPool, RunsNoMoreTasksAtOnceThanItHasThreads) {
   const std::atomic<bool> stop{false};
   std::atomic<int> running{0};
   std::atomic<int> most{0};
-  std::vector<std::thread> callers;
-  for (int caller = 0; caller < 4; ++caller)
-    callers.emplace_back([&] {
+  std::vector<std::thread> callers(4);
+  for (std::thread& caller : callers)
+    caller = std::thread([&] {
       for (int batch = 0; batch < 50; ++batch)
         pool.run(
             8,

@@ -228,14 +228,14 @@ HWY_INLINE void store_block(D d, const BlockColours<T>& colours, const Block& bl
 template <class D, typename Channel>
 HWY_INLINE void fill_block(D d, const V3<hn::Vec<D>>& colour, const Block& block,
                            Raster<Channel>& image) {
-  HWY_ALIGN Channel row[3 * block_side + HWY_MAX_BYTES / sizeof(Channel)];
+  HWY_ALIGN Channel row[std::size_t{3} * block_side + HWY_MAX_BYTES / sizeof(Channel)];
   for (int x = 0; x < block_side; x += PacketShape<D>::lanes)
     store_interleaved(d, colour, row + std::ptrdiff_t{3} * x);
   const std::ptrdiff_t stride = 3 * static_cast<std::ptrdiff_t>(image.width);
   Channel* to = image.pixel(block.x_begin, block.y_begin);
   if (block.width == block_side)
     for (int y = 0; y < block.height; ++y, to += stride)
-      std::memcpy(to, row, 3 * block_side * sizeof(Channel));  // known to the compiler
+      std::memcpy(to, row, sizeof(Channel) * 3 * block_side);  // known to the compiler
   else
     for (int y = 0; y < block.height; ++y, to += stride)
       std::memcpy(to, row, 3 * static_cast<std::size_t>(block.width) * sizeof(Channel));
