@@ -20,6 +20,7 @@
 #include "engine/parallel/worker_pool.h"    // IWYU pragma: export
 #include "engine/plan/explain.h"            // IWYU pragma: export
 #include "engine/plan/machine.h"            // IWYU pragma: export
+#include "engine/plan/sampling.h"           // IWYU pragma: export
 #include "engine/render/progress.h"         // IWYU pragma: export
 #include "engine/render/render.h"           // IWYU pragma: export
 #include "engine/scene/canonical.h"         // IWYU pragma: export

@@ -29,7 +29,9 @@ void post_or_get_render(Services& services, Call& call) {
     return image;
   };
   const auto make = [&](RenderProgress& progress) {
-    return holds_floats(format) ? make_with(render, progress) : make_with(render_bytes, progress);
+    const bool needs_floats =
+        holds_floats(format) || sampling_of(request.scene.render) == Sampling::contract;
+    return needs_floats ? make_with(render, progress) : make_with(render_bytes, progress);
   };
   const Delivery delivery = services.images.fetch(wish_of(call, wanted), make);
   answer_image(call, delivery, request.parse_ms, wanted);

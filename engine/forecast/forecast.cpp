@@ -34,30 +34,35 @@ struct Expectation {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What render() would make of the contract: four samples everywhere, and then more where they are
-/// needed, each refinement four times as many as before.
-Expectation expect_contract(const RenderSettings& settings, int most, const PassModel& model) {
-  constexpr double overestimate = 1.3;                    // of the error, mostly
+/// What render() would make of the contract: `probing` samples everywhere, and then more where they
+/// are needed, each refinement four times as many as before.
+Expectation expect_contract(const RenderSettings& settings, int most, int probing,
+                            const PassModel& model) {
+  constexpr double overestimate = 1.5;                    // of the error, mostly
   constexpr double all_refinements = 1.0 / (growth - 1);  // against the last one's samples
   const Rehearsal& rehearsal = model.rehearsal;
   const double share = std::min(rehearsal.refined_share, 1.0);
-  const double probed_ms = model.pass_ms(1) + model.pass_ms(growth);
+  if (most < growth) return {1, model.pass_ms(1), model.rehearsal.error_of(1)};
+  double probed_ms = model.pass_ms(1);
+  for (int samples = growth; samples <= probing; samples *= growth)
+    probed_ms += model.pass_ms(samples);
   const double sample_ms = (1 + all_refinements) * static_cast<double>(rehearsal.tile_count) *
                            rehearsal.refined_sample_ms / model.threads;
 
-  double samples = growth;  // on average, of the refined image
+  double samples = probing;  // on average, of the refined image
   if (settings.target_rmse) {
     const double even = std::pow(overestimate * rehearsal.error / *settings.target_rmse,
                                  1 / rehearsal.error_exponent);
     samples = std::max(samples, share * even);
   }
   if (settings.budget_ms) {
-    const double affordable = growth + std::max(*settings.budget_ms - probed_ms, 0.0) / sample_ms;
+    const double rest_ms = std::max(*settings.budget_ms - probed_ms, 0.0);
+    const double affordable = probing + (sample_ms > 0 ? rest_ms / sample_ms : 0);
     samples = settings.target_rmse ? std::min(samples, affordable) : affordable;
   }
   samples = std::min(samples, static_cast<double>(most));
-  const double trace_ms =
-      std::min(probed_ms + (samples - growth) * sample_ms, settings.budget_ms.value_or(infinity));
+  const double trace_ms = std::min(probed_ms + std::max(samples - probing, 0.0) * sample_ms,
+                                   settings.budget_ms.value_or(infinity));
   return {samples, trace_ms, rehearsal.error_of(std::max(samples / share, 1.0))};
 }
 
@@ -93,7 +98,8 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
   const double fixed = scene.render.samples.value_or(1);
   const Expectation expected =
       plan.sampling.value == Sampling::contract
-          ? expect_contract(scene.render, most_samples(scene, limits), model)
+          ? expect_contract(scene.render, most_samples(scene, limits), probing_samples(plan.census),
+                            model)
           : Expectation{fixed, model.pass_ms(fixed), rehearsal.error_of(fixed)};
   result.prediction = {
       .build_ms = build_ms,

@@ -145,7 +145,7 @@ Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_cou
   if (rehearsal.compared == 0) return rehearsal;
   rehearsal.tile_ms = one_ms / static_cast<double>(rehearsal.timed);
   // As many times longer as in the tiles that were traced with both.
-  const double growth = std::max(many_ms / compared_one_ms, 1.0);
+  const double growth = compared_one_ms > 0 ? std::max(many_ms / compared_one_ms, 1.0) : 1;
   rehearsal.sample_ms = rehearsal.tile_ms * (growth - 1) / (many_samples - 1);
 
   if (refinement > 0) {

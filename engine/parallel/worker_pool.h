@@ -30,7 +30,7 @@ class WorkerPool {
  public:
   /// Starts `thread_count` (at least 1) threads.
   explicit WorkerPool(std::size_t thread_count);
-  /// Waits for the batches that run.
+  /// Not while run() is under way.
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;

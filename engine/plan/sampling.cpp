@@ -29,8 +29,9 @@ Sampling sampling_of(const RenderSettings& settings) {
 
 Choice<Sampling> choose_sampling(const RenderSettings& settings) {
   const std::string how =
-      "one sample per pixel, then four, then four times as many in those parts of 4 x 4 pixels "
-      "where the last ones changed most";
+      "one sample per pixel, then four, or sixteen if spheres may be smaller than a pixel, then "
+      "four "
+      "times as many in those parts of 4 x 4 pixels where the last ones changed most";
   if (settings.target_rmse && settings.budget_ms)
     return {Sampling::contract,
             fmt::format("{}, until the estimated error is at most {:g} or {:g} ms are over", how,

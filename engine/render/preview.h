@@ -1,7 +1,7 @@
 // The picture of a render that is not done yet, for whoever wants to look at it meanwhile.
 //
-// Threads say which tiles they have finished, and whoever looks copies those: rendering waits for
-// nobody, and nothing is copied if nobody looks.
+// Threads say which tiles they have finished, and whoever looks copies those: tracing waits for
+// nobody, and nothing is copied if nobody looks. Only a change of a whole image waits for a copy.
 #pragma once
 
 #include <atomic>
@@ -19,7 +19,8 @@ namespace raytracer {
 class Preview {
  public:
   /// A copy of the tiles that are done, over the last whole image if there is one, else over black.
-  /// Nothing before the first tiles are begun or after the render has ended. From any thread.
+  /// Nothing before the first tiles are begun, for a moment after the first pass, or after the
+  /// render has ended. From any thread.
   std::optional<Image> so_far() const;
 
   /// While one exists, its image is being made, tile by tile, and outlives it.

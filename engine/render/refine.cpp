@@ -86,6 +86,7 @@ class Refinement {
   /// Gives these parts `growth` times the samples. False if not all were done: time was over, or
   /// it was stopped.
   bool refine(const std::vector<std::size_t>& chosen) {
+    if (tracing_.progress.stop || tracing_.is_over_time()) return false;
     const std::vector<Task> tasks = tasks_for(chosen);
     const double begin_ms = tracing_.watch.elapsed_ms();
     std::vector<double> error2(parts_.size());
@@ -117,6 +118,8 @@ class Refinement {
     ++tracing_.passes_done;
     tracing_.beyond.not_numbers += not_numbers;
     expected_ = expected_errors(parts_, columns_);
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      if (pixel_count(i) == 0) expected_[i].error2 = 0;  // beside the image is no detail
     double samples = 0;
     for (std::size_t i = 0; i < tasks.size(); ++i)
       if (is_done[i] != 0) samples += tasks[i].sample_count();
@@ -202,7 +205,7 @@ std::vector<std::size_t> next_parts(const Refinement& refinement, double allowed
   double bound = std::max(allowed2, 0.0);
   for (int i = 0;; ++i) {
     std::vector<std::size_t> parts = parts_to_refine(refinement.parts(), bound, most_samples);
-    if (i == most_tries || refinement.expected_ms(parts) <= rest_ms) return parts;
+    if (i == most_tries || rest_ms <= 0 || refinement.expected_ms(parts) <= rest_ms) return parts;
     bound = (bound + error2) / 2;
   }
 }
@@ -220,8 +223,12 @@ void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering
   shown.change([&](Image& image) { image = std::move(*first); });
 
   Refinement refinement(tracing, shown, rendering.image);
+  const bool is_shared = !is_one_tile(tracing.scene.camera.width, tracing.scene.camera.height, 1,
+                                      tracing.scene.lights.size());
+  const std::size_t threads =
+      is_shared ? 1 : tracing.pool.thread_count();  // that had no part in it
   refinement.expect_sample_ms(tracing.watch.elapsed_ms() /
-                              static_cast<double>(rendering.pixel_count));
+                              static_cast<double>(rendering.pixel_count * threads));
   const double allowed2 =
       settings.target_rmse ? *settings.target_rmse * *settings.target_rmse * values : 0;
   const auto rest_ms = [&] {
@@ -229,13 +236,14 @@ void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering
                               : std::numeric_limits<double>::infinity();
   };
   const auto error2 = [&] { return refinement.squared_error(); };
-  // The first refinement tells where more are needed, but not of what is smaller than a pixel.
-  const int probes = tracing.plan.census.small_spheres > 0 ? 2 : 1;
   bool is_complete = true;
-  for (int probe = 1; probe <= probes && is_complete; ++probe)
-    is_complete = most_samples >= std::pow(growth, probe) && refinement.refine(refinement.all());
-  const bool is_estimated = is_complete;
-  while (is_complete && error2() > allowed2) {
+  bool is_estimated = false;
+  const int samples_everywhere = std::min(probing_samples(tracing.plan.census), most_samples);
+  for (int samples = growth; samples <= samples_everywhere && is_complete; samples *= growth) {
+    is_complete = refinement.refine(refinement.all());
+    is_estimated = is_estimated || is_complete;
+  }
+  while (is_complete && is_estimated && error2() > allowed2 && rest_ms() > 0) {
     const double bound = settings.target_rmse ? allowed2 : error2() / 4;
     const std::vector<std::size_t> parts = next_parts(refinement, bound, rest_ms(), most_samples);
     if (parts.empty()) break;

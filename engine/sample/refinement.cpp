@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+
+#include "engine/scene/overrides.h"
 
 namespace raytracer {
 namespace {
@@ -24,9 +25,14 @@ int step_of(const ImagePart& part) {
 }  // namespace
 
 int most_samples(const Scene& scene, const Limits& limits) {
-  const std::int64_t pixels = std::int64_t{scene.camera.width} * scene.camera.height;
-  const std::int64_t most = std::min({limits.samples, limits.work / pixels, std::int64_t{1} << 30});
-  return static_cast<int>(std::max<std::int64_t>(most, 1));
+  constexpr double share_of_last = 1 - 1.0 / growth;  // of 1 + growth + growth^2 + ...
+  const double by_work = share_of_last * static_cast<double>(limits.work) / count_rays(scene, 1);
+  return static_cast<int>(std::clamp(std::min(by_work, static_cast<double>(limits.samples)), 1.0,
+                                     static_cast<double>(1 << 30)));
+}
+
+int probing_samples(const Census& census) {
+  return census.small_spheres > 0 ? growth * growth : growth;
 }
 
 double estimate_error2(const Image& coarser, const Image& finer, const Tile& part,

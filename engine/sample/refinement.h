@@ -14,6 +14,7 @@
 
 #include "engine/image/image.h"
 #include "engine/image/tile.h"
+#include "engine/plan/census.h"
 #include "engine/scene/limits.h"
 #include "engine/scene/scene.h"
 
@@ -28,8 +29,13 @@ struct ImagePart {
   double error2 = 0;  ///< estimated: the sum of its values' squared errors
 };
 
-/// The most samples per pixel that the limits grant a contract on this scene; at least 1.
+/// The most samples per pixel that the limits grant a contract on this scene, the fewer ones before
+/// them included; at least 1.
 int most_samples(const Scene& scene, const Limits& limits);
+
+/// The samples per pixel that all parts get before any is chosen: they tell where more are needed,
+/// but four tell little of what is smaller than a pixel.
+int probing_samples(const Census& census);
 
 /// The sum of squared errors of `finer`, which took `growth` times the samples of `coarser`, over
 /// the values of one part. The two have no samples in common, so their squared errors add up in
