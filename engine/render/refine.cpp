@@ -60,9 +60,19 @@ class Refinement {
     return indices;
   }
 
-  double squared_error() const {
+  /// The sum of the parts' squared errors.
+  double sum_of_errors() const {
     return std::accumulate(expected_.begin(), expected_.end(), 0.0,
                            [](double sum, const ImagePart& part) { return sum + part.error2; });
+  }
+
+  /// The sum with its own uncertainty, which counts where few parts have an error: that of k
+  /// squares of normal numbers has a standard deviation of sqrt(2 / k) of itself.
+  double squared_error() const {
+    const double squares = std::accumulate(
+        expected_.begin(), expected_.end(), 0.0,
+        [](double sum, const ImagePart& part) { return sum + part.error2 * part.error2; });
+    return sum_of_errors() + std::sqrt(2 * squares);
   }
 
   double mean_samples() const {
@@ -201,8 +211,8 @@ class Refinement {
 std::vector<std::size_t> next_parts(const Refinement& refinement, double allowed2, double rest_ms,
                                     int most_samples) {
   constexpr int most_tries = 6;
-  const double error2 = refinement.squared_error();
-  double bound = std::max(allowed2, 0.0);
+  const double error2 = refinement.sum_of_errors();
+  double bound = allowed2 * error2 / refinement.squared_error();
   for (int i = 0;; ++i) {
     std::vector<std::size_t> parts = parts_to_refine(refinement.parts(), bound, most_samples);
     if (i == most_tries || rest_ms <= 0 || refinement.expected_ms(parts) <= rest_ms) return parts;
