@@ -117,6 +117,10 @@ class Metrics : public testing::Test {
     EXPECT_TRUE(
         eventually([&] { return json_of(get(server_, job)).value("status", "") == "done"; }));
     get(server_, job + "/image");
+    // A request is counted when its answer has gone, and another connection may be faster.
+    const char* const last =
+        R"(raytracer_http_requests_total{method="GET",route="/jobs/{id}/image",status="200"})";
+    EXPECT_TRUE(eventually([&] { return scrape(server_)[last] == 1; }));
   }
   ServerProcess server_;
 };
