@@ -10,52 +10,54 @@
 
 #include "engine/accel/box.h"
 #include "engine/accel/projection.h"
+#include "engine/math/block.h"
 
 namespace raytracer {
 namespace {
 
-/// The squares of `side` pixels, `columns` x `rows` in all, that the rectangle touches.
-CellRectangle squares_touched(const PixelRectangle& pixels, int side, int columns, int rows) {
+/// The parts of an image of so many blocks that the rectangle touches.
+CellRectangle parts_touched(const PixelRectangle& pixels, const BinGrid& blocks) {
   if (!(pixels.x_begin < pixels.x_end && pixels.y_begin < pixels.y_end)) return {};
   // A rectangle beside the image clamps to nothing.
   const auto index = [&](double pixel, int most) {
-    return static_cast<int>(std::clamp(pixel / side, 0.0, static_cast<double>(most)));
+    return static_cast<int>(std::clamp(pixel / part_side, 0.0, static_cast<double>(most)));
   };
+  const int columns = parts_across * blocks.columns;
+  const int rows = parts_across * blocks.rows;
   return {index(pixels.x_begin, columns), index(pixels.y_begin, rows),
-          index(pixels.x_end + side, columns), index(pixels.y_end + side, rows)};
+          index(pixels.x_end + part_side, columns), index(pixels.y_end + part_side, rows)};
 }
 
 /// The parts of the block at (column, row) that lie in `parts`, which counts parts of the image.
 std::uint16_t part_mask(const CellRectangle& parts, int column, int row) {
-  const int x_begin = std::max(parts.x_begin - 4 * column, 0);
-  const int x_end = std::min(parts.x_end - 4 * column, 4);
-  const int y_begin = std::max(parts.y_begin - 4 * row, 0);
-  const int y_end = std::min(parts.y_end - 4 * row, 4);
+  const int x_begin = std::max(parts.x_begin - parts_across * column, 0);
+  const int x_end = std::min(parts.x_end - parts_across * column, parts_across);
+  const int y_begin = std::max(parts.y_begin - parts_across * row, 0);
+  const int y_end = std::min(parts.y_end - parts_across * row, parts_across);
   const unsigned in_row = ((1U << x_end) - 1U) & ~((1U << x_begin) - 1U);
   unsigned mask = 0;
-  for (int y = y_begin; y < y_end; ++y) mask |= in_row << (4 * y);
+  for (int y = y_begin; y < y_end; ++y) mask |= in_row << (parts_across * y);
   return static_cast<std::uint16_t>(mask);
 }
 
-/// The square of `side` pixels at (column, row).
-PixelRectangle square_pixels(int column, int row, int side) {
-  const double x = static_cast<double>(column) * side;
-  const double y = static_cast<double>(row) * side;
-  return {x, y, x + side, y + side};
+/// The pixels of the block at (column, row).
+PixelRectangle block_pixels(int column, int row) {
+  const double x = static_cast<double>(column) * block_side;
+  const double y = static_cast<double>(row) * block_side;
+  return {x, y, x + block_side, y + block_side};
 }
 
 /// Those of a block's parts that the triangle reaches.
 std::uint16_t parts_reached(const TriangleSides& sides, const PixelRectangle& block,
                             std::uint16_t mask) {
   if (!sides.reach(block)) return 0;
-  const double side = (block.x_end - block.x_begin) / 4;
   unsigned reached = 0;
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      const unsigned part = 1U << (4 * row + column);
-      const double x = block.x_begin + side * column;
-      const double y = block.y_begin + side * row;
-      if ((mask & part) != 0 && sides.reach({x, y, x + side, y + side})) reached |= part;
+  for (int row = 0; row < parts_across; ++row) {
+    for (int column = 0; column < parts_across; ++column) {
+      const unsigned part = 1U << (parts_across * row + column);
+      const double x = block.x_begin + part_side * column;
+      const double y = block.y_begin + part_side * row;
+      if ((mask & part) != 0 && sides.reach({x, y, x + part_side, y + part_side})) reached |= part;
     }
   }
   return static_cast<std::uint16_t>(reached);
@@ -98,19 +100,18 @@ void sort_by_distance(std::span<ScreenEntry> entries) {
 }
 
 /// Fills in the bins' triangles.
-void bin_triangles(const View& view, std::span<const PackedTriangle> triangles, int block_side,
-                   WorkerPool& pool, ScreenBins& bins) {
+void bin_triangles(const View& view, std::span<const PackedTriangle> triangles, WorkerPool& pool,
+                   ScreenBins& bins) {
   const BinGrid& blocks = bins.blocks;
   const Projection projection(view);
   std::vector<float> distance_per_depth(blocks.bin_count());
   for (int row = 0; row < blocks.rows; ++row)
     for (int column = 0; column < blocks.columns; ++column)
-      distance_per_depth[blocks.index(column, row)] = static_cast<float>(
-          projection.distance_per_depth(square_pixels(column, row, block_side)) * (1 - 1e-6));
+      distance_per_depth[blocks.index(column, row)] =
+          static_cast<float>(projection.distance_per_depth(block_pixels(column, row)) * (1 - 1e-6));
 
   const auto cells_of = [&](std::size_t i) {
-    return squares_touched(projection.of_triangle(triangles[i]), block_side / 4, 4 * blocks.columns,
-                           4 * blocks.rows);
+    return parts_touched(projection.of_triangle(triangles[i]), blocks);
   };
   const auto entry_of = [&](std::size_t i) {
     return ScreenEntry{static_cast<float>(projection.depth(triangles[i]) * (1 - 1e-6)),
@@ -119,9 +120,9 @@ void bin_triangles(const View& view, std::span<const PackedTriangle> triangles, 
   const auto entry_in = [&](ScreenEntry entry, const CellRectangle& parts, int column, int row) {
     entry.nearest *= distance_per_depth[blocks.index(column, row)];
     entry.parts = part_mask(parts, column, row);
-    if (parts.x_end - parts.x_begin > 4 && parts.y_end - parts.y_begin > 4)
+    if (parts.x_end - parts.x_begin > parts_across && parts.y_end - parts.y_begin > parts_across)
       entry.parts = parts_reached(TriangleSides(view, triangles[entry.primitive]),
-                                  square_pixels(column, row, block_side), entry.parts);
+                                  block_pixels(column, row), entry.parts);
     return entry;
   };
   bins.triangle_begins = sort_into_bins(
@@ -138,18 +139,13 @@ void bin_triangles(const View& view, std::span<const PackedTriangle> triangles, 
 
 ScreenBins build_screen_bins(const View& view, std::span<const PackedSphere> spheres,
                              const std::vector<PackedSquare>& squares,
-                             std::span<const PackedTriangle> triangles, int block_side,
-                             WorkerPool& pool) {
+                             std::span<const PackedTriangle> triangles, WorkerPool& pool) {
   ScreenBins bins;
   bins.blocks = {(view.width + block_side - 1) / block_side,
                  (view.height + block_side - 1) / block_side, 2};
   const Projection projection(view);
-  const auto parts_touched = [&](const PixelRectangle& pixels) {
-    return squares_touched(pixels, block_side / 4, 4 * bins.blocks.columns, 4 * bins.blocks.rows);
-  };
-
   const auto cells_of = [&](std::size_t i) {
-    return parts_touched(projection.of_sphere(spheres[i].center, spheres[i].radius));
+    return parts_touched(projection.of_sphere(spheres[i].center, spheres[i].radius), bins.blocks);
   };
   const auto entry_of = [&](std::size_t i) {
     // Rounded down: by more than the rounding of the distance and of the cast.
@@ -170,11 +166,11 @@ ScreenBins build_screen_bins(const View& view, std::span<const PackedSphere> sph
                   bins.spheres.begin() + static_cast<std::ptrdiff_t>(first));
       });
 
-  if (!triangles.empty()) bin_triangles(view, triangles, block_side, pool, bins);
+  if (!triangles.empty()) bin_triangles(view, triangles, pool, bins);
 
   if (!squares.empty()) bins.squares.assign(bins.blocks.bin_count(), 0);
   for (const PackedSquare& square : squares) {
-    const CellRectangle parts = parts_touched(projection.of_box(bound(square)));
+    const CellRectangle parts = parts_touched(projection.of_box(bound(square)), bins.blocks);
     if (parts.empty()) continue;
     const CellRectangle blocks = bins.blocks.bins_of(parts);
     for (int row = blocks.y_begin; row < blocks.y_end; ++row)

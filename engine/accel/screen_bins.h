@@ -19,7 +19,7 @@ namespace raytracer {
 struct ScreenEntry {
   float nearest;            ///< a lower bound of its distance from the eye
   std::uint32_t primitive;  ///< index into the spheres or triangles
-  /// Which of the block's 4 x 4 parts it may touch: bit 4 * row + column, row 0 on top.
+  /// Which of the block's parts it may touch: bit parts_across * row + column, row 0 on top.
   std::uint16_t parts;
 };
 
@@ -52,10 +52,9 @@ struct ScreenBins {
   }
 };
 
-/// Uses the pool's threads. `block_side` is in pixels, a multiple of 4.
+/// Uses the pool's threads.
 ScreenBins build_screen_bins(const View& view, std::span<const PackedSphere> spheres,
                              const std::vector<PackedSquare>& squares,
-                             std::span<const PackedTriangle> triangles, int block_side,
-                             WorkerPool& pool);
+                             std::span<const PackedTriangle> triangles, WorkerPool& pool);
 
 }  // namespace raytracer

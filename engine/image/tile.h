@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "engine/image/image.h"
+#include "engine/math/block.h"
 
 namespace raytracer {
 
 /// Pixels begin <= (x, y) < end, y = 0 on top.
 ///
-/// Only those of `parts` count: each block of 16 x 16 pixels, from the tile's begin on, has 4 x 4
-/// parts of 4 x 4 pixels, numbered row by row.
+/// Only those of `parts` count: the parts of each block, from the tile's begin on, are numbered row
+/// by row.
 struct Tile {
   int x_begin;
   int y_begin;
@@ -22,7 +23,11 @@ struct Tile {
   static constexpr std::uint16_t all_parts = 0xFFFF;
 
   /// The part that (x, y) is in.
-  int part_of(int x, int y) const { return (y - y_begin) % 16 / 4 * 4 + (x - x_begin) % 16 / 4; }
+  int part_of(int x, int y) const {
+    const int column = (x - x_begin) % block_side / part_side;
+    const int row = (y - y_begin) % block_side / part_side;
+    return row * parts_across + column;
+  }
 };
 
 /// Copies all of the tile's pixels from one image into another of its size.

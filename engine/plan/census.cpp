@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/math/block.h"
 #include "engine/plan/coincidence.h"
 
 namespace raytracer {
@@ -62,9 +63,9 @@ class Counter {
       : frame_(frame),
         census_(census),
         pixel_angle_(pixel_angle(camera)),
-        blocks_per_radian_(stretch(camera) / (block_side_px * pixel_angle(camera))),
-        block_columns_(1 + camera.width / block_side_px),
-        block_rows_(1 + camera.height / block_side_px) {}
+        blocks_per_radian_(stretch(camera) / (block_side * pixel_angle(camera))),
+        block_columns_(1 + static_cast<double>(camera.width) / block_side),
+        block_rows_(1 + static_cast<double>(camera.height) / block_side) {}
 
   void operator()(const Sphere& s) { add_sphere(s.center, s.radius); }
 
@@ -161,8 +162,6 @@ class Counter {
     const double half_height = half_width * camera.height / camera.width;
     return 1 + half_width * half_width + half_height * half_height;
   }
-
-  static constexpr double block_side_px = 16;
 
   const Frame& frame_;
   Census& census_;

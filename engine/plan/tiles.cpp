@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "engine/math/block.h"
 #include "engine/plan/counted.h"
 
 namespace raytracer {
@@ -14,7 +15,6 @@ constexpr double tiles_per_thread = 16;
 constexpr double most_rays = 3 << 14;
 constexpr double few_rays = 1 << 14;
 constexpr int largest = 64;
-constexpr int smallest = 16;  // a block of the kernel and a bin of the screen
 
 double rays_per_pixel(int samples, std::size_t light_count) {
   return samples * (1 + static_cast<double>(light_count));
@@ -25,7 +25,7 @@ double rays_per_pixel(int samples, std::size_t light_count) {
 int interruptible_side_px(int samples, std::size_t light_count) {
   const double rays = rays_per_pixel(samples, light_count);
   int side = largest;
-  while (side > smallest && side * side * rays > most_rays) side /= 2;
+  while (side > block_side && side * side * rays > most_rays) side /= 2;
   return side;
 }
 
@@ -38,7 +38,7 @@ int tile_side_px(int width, int height, int samples, std::size_t light_count,
   if (is_one_tile(width, height, samples, light_count)) return std::max(width, height);
   const double pixels = static_cast<double>(width) * height;
   int side = interruptible_side_px(samples, light_count);
-  while (side > smallest &&
+  while (side > block_side &&
          pixels / (side * side) < tiles_per_thread * static_cast<double>(thread_count))
     side /= 2;
   return side;

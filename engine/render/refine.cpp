@@ -2,23 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "engine/sample/refinement.h"
 
 namespace raytracer {
 namespace {
-
-constexpr int block_side = 16;
-constexpr int part_side = 4;
-constexpr std::size_t parts_in_block = 16;
 
 /// Parts of one block that get as many samples as each other.
 struct Task {
@@ -142,8 +140,8 @@ class Refinement {
   Tile tile_of(std::size_t part) const {
     const auto block = static_cast<int>(part / parts_in_block);
     const auto in_block = static_cast<int>(part % parts_in_block);
-    const int x = block % columns_ * block_side + in_block % part_side * part_side;
-    const int y = block / columns_ * block_side + in_block / part_side * part_side;
+    const int x = block % columns_ * block_side + in_block % parts_across * part_side;
+    const int y = block / columns_ * block_side + in_block / parts_across * part_side;
     return {std::min(x, image_.width), std::min(y, image_.height),
             std::min(x + part_side, image_.width), std::min(y + part_side, image_.height)};
   }

@@ -65,6 +65,15 @@ class Refine : public BrowserPage {
         << server().log();
   }
 
+  /// The addresses that its render takes, from the click to the last picture.
+  static std::vector<std::string> requested_for_long_scene() {
+    const std::string former = picture();
+    browser().requested();
+    render(long_scene());
+    await("done", former);
+    return browser().requested();
+  }
+
   static int running_jobs() {
     const std::string metrics = server().client().Get("/metrics")->body;
     static const std::regex running("\nraytracer_jobs\\{[^}]*status=\"running\"[^}]*\\} (\\d+)");
@@ -75,12 +84,8 @@ class Refine : public BrowserPage {
 };
 
 TEST_F(Refine, long_render_is_a_job_with_events_and_seen_as_it_comes) {
-  const std::string former = picture();
   const int ended = ended_count();
-  browser().requested();
-  render(long_scene());
-  await("done", former);
-  const std::vector<std::string> addresses = browser().requested();
+  const std::vector<std::string> addresses = requested_for_long_scene();
   EXPECT_EQ(count(addresses, "/jobs\\?task=render&scene="), 1);
   EXPECT_EQ(count(addresses, "/jobs/[^/]+/events$"), 1);
   EXPECT_GE(count(addresses, "/jobs/[^/]+/image$"), 2) << "on the way, and at the end";
@@ -91,14 +96,10 @@ TEST_F(Refine, long_render_is_a_job_with_events_and_seen_as_it_comes) {
 }
 
 TEST_F(Refine, job_without_events_is_asked_for) {
-  const std::string former = picture();
   browser().run(
       "window.EventSource = class { constructor() { setTimeout(() => this.onerror()); }"
       " addEventListener() {} close() {} };");
-  browser().requested();
-  render(long_scene());
-  await("done", former);
-  const std::vector<std::string> addresses = browser().requested();
+  const std::vector<std::string> addresses = requested_for_long_scene();
   EXPECT_EQ(count(addresses, "/events$"), 0);
   EXPECT_GE(count(addresses, "/jobs/[^/]+$"), 3);
 }

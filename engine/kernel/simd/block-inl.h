@@ -17,6 +17,7 @@
 #include "engine/image/image.h"
 #include "engine/kernel/sample_point.h"
 #include "engine/kernel/simd/packet-inl.h"
+#include "engine/math/block.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -54,8 +55,8 @@ struct PacketPlace {
       : x(packet % PacketShape<D>::packets_across * PacketShape<D>::width),
         y(packet / PacketShape<D>::packets_across * PacketShape<D>::height) {}
 
-  /// Of the 4 x 4 parts that a tile or a screen bin's entries speak of.
-  int part() const { return y / 4 * 4 + x / 4; }
+  /// Of the parts that a tile or a screen bin's entries speak of.
+  int part() const { return y / part_side * parts_across + x / part_side; }
   /// Whether the block has it, and it is to be traced.
   bool is_in(const Block& block) const {
     return x < block.width && y < block.height && (block.parts >> part() & 1U) != 0;

@@ -197,7 +197,7 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
       structures.sphere_bins ? std::span(scene.spheres) : std::span<const PackedSphere>(),
       scene.squares,
       structures.triangle_bins ? std::span(scene.triangles) : std::span<const PackedTriangle>(),
-      block_side, pool);
+      pool);
   packed.has_sphere_bins = structures.sphere_bins;
   // There may be none left of those that the structures were chosen for.
   packed.has_light_grids = structures.light_grids && !scene.spheres.empty();

@@ -18,6 +18,7 @@
 #include "engine/accel/screen_bins.h"
 #include "engine/accel/triangle_grid.h"
 #include "engine/kernel/simd/simd_tree.h"
+#include "engine/math/block.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/parallel/worker_pool.h"
 #include "engine/plan/features.h"
@@ -123,9 +124,6 @@ struct MaterialTable {
   Column<T> ambient;  ///< ka times the scene's
   Column<T> kd, ks, shininess, reflectivity;
 };
-
-/// Pixels are traced in blocks of this many either way.
-inline constexpr int block_side = 16;
 
 template <typename T>
 struct SimdScene {
