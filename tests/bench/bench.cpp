@@ -97,7 +97,7 @@ void write_file(const std::filesystem::path& path, const std::string& content) {
 
 void write_pictures(const CaseFigures& figures, const std::filesystem::path& directory,
                     WorkerPool& pool) {
-  const auto write = [&](const Image& image, const std::string& peer) {
+  const auto write = [&](const ByteImage& image, const std::string& peer) {
     if (image.values.empty()) return;
     std::string name = figures.measured.name() + ", " + peer + ".png";
     std::replace(name.begin(), name.end(), ' ', '-');

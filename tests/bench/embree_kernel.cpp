@@ -31,7 +31,7 @@ class TileTracer : Lanes<width> {
   TileTracer(const EmbreeFrame& frame, EmbreeMode mode) : frame_(frame), rays_(frame, mode) {}
 
   /// A packet is a block of pixels, or as many samples of one pixel if there are enough.
-  void trace(int x_begin, int y_begin, int x_end, int y_end, float* rgb) {
+  void trace(int x_begin, int y_begin, int x_end, int y_end, unsigned char* rgb) {
     const bool has_many_samples = frame_.sample_count % width == 0;
     const int columns = has_many_samples ? 1 : Packet<width>::columns;
     const int rows = has_many_samples ? 1 : width / columns;
@@ -66,7 +66,7 @@ class TileTracer : Lanes<width> {
     F ka, kd, ks, shininess, reflectivity;
   };
 
-  void trace_block(int x_begin, int y_begin, int x_end, int y_end, float* rgb) {
+  void trace_block(int x_begin, int y_begin, int x_end, int y_end, unsigned char* rgb) {
     F x;
     F y;
     M inside;
@@ -80,30 +80,36 @@ class TileTracer : Lanes<width> {
     Vector sum{};
     for (int s = 0; s < frame_.sample_count; ++s)
       sum = plus(sum, clamped(radiance(x + frame_.sample_x[s], y + frame_.sample_y[s], inside)));
-    sum = times(sum, splat(1 / static_cast<float>(frame_.sample_count)));
+    const Vector levels = in_levels(sum);
     for (int i = 0; i < width; ++i) {
       if (!inside[i]) continue;
       const int column = x_begin + i % Packet<width>::columns;
       const int row = y_begin + i / Packet<width>::columns;
-      float* pixel = rgb + 3 * (static_cast<long>(row) * frame_.width + column);
-      pixel[0] = sum.x[i];
-      pixel[1] = sum.y[i];
-      pixel[2] = sum.z[i];
+      unsigned char* pixel = rgb + 3 * (static_cast<long>(row) * frame_.width + column);
+      pixel[0] = static_cast<unsigned char>(levels.x[i]);
+      pixel[1] = static_cast<unsigned char>(levels.y[i]);
+      pixel[2] = static_cast<unsigned char>(levels.z[i]);
     }
   }
 
-  void trace_pixel(int column, int row, float* rgb) {
+  void trace_pixel(int column, int row, unsigned char* rgb) {
     const auto x = static_cast<float>(column);
     const auto y = static_cast<float>(frame_.height - 1 - row);
     Vector sum{};
     for (int s = 0; s < frame_.sample_count; s += width)
       sum = plus(sum, clamped(radiance(load(frame_.sample_x + s) + x, load(frame_.sample_y + s) + y,
                                        M{} - 1)));
-    float* pixel = rgb + 3 * (static_cast<long>(row) * frame_.width + column);
-    const float share = 1 / static_cast<float>(frame_.sample_count);
-    pixel[0] = total(sum.x) * share;
-    pixel[1] = total(sum.y) * share;
-    pixel[2] = total(sum.z) * share;
+    unsigned char* pixel = rgb + 3 * (static_cast<long>(row) * frame_.width + column);
+    const Vector levels = in_levels({F{} + total(sum.x), F{} + total(sum.y), F{} + total(sum.z)});
+    pixel[0] = static_cast<unsigned char>(levels.x[0]);
+    pixel[1] = static_cast<unsigned char>(levels.y[0]);
+    pixel[2] = static_cast<unsigned char>(levels.z[0]);
+  }
+
+  /// The mean of the samples of this sum from 0 to 255, to be cut to whole levels.
+  Vector in_levels(const Vector& sum) const {
+    const float scale = 255 / static_cast<float>(frame_.sample_count);
+    return {sum.x * scale + 0.5F, sum.y * scale + 0.5F, sum.z * scale + 0.5F};
   }
 
   Vector radiance(F x, F y, M active) {
@@ -208,7 +214,7 @@ int embree_packet_width(RTCDevice device) {
 }
 
 void trace_embree_tile(const EmbreeFrame& frame, EmbreeMode mode, int packet_width, int x_begin,
-                       int y_begin, int x_end, int y_end, float* rgb) {
+                       int y_begin, int x_end, int y_end, unsigned char* rgb) {
   const FlushSubnormals flush;
   const int width =
       mode == EmbreeMode::narrow_packets && packet_width > 4 ? packet_width / 2 : packet_width;

@@ -14,7 +14,7 @@ namespace {
 constexpr int tile_side_px = 32;
 
 void trace(const EmbreeFrame& frame, EmbreeMode mode, int packet_width, WorkerPool& pool,
-           Image& image) {
+           ByteImage& image) {
   const int columns = (frame.width + tile_side_px - 1) / tile_side_px;
   const int rows = (frame.height + tile_side_px - 1) / tile_side_px;
   const std::atomic<bool> stop{false};
@@ -64,7 +64,7 @@ EmbreeRun EmbreePeer::run(const Scene& scene) {
     throw std::runtime_error("Embree reports an error");
 
   for (std::size_t i = 0; i < embree_modes.size(); ++i) {
-    Image image(scene.camera.width, scene.camera.height);
+    ByteImage image(scene.camera.width, scene.camera.height);
     const Stopwatch trace_watch;
     trace(world->frame, embree_modes[i], packet_width_, pool_, image);
     run.times.trace_ms[i] = trace_watch.elapsed_ms();

@@ -29,7 +29,7 @@ struct EmbreeTimes {
 
 struct EmbreeRun {
   EmbreeTimes times;
-  Image image;  ///< of the first mode
+  ByteImage image;  ///< of the first mode
 };
 
 class EmbreePeer {

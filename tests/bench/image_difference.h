@@ -11,9 +11,9 @@ struct ImageDifference {
 };
 
 /// Throws std::runtime_error if the sizes differ.
-ImageDifference compare_images(const Image& a, const Image& b);
+ImageDifference compare_images(const ByteImage& a, const ByteImage& b);
 
 /// The share of pixels that are not of the colour `background`.
-double covered_share(const Image& image, const Rgb& background);
+double covered_share(const ByteImage& image, const Rgb& background);
 
 }  // namespace raytracer::bench

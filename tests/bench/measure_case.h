@@ -34,10 +34,10 @@ struct Round {
 
 /// Empty where a peer took no part.
 struct Pictures {
-  Image project;
-  Image project_without_ambient;  ///< what POV-Ray's picture is compared with
-  Image embree;
-  Image povray;
+  ByteImage project;
+  ByteImage project_without_ambient;  ///< what POV-Ray's picture is compared with
+  ByteImage embree;
+  ByteImage povray;
 };
 
 struct CaseFigures {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -47,7 +48,7 @@ std::string head_word(std::istream& file) {
   return word;
 }
 
-Image read_ppm(const std::filesystem::path& path) {
+ByteImage read_ppm(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string magic = head_word(file);
   const int width = std::atoi(head_word(file).c_str());
@@ -56,11 +57,10 @@ Image read_ppm(const std::filesystem::path& path) {
   if (!file || magic != "P6" || largest != "255" || width <= 0 || height <= 0)
     throw std::runtime_error("POV-Ray wrote no PPM of 8 bits");
   file.get();
-  Image image(width, height);
+  ByteImage image(width, height);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   if (bytes.size() != image.values.size()) throw std::runtime_error("POV-Ray's PPM is cut off");
-  for (std::size_t i = 0; i < bytes.size(); ++i)
-    image.values[i] = static_cast<float>(static_cast<unsigned char>(bytes[i])) / 255;
+  std::copy(bytes.begin(), bytes.end(), image.values.begin());
   return image;
 }
 

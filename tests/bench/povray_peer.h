@@ -20,7 +20,7 @@ struct PovrayTimes {
 
 struct PovrayRun {
   PovrayTimes times;
-  Image image;
+  ByteImage image;
 };
 
 class PovrayPeer {

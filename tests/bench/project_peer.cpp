@@ -17,7 +17,7 @@ ProjectRun run_project(std::string_view document, const Overrides& overrides, Wo
   run.scene = std::move(scene).value();
 
   RenderProgress progress;
-  Rendering rendering = render(run.scene, Limits{}, pool, progress);
+  ByteRendering rendering = render_bytes(run.scene, Limits{}, pool, progress);
   run.times.plan_ms = rendering.plan_ms;
   run.times.build_ms = rendering.build_ms;
   run.times.trace_ms = rendering.trace_ms;
@@ -36,10 +36,10 @@ ProjectForecast forecast_project(const Scene& scene, const MachineCosts& costs, 
   return {foreseen->prediction.build_ms, foreseen->prediction.trace_ms, watch.elapsed_ms()};
 }
 
-Image render_without_ambient(Scene scene, WorkerPool& pool) {
+ByteImage render_without_ambient(Scene scene, WorkerPool& pool) {
   scene.ambient = 0;
   RenderProgress progress;
-  return render(scene, Limits{}, pool, progress).image;
+  return render_bytes(scene, Limits{}, pool, progress).image;
 }
 
 }  // namespace raytracer::bench

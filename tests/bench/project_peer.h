@@ -25,7 +25,7 @@ struct ProjectForecast {
 struct ProjectRun {
   ProjectTimes times;
   Scene scene;
-  Image image;
+  ByteImage image;
 };
 
 /// Throws std::runtime_error with the first error if the document is refused.
@@ -34,6 +34,6 @@ ProjectRun run_project(std::string_view document, const Overrides& overrides, Wo
 ProjectForecast forecast_project(const Scene& scene, const MachineCosts& costs, WorkerPool& pool);
 
 /// The same picture without ambient light; not timed.
-Image render_without_ambient(Scene scene, WorkerPool& pool);
+ByteImage render_without_ambient(Scene scene, WorkerPool& pool);
 
 }  // namespace raytracer::bench

@@ -1,5 +1,6 @@
 #include "tests/extremes/peers.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "tests/bench/embree_peer.h"
@@ -20,9 +21,17 @@ Peers::~Peers() = default;
 
 namespace {
 
+/// What its levels stand for, each at most half a level off.
+Image as_floats(const ByteImage& levels) {
+  Image image(levels.width, levels.height);
+  std::transform(levels.values.begin(), levels.values.end(), image.values.begin(),
+                 [](unsigned char level) { return static_cast<float>(level) / 255; });
+  return image;
+}
+
 /// Without what is found only at an edge: peers are compared as this project is.
-std::string wrong_pixels(const Image& image, const ExactImage& exact, const Scene& scene) {
-  const Comparison comparison = compare(image, exact, scene);
+std::string wrong_pixels(const ByteImage& levels, const ExactImage& exact, const Scene& scene) {
+  const Comparison comparison = compare(as_floats(levels), exact, scene);
   return std::to_string(comparison.off) +
          (comparison.at_edge > 0 ? " (+" + std::to_string(comparison.at_edge) + ")" : "");
 }
@@ -32,7 +41,7 @@ std::string wrong_pixels(const Image& image, const ExactImage& exact, const Scen
 std::string Peers::povray(const Scene& scene, const ExactImage& exact) {
   try {
     programs_->povray.set_scene(scene);
-    const Image image = programs_->povray.run().image;
+    const ByteImage image = programs_->povray.run().image;
     if (scene.ambient == 0) return wrong_pixels(image, exact, scene);
     // It draws without ambient light.
     Scene without_ambient = scene;
