@@ -39,7 +39,7 @@ void keep_freed_memory() {
   constexpr int most = 1 << 29;
   mallopt(M_MMAP_THRESHOLD, most);
   mallopt(M_TRIM_THRESHOLD, most);
-  mallopt(M_ARENA_MAX, 1);  // each arena would keep as much of its own
+  mallopt(M_ARENA_MAX, 2);  // each keeps as much of its own, but small renders queue for one
 #endif
 }
 
