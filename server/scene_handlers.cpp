@@ -1,5 +1,6 @@
 // /scenes: what can be drawn without sending it.
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "server/answer.h"
 #include "server/handlers.h"
@@ -27,16 +28,17 @@ void get_scene(Services& services, Call& call) {
 void post_scene(Services& services, Call& call) {
   if (!split_query(call.request.target).empty())
     throw Refusal({400, "POST /scenes takes no query: views of the scene say theirs later"});
-  const SceneRequest request = read_scene_request(call, {}, services);
-  const KnownScene& scene = *request.known;
-  const std::string id = services.scenes.keep(request.known);
+  PostedDocument posted = read_document(call, services);
+  const SceneRequest request = find_scene(posted.text, {}, services);
+  const Scene& scene = request.known->scene;
+  const auto [id, bytes] = services.scenes.keep({request.known, std::move(posted.text)});
   answer_json(call.response, 201,
               {{"id", id},
-               {"objects", count_objects(scene.scene)},
-               {"lights", scene.scene.lights.size()},
-               {"width", scene.scene.camera.width},
-               {"height", scene.scene.camera.height},
-               {"bytes", scene.bytes()},
+               {"objects", count_objects(scene)},
+               {"lights", scene.lights.size()},
+               {"width", scene.camera.width},
+               {"height", scene.camera.height},
+               {"bytes", bytes},
                {"render", "/render?scene=" + id}});
   call.response.set_header("Location", "/scenes/" + id);
   call.response.set_header("Cache-Control", "no-store");

@@ -10,25 +10,37 @@
 
 namespace raytracer {
 
-SceneRequest read_scene_request(Call& call, const RenderQuery& query, Services& services) {
+PostedDocument read_document(Call& call, Services& services) {
   services.admission.demand_open();
+  PostedDocument posted;
+  const std::int64_t length = body_length(call.request);
+  posted.memory = services.body_memory.take(length);
+  posted.text = read_body(call, length);
+  return posted;
+}
+
+SceneRequest find_scene(std::string_view document, const RenderQuery& query, Services& services) {
+  const auto begin = std::chrono::steady_clock::now();
+  SceneView view = query.scene ? services.scenes.at(*query.scene, query.overrides)
+                               : services.scenes.read(document, query.overrides);
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+  services.metrics.took(Stage::parse, took.count());
+  return {std::move(view), took.count(), {}};
+}
+
+SceneRequest read_scene_request(Call& call, const RenderQuery& query, Services& services) {
   if (!query.scene && !call.content)
     throw Refusal({400,
                    "Which scene? Name one of GET /scenes, or the id of one that was posted there, "
                    "as ?scene=NAME, or POST a document"});
-  BodyMemory::Share share;
-  std::string body;
-  if (!query.scene) {
-    const std::int64_t length = body_length(call.request);
-    share = services.body_memory.take(length);
-    body = read_body(call, length);
+  if (query.scene) {
+    services.admission.demand_open();
+    return find_scene({}, query, services);
   }
-  const auto begin = std::chrono::steady_clock::now();
-  SceneView view = query.scene ? services.scenes.at(*query.scene, query.overrides)
-                               : services.scenes.read(std::move(body), query.overrides);
-  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-  services.metrics.took(Stage::parse, took.count());
-  return {std::move(view), took.count(), std::move(share)};
+  PostedDocument posted = read_document(call, services);
+  SceneRequest request = find_scene(posted.text, query, services);
+  request.memory = std::move(posted.memory);
+  return request;
 }
 
 }  // namespace raytracer

@@ -17,17 +17,18 @@ bool is_scene_id(std::string_view name) {
   return name.size() == id_length && name.find_first_not_of("0123456789abcdef") == name.npos;
 }
 
-}  // namespace
-
-std::size_t KnownScene::bytes() const {
-  return sizeof *this + memory_bytes(scene) + document.capacity() + content_digest.capacity();
+/// What it takes in memory.
+std::size_t bytes_of(const KnownScene& known) {
+  return sizeof known + memory_bytes(known.scene) + known.content_digest.capacity();
 }
+
+}  // namespace
 
 Scenes::Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_kept,
                std::size_t most_read)
     : catalog_(catalog), limits_(limits), kept_(most_kept), read_(most_read) {}
 
-SceneView Scenes::read(std::string document, const Overrides& overrides) {
+SceneView Scenes::read(std::string_view document, const Overrides& overrides) {
   const std::string text_digest = sha256_hex(document);
   if (auto known = read_.find(text_digest)) return view(std::move(known), overrides);
   Result<ViewedScene> read = read_viewed_scene(document, limits_, overrides);
@@ -35,9 +36,7 @@ SceneView Scenes::read(std::string document, const Overrides& overrides) {
   auto known = std::make_shared<KnownScene>();
   known->scene = read.value().scene;
   known->content_digest = content_digest(known->scene);
-  document.shrink_to_fit();
-  known->document = std::move(document);
-  read_.keep(text_digest, known, known->bytes() + text_digest.size());
+  read_.keep(text_digest, known, bytes_of(*known) + text_digest.size());
   return {std::move(known), read.value().view};
 }
 
@@ -47,16 +46,19 @@ SceneView Scenes::view(std::shared_ptr<const KnownScene> known, const Overrides&
   return {std::move(known), view.value()};
 }
 
-std::string Scenes::keep(const std::shared_ptr<const KnownScene>& scene) {
-  const std::size_t bytes = scene->bytes() + id_length;
-  std::string id = picture_digest(scene->content_digest, scene->scene).substr(0, id_length);
-  if (kept_.keep(id, scene, bytes)) return id;
+Scenes::Place Scenes::keep(KeptScene scene) {
+  const KnownScene& known = *scene.known;
+  scene.document.shrink_to_fit();
+  const std::size_t bytes = bytes_of(known) + sizeof scene + scene.document.capacity() + id_length;
+  std::string id = picture_digest(known.content_digest, known.scene).substr(0, id_length);
+  if (kept_.keep(id, std::make_shared<const KeptScene>(std::move(scene)), bytes))
+    return {std::move(id), bytes};
   throw Refusal({413, fmt::format("The scene takes {} bytes in memory, but this server keeps {} in "
                                   "all (--max-kept); POST it to /render instead",
                                   bytes, kept_.most_bytes())});
 }
 
-std::shared_ptr<const KnownScene> Scenes::kept_at(std::string_view id) {
+std::shared_ptr<const KeptScene> Scenes::kept_at(std::string_view id) {
   if (auto scene = kept_.find(id)) return scene;
   throw Refusal({404, fmt::format("There is no scene \"{}\": it was never posted, or was forgotten "
                                   "because others needed the memory; POST it to /scenes again",
@@ -64,8 +66,8 @@ std::shared_ptr<const KnownScene> Scenes::kept_at(std::string_view id) {
 }
 
 SceneView Scenes::at(std::string_view name, const Overrides& overrides) {
-  if (is_scene_id(name)) return view(kept_at(name), overrides);
-  return read(std::string(catalog_.at(name).document), overrides);
+  if (is_scene_id(name)) return view(kept_at(name)->known, overrides);
+  return read(catalog_.at(name).document, overrides);
 }
 
 std::string Scenes::document(std::string_view name) {

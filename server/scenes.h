@@ -20,10 +20,12 @@ namespace raytracer {
 struct KnownScene {
   Scene scene;                 ///< as its document says it; only views are within all limits
   std::string content_digest;  ///< see etag.h
-  std::string document;
+};
 
-  /// What it takes in memory.
-  std::size_t bytes() const;
+/// A posted scene, with what was posted: whoever asks for its document gets that.
+struct KeptScene {
+  std::shared_ptr<const KnownScene> known;
+  std::string document;
 };
 
 /// A scene as one request wants to see it.
@@ -40,15 +42,20 @@ class Scenes {
          std::size_t most_read);
 
   /// A view of the document's scene. Throws Refusal with all errors of both.
-  SceneView read(std::string document, const Overrides& overrides);
+  SceneView read(std::string_view document, const Overrides& overrides);
 
   /// A view of the shipped scene of that name or the posted one with that id. Throws Refusal: 404,
   /// or with the view's errors.
   SceneView at(std::string_view name, const Overrides& overrides);
 
-  /// Keeps it, so that at() finds it by its id, which is returned: 32 hexadecimal digits, the same
-  /// for all documents that mean this scene. Throws Refusal 413 if it is too large for that.
-  std::string keep(const std::shared_ptr<const KnownScene>& scene);
+  /// Where a posted scene was put, and the memory that it takes there.
+  struct Place {
+    std::string id;  ///< 32 hexadecimal digits, the same for all documents that mean this scene
+    std::size_t bytes;
+  };
+
+  /// Keeps it, so that at() finds it by its id. Throws Refusal 413 if it is too large for that.
+  Place keep(KeptScene scene);
 
   /// Its document, which is not read for that. Throws Refusal 404.
   std::string document(std::string_view name);
@@ -57,12 +64,12 @@ class Scenes {
   LruCounts read_lately() const { return read_.counts(); }
 
  private:
-  std::shared_ptr<const KnownScene> kept_at(std::string_view id);
+  std::shared_ptr<const KeptScene> kept_at(std::string_view id);
   SceneView view(std::shared_ptr<const KnownScene> known, const Overrides& overrides) const;
 
   const Catalog& catalog_;
   const Limits limits_;
-  LruMemory<KnownScene> kept_;
+  LruMemory<KeptScene> kept_;
   LruMemory<KnownScene> read_;
 };
 
