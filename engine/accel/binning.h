@@ -177,6 +177,8 @@ std::vector<std::uint32_t> sort_into_bins(
         }
       });
 
+  cells = {};  // the entries need the memory
+
   std::vector<std::uint32_t> bin_begins(grid.bin_count() + 1);
   bin_begins[grid.bin_count()] = static_cast<std::uint32_t>(total.entries);
   resize(total.entries);

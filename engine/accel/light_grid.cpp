@@ -1,6 +1,7 @@
 #include "engine/accel/light_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -8,6 +9,7 @@
 
 #include "engine/accel/binning.h"
 #include "engine/accel/columns.h"
+#include "engine/parallel/chunks.h"
 
 namespace raytracer {
 namespace {
@@ -35,7 +37,33 @@ struct Bounds {
     radius2_sum += radius * radius;
     reach = std::max({reach, std::abs(disc.u), std::abs(disc.v), std::abs(disc.w)});
   }
+
+  void include(const Bounds& others) {
+    u_low = std::min(u_low, others.u_low);
+    v_low = std::min(v_low, others.v_low);
+    u_high = std::max(u_high, others.u_high);
+    v_high = std::max(v_high, others.v_high);
+    radius2_sum += others.radius2_sum;
+    reach = std::max(reach, others.reach);
+  }
 };
+
+template <typename Place>
+Bounds bounds_of(std::span<const PackedSphere> spheres, const Place& place, WorkerPool& pool) {
+  // The same sums whatever the number of threads.
+  std::array<Bounds, 16> parts;
+  const std::size_t part_count = spheres.size() < few_items ? 1 : parts.size();
+  for_each_chunk(spheres.size(), part_count, pool,
+                 [&](std::size_t part, std::size_t begin, std::size_t end) {
+                   Bounds own;
+                   for (const PackedSphere& s : spheres.subspan(begin, end - begin))
+                     own.include(place(s), s.radius);
+                   parts[part] = own;
+                 });
+  Bounds all;
+  for (const Bounds& part : parts) all.include(part);
+  return all;
+}
 
 /// Cells for about four spheres, but none smaller than four times the discs' mean radius: then
 /// there are some two entries for each disc, and a packet still tests a whole cell at once.
@@ -63,8 +91,7 @@ DistantGrid<T> build_distant_grid(const Vec3& towards, std::span<const PackedSph
     return Disc{dot(s.center, grid.axes[0]), dot(s.center, grid.axes[1]),
                 dot(s.center, grid.axes[2])};
   };
-  Bounds bounds;
-  for (const PackedSphere& s : spheres) bounds.include(place(s), s.radius);
+  const Bounds bounds = bounds_of(spheres, place, pool);
   // A disc is entered a little beyond its rim, because a point finds its cell in precision T.
   const double margin = 64 * static_cast<double>(std::numeric_limits<T>::epsilon()) * bounds.reach;
   const double cell = cell_width(bounds, spheres.size(), margin);

@@ -36,7 +36,7 @@ void free_pages(void* memory) { std::free(memory); }
 
 void keep_freed_memory() {
 #ifdef __GLIBC__
-  constexpr int most = 1 << 29;
+  constexpr int most = 1 << 25;
   mallopt(M_MMAP_THRESHOLD, most);
   mallopt(M_TRIM_THRESHOLD, most);
   mallopt(M_ARENA_MAX, 2);  // each keeps as much of its own, but small renders queue for one
