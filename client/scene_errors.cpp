@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "client/pointer_position.h"
 
@@ -33,6 +34,20 @@ std::string place_of(const SceneError& error, const SceneSource& scene, const Ov
   return fmt::format("{}:{}:{}", scene.label, position.line, position.column);
 }
 
+/// In one line, whatever the document calls its keys: nothing in it moves the terminal's cursor.
+std::string printable(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    constexpr unsigned char del = 0x7F;
+    if (byte < ' ' || byte == del)
+      result += fmt::format("\\u{:04x}", byte);
+    else
+      result += c;
+  }
+  return result;
+}
+
 }  // namespace
 
 InputError explain(const Refused& refused, const SceneSource& scene, const Overrides& overrides) {
@@ -42,8 +57,9 @@ InputError explain(const Refused& refused, const SceneSource& scene, const Overr
   std::string lines;
   for (const SceneError& error : refused.errors())
     lines += fmt::format("{}{}: {}{}{}", lines.empty() ? "" : "\n",
-                         place_of(error, scene, overrides, with_position), error.pointer,
-                         error.pointer.empty() ? "" : ": ", error.detail);
+                         place_of(error, scene, overrides, with_position),
+                         printable(error.pointer), error.pointer.empty() ? "" : ": ",
+                         printable(error.detail));
   return InputError(lines);
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/render/first_picture.h"
 #include "engine/sample/refinement.h"
 
 namespace raytracer {
@@ -71,6 +72,23 @@ class Refinement {
         expected_.begin(), expected_.end(), 0.0,
         [](double sum, const ImagePart& part) { return sum + part.error2 * part.error2; });
     return sum_of_errors() + std::sqrt(2 * squares);
+  }
+
+  /// Estimates the errors of parts whose samples were compared with none: of one sample, or in
+  /// blocks that were not traced with one for each pixel.
+  void estimate_the_rest(const std::vector<char>& is_block_traced) {
+    expected_.resize(parts_.size());
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const std::size_t block = i / parts_in_block;
+      const bool is_coarse = !is_block_traced.empty() && is_block_traced[block] == 0;
+      if (is_coarse && i % parts_in_block > 0) parts_[i].samples = 0;
+      if (parts_[i].samples > 1 || pixel_count(i) == 0) continue;
+      const Tile tile = tile_of(i);
+      const int column = static_cast<int>(block) % columns_;
+      const int row = static_cast<int>(block) / columns_;
+      expected_[i].error2 = is_coarse ? coarse_error2(image_, column, row) * pixel_count(i)
+                                      : estimate_first_error2(image_, tile);
+    }
   }
 
   double mean_samples() const {
@@ -218,17 +236,24 @@ std::vector<std::size_t> next_parts(const Refinement& refinement, double allowed
   }
 }
 
+/// The image of one sample per pixel, or what a budget allows of it.
+std::optional<FirstPicture> first_picture(Tracing& tracing) {
+  if (tracing.scene.render.budget_ms) return trace_first_picture(tracing);
+  std::optional<Image> image = tracing.pass<float>(1);
+  if (!image) return {};
+  return FirstPicture{std::move(*image), {}, true};
+}
+
 }  // namespace
 
 void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering) {
   const RenderSettings& settings = tracing.scene.render;
   const double values = static_cast<double>(rendering.pixel_count) * 3;
   Preview::Whole shown(tracing.progress.preview, rendering.image);
-  std::optional<Image> first = tracing.pass<float>(1);
-  rendering.samples_per_pixel = 1;
+  std::optional<FirstPicture> first = first_picture(tracing);
   rendering.stop = Stop::cancelled;
   if (!first) return;
-  shown.change([&](Image& image) { image = std::move(*first); });
+  shown.change([&](Image& image) { image = std::move(first->image); });
 
   Refinement refinement(tracing, shown, rendering.image);
   const bool is_shared = !is_one_tile(tracing.scene.camera.width, tracing.scene.camera.height, 1,
@@ -239,29 +264,27 @@ void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering
                               static_cast<double>(rendering.pixel_count * threads));
   const double allowed2 =
       settings.target_rmse ? *settings.target_rmse * *settings.target_rmse * values : 0;
-  const auto rest_ms = [&] {
-    return settings.budget_ms ? *settings.budget_ms - tracing.watch.elapsed_ms()
-                              : std::numeric_limits<double>::infinity();
-  };
   const auto error2 = [&] { return refinement.squared_error(); };
-  bool is_complete = true;
-  bool is_estimated = false;
+  bool is_complete = first->is_whole;
+  bool is_compared = false;
   const int samples_everywhere = std::min(probing_samples(tracing.plan.census), most_samples);
   for (int samples = growth; samples <= samples_everywhere && is_complete; samples *= growth) {
     is_complete = refinement.refine(refinement.all());
-    is_estimated = is_estimated || is_complete;
+    is_compared = is_compared || is_complete;
   }
-  while (is_complete && is_estimated && error2() > allowed2 && rest_ms() > 0) {
+  while (is_complete && is_compared && error2() > allowed2 && !tracing.is_over_time()) {
     const double bound = settings.target_rmse ? allowed2 : error2() / 4;
-    const std::vector<std::size_t> parts = next_parts(refinement, bound, rest_ms(), most_samples);
+    const std::vector<std::size_t> parts =
+        next_parts(refinement, bound, tracing.rest_ms(), most_samples);
     if (parts.empty()) break;
     is_complete = refinement.refine(parts);
   }
+  if (!is_compared) refinement.estimate_the_rest(first->is_traced);
   rendering.samples_per_pixel = refinement.mean_samples();
-  if (is_estimated) rendering.estimated_error = std::sqrt(error2() / values);
+  rendering.estimated_error = std::sqrt(error2() / values);
   if (tracing.progress.stop)
     rendering.stop = Stop::cancelled;
-  else if (is_estimated && settings.target_rmse && error2() <= allowed2)
+  else if (is_compared && settings.target_rmse && error2() <= allowed2)
     rendering.stop = Stop::target;
   else
     rendering.stop = settings.budget_ms ? Stop::budget : Stop::samples;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -29,11 +30,17 @@ struct Tracing {
   BeyondRange beyond{};  ///< of the passes so far, as RenderReport says
   Stopwatch watch{};
 
-  /// Whether the budget is spent, or would be `more_ms` from now.
-  bool is_over_time(double more_ms = 0) const {
+  /// What is left of the budget for samples, in milliseconds; infinite without one. A little is for
+  /// what comes after the last of them.
+  double rest_ms() const {
+    constexpr double share = 0.98;
     const std::optional<double>& budget_ms = scene.render.budget_ms;
-    return budget_ms && watch.elapsed_ms() + more_ms > *budget_ms;
+    return budget_ms ? share * *budget_ms - watch.elapsed_ms()
+                     : std::numeric_limits<double>::infinity();
   }
+
+  /// Whether the budget is spent, or would be `more_ms` from now.
+  bool is_over_time(double more_ms = 0) const { return rest_ms() < more_ms; }
 
   /// An image of `samples` per pixel; nothing if it was stopped before it was whole.
   template <typename Channel>

@@ -49,13 +49,33 @@ double estimate_error2(const Image& coarser, const Image& finer, const Tile& par
   return sum / (finer_samples > growth ? growth : 2);
 }
 
+double estimate_first_error2(const Image& image, const Tile& part) {
+  constexpr double share = 1.0 / 8;
+  double sum = 0;
+  const auto add = [&](const float* a, const float* b) {
+    for (int i = 0; i < 3; ++i) {
+      const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+      sum += difference * difference;
+    }
+  };
+  for (int y = part.y_begin; y < part.y_end; ++y) {
+    for (int x = part.x_begin; x < part.x_end; ++x) {
+      const float* const pixel = image.pixel(x, y);
+      if (x + 1 < image.width) add(pixel, image.pixel(x + 1, y));
+      if (y + 1 < image.height) add(pixel, image.pixel(x, y + 1));
+    }
+  }
+  return share * sum;
+}
+
 std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int columns) {
   constexpr double share = 0.1;
-  const int width = 4 * columns;
-  const int height = static_cast<int>(parts.size()) / 4 / columns;
+  const int width = parts_across * columns;
+  const int height = static_cast<int>(parts.size()) / parts_across / columns;
   const auto index = [&](int x, int y) {
-    return 16 * static_cast<std::size_t>(y / 4 * columns + x / 4) +
-           static_cast<std::size_t>(y % 4 * 4 + x % 4);
+    return parts_in_block *
+               static_cast<std::size_t>(y / parts_across * columns + x / parts_across) +
+           static_cast<std::size_t>(y % parts_across * parts_across + x % parts_across);
   };
   // What errors have in common at all numbers of samples, with a rim of nothing.
   const std::size_t stride = static_cast<std::size_t>(width) + 2;

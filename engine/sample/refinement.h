@@ -45,6 +45,12 @@ int probing_samples(const Census& census);
 double estimate_error2(const Image& coarser, const Image& finer, const Tile& part,
                        int finer_samples);
 
+/// The same where no other samples are there to compare with: of an image of one sample per pixel,
+/// by how much each pixel differs from those to its right and below. An edge that moves a pixel's
+/// value by d errs by d^2 / 12 in the mean, and shows in one such difference; it is taken as
+/// d^2 / 8. Gradients, too, count as edges.
+double estimate_first_error2(const Image& image, const Tile& part);
+
 /// The parts with the errors that they probably have: where samples met detail there is more beside
 /// it that they have missed. A part counts at least as a share of its neighbours' mean does, at its
 /// own number of samples. Blocks of 4 x 4 parts, row by row, `columns` in a row.

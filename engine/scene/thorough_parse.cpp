@@ -237,7 +237,14 @@ Result<Document> parse_thoroughly(std::string_view text) {
     Document document;
     document.nodes.reserve(text.size() / 8);
     DocumentBuilder builder(text, huge_numbers, document);
-    if (json::sax_parse(huge_numbers.empty() ? text : patched, &builder)) return document;
+    if (json::sax_parse(huge_numbers.empty() ? text : patched, &builder)) {
+      // The parser takes a zero byte for the text's end.
+      const std::size_t zero = text.find('\0');
+      if (zero == std::string_view::npos) return document;
+      return std::vector{Error{ErrorKind::syntax, "",
+                               fmt::format("not JSON: {}: a zero byte",
+                                           describe_position(text, zero))}};
+    }
     if (!builder.has_huge_number() || !huge_numbers.empty()) return std::vector{builder.failure()};
     huge_numbers = find_huge_numbers(text);
     patched = text;

@@ -5,9 +5,13 @@
 namespace raytracer {
 namespace {
 
+/// What changes the picture is no rival of what does not: nobody asked for another picture.
+bool is_rival(const CurvePoint& other, const CurvePoint& point) {
+  return !other.settings.changes_picture() || point.settings.changes_picture();
+}
+
 bool dominates(const CurvePoint& a, const CurvePoint& b) {
-  constexpr double same = 1.01;
-  return a.trace_ms <= b.trace_ms && a.error.rmse <= same * b.error.rmse &&
+  return a.trace_ms <= b.trace_ms && a.error.rmse <= b.error.rmse &&
          (a.trace_ms < b.trace_ms || a.error.rmse < b.error.rmse);
 }
 
@@ -16,7 +20,7 @@ bool dominates(const CurvePoint& a, const CurvePoint& b) {
 void mark_pareto(std::vector<CurvePoint>& points) {
   for (CurvePoint& point : points)
     point.pareto = std::none_of(points.begin(), points.end(), [&](const CurvePoint& other) {
-      return !other.settings.changes_picture() && dominates(other, point);
+      return is_rival(other, point) && dominates(other, point);
     });
 }
 

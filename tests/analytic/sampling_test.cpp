@@ -86,6 +86,42 @@ TEST(Contract, OfTimeEndsInTime) {
   EXPECT_NEAR(color_at(rendering.image, 0, 0).x, 0.35, 0.02);
 }
 
+double rmse(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    const double difference = static_cast<double>(a.values[i]) - static_cast<double>(b.values[i]);
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / static_cast<double>(a.values.size()));
+}
+
+Image black(const Image& like) {
+  Image image(like.width, like.height);
+  std::fill(image.values.begin(), image.values.end(), 0.0F);
+  return image;
+}
+
+TEST(Contract, OfNoTimeIsACoarsePictureAndSaysItsError) {
+  json text = document(camera_json(200, 150, 0.9, {0, 3, -9}, {0, 0, 0}),
+                       {sphere_json({-1.5, 1, 0}, 1.5), sphere_json({1.5, 0.5, -1}, 1),
+                        plane_json({0, -1, 0}, {0, 1, 0})},
+                       {distant_json({-1, -2, 1})});
+  WorkerPool pool(2);
+  RenderProgress progress;
+  text["render"] = {{"samples", 64}};
+  const Image exact = render(scene_of(text), Limits{}, pool, progress).image;
+  text["render"] = {{"budget_ms", 1e-9}};
+  RenderProgress again;
+  const Rendering coarse = render(scene_of(text), Limits{}, pool, again);
+  EXPECT_EQ(coarse.stop, Stop::budget);
+  EXPECT_NEAR(coarse.samples_per_pixel, 1.0 / 16, 0.01);
+  const double error = rmse(coarse.image, exact);
+  EXPECT_LT(error, rmse(exact, black(exact)) / 2) << "blocks show their own colours";
+  ASSERT_TRUE(coarse.estimated_error);
+  EXPECT_GT(*coarse.estimated_error, error / 2);
+  EXPECT_LT(*coarse.estimated_error, 2 * error);
+}
+
 TEST(Render, ThatIsStoppedSaysSo) {
   WorkerPool pool(2);
   RenderProgress progress;

@@ -40,6 +40,12 @@ TEST_F(Validate, each_error_is_a_line_with_place_and_pointer) {
   }
 }
 
+TEST_F(Validate, key_that_would_move_the_cursor_stays_in_its_line) {
+  const Outcome outcome = run_with_server({"validate", "-"}, R"({"a\n\u001b[2Jb": 1})");
+  expect_input_error(outcome, R"(/a\u000a\u001b[2Jb)");
+  EXPECT_EQ(outcome.err.find('\033'), std::string::npos) << outcome.err;
+}
+
 TEST_F(Validate, text_that_is_not_json_is_said_with_its_line) {
   const Outcome outcome = run_with_server({"validate", "-"}, "{\n  \"camera\": ,\n}");
   expect_input_error(outcome, "line 2");

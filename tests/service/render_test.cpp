@@ -109,6 +109,17 @@ TEST_F(Render, time_contract_ends_by_its_budget_and_is_not_stored) {
   EXPECT_EQ(answer.get_header_value("Cache-Control"), "no-store");
 }
 
+TEST_F(Render, shortest_time_contract_is_a_coarse_picture_with_its_error) {
+  const Answer answer = post("/render?budget_ms=0.000001", square_scene(300, 1));
+  ASSERT_EQ(answer.status, 200) << answer.body;
+  EXPECT_EQ(answer.get_header_value("Render-Stop"), "budget");
+  const double samples = std::stod(answer.get_header_value("Render-Samples"));
+  EXPECT_GE(samples, 1.0 / 16);
+  EXPECT_LT(samples, 1);
+  ASSERT_TRUE(answer.has_header("Render-Error"));
+  EXPECT_GT(std::stod(answer.get_header_value("Render-Error")), 0.01);
+}
+
 TEST_F(Render, same_document_gives_the_same_bytes_whatever_the_threads) {
   const std::string reference = post("/render", square_scene(90, 3)).body;
   EXPECT_EQ(post("/render", square_scene(90, 3)).body, reference);

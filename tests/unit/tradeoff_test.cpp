@@ -68,14 +68,15 @@ TEST(Pareto, IsWhatNothingElseBeatsInBoth) {
 
 TEST(Pareto, EqualsAreBothOnIt) { EXPECT_EQ(marks({point(1, 0.4), point(1, 0.4)}), "**"); }
 
-TEST(Pareto, ShareOfAPercentIsNoGain) {
-  EXPECT_EQ(marks({point(1, 0.1), point(2, 0.0995)}), "*-");
-  EXPECT_EQ(marks({point(1, 0.1), point(2, 0.095)}), "**");
+TEST(Pareto, AnyGainCounts) {
+  EXPECT_EQ(marks({point(1, 0.1), point(2, 0.0995)}), "**");
+  EXPECT_EQ(marks({point(1, 0.1), point(2, 0.1)}), "*-");
 }
 
 TEST(Pareto, AnotherPictureTakesTheMarkFromNobody) {
   EXPECT_EQ(marks({point(1, 0.1, true), point(2, 0.2)}), "**");
   EXPECT_EQ(marks({point(3, 0.3, true), point(2, 0.2)}), "-*");
+  EXPECT_EQ(marks({point(2, 0.2, true), point(1, 0.1, true), point(3, 0.05)}), "-**");
 }
 
 /// A mirror before a lit sphere: shadows, reflections, edges.
