@@ -2,10 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <variant>
+
 #include "engine/plan/counted.h"
 
 namespace raytracer {
 namespace {
+
+/// Whether rounding decides on which side of the plane the light is.
+bool grazes(const Light& light, const Plane& plane) {
+  constexpr double told_apart = 1e-12;
+  const auto* const distant = std::get_if<DistantLight>(&light.source);
+  const Vec3 along =
+      distant ? distant->direction : std::get<PointLight>(light.source).position - plane.point;
+  if (max_abs(along) == 0) return true;
+  const Vec3 cosine_terms = unit(plane.normal) * unit(along);
+  const bool is_exact = distant && max_abs(cosine_terms) == 0;
+  return !is_exact && std::abs(cosine_terms.x + cosine_terms.y + cosine_terms.z) < told_apart;
+}
 
 class Report {
  public:
@@ -16,6 +31,7 @@ class Report {
     say_what_is_lost();
     say_what_the_document_rounds();
     say_what_coincides();
+    say_what_light_grazes();
     say_what_is_displaced();
     say_what_is_small();
     return std::move(strains_);
@@ -67,6 +83,19 @@ class Report {
                       "decide which of them is seen: move them apart, or give both the same "
                       "numbers so that the first in the document is seen.",
                       plan_.census.gap));
+  }
+
+  void say_what_light_grazes() {
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+      const auto* const plane = std::get_if<Plane>(&scene_.objects[i].shape);
+      if (plane == nullptr) continue;
+      for (std::size_t k = 0; k < scene_.lights.size(); ++k)
+        if (grazes(scene_.lights[k], *plane))
+          add(
+              fmt::format("Light {} shines along the plane that is object {}, and rounding decides "
+                          "which of its points it reaches: move or turn one of them a little.",
+                          k, i));
+    }
   }
 
   void say_what_is_displaced() {

@@ -56,6 +56,17 @@ TEST(Health, SaysThatCoordinatesAreTooLargeForTheirRadius) {
   EXPECT_TRUE(says(scene, "towards the coordinates' origin"));
 }
 
+TEST(Health, SaysThatALightShinesAlongAPlane) {
+  Scene scene = scene_with({{Sphere{{}, 1}, 0}, {Plane{{0, -1, 0}, {0, 3, 0}}, 0}});
+  scene.lights = {{DistantLight{{0, -1, 1}}}, {PointLight{{2, -1, 3}}}};
+  EXPECT_TRUE(says(scene, "Light 1 shines along the plane that is object 1"));
+  scene.lights = {{PointLight{{2, -0.99, 3}}}, {DistantLight{{1, 0, 1}}}};
+  EXPECT_EQ(strains_of(scene), "") << "products with zeros are exact";
+  scene.objects = {{Plane{{}, {1, 2, 2}}, 0}};
+  scene.lights = {{DistantLight{{2, -2, 1}}}};
+  EXPECT_TRUE(says(scene, "Light 0 shines along"));
+}
+
 TEST(Health, SaysThatSurfacesCoincide) {
   EXPECT_TRUE(
       says(scene_with({{Sphere{{}, 1}, 0}, {Sphere{{}, 1 + 1e-14}, 0}}), "Two surfaces are only"));
