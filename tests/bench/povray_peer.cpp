@@ -112,7 +112,7 @@ PovrayRun PovrayPeer::run() const {
 }
 
 PovrayFloatRun PovrayPeer::run(const PovrayAntialiasing& antialiasing) const {
-  return run_with<float>(fmt::format("+FP16 +A{} +AM{} +R{} -J", antialiasing.threshold,
+  return run_with<float>(fmt::format("+FP16 +A{:.3f} +AM{} +R{} -J", antialiasing.threshold,
                                      antialiasing.method, antialiasing.depth));
 }
 

@@ -35,8 +35,9 @@ struct ContractFigures {
   std::vector<KeptTarget> targets{};
 };
 
-/// At 175 x 125, or a half or a quarter of that where the exact picture would take longer than
-/// `most_seconds`; nothing where even that would.
+/// At 175 x 125; at a half or a quarter of that where the exact picture would take longer than
+/// `most_seconds`, or with four or sixteen times the samples where its error is not a fourth of the
+/// least target. Nothing where the exact picture would take too long at any size. `targets` fall.
 std::optional<ContractFigures> measure_contracts(const ContractCase& measured,
                                                  const std::vector<double>& targets,
                                                  int exact_samples, double most_seconds,

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <functional>
 #include <utility>
 
 #include "engine/measure/stopwatch.h"
@@ -50,34 +50,6 @@ Sweep sweep_targets(const Scene& scene, const Image& exact, double least_target,
   return sweep;
 }
 
-/// Embree's side of a round: every mode once.
-class EmbreeRounds {
- public:
-  EmbreeRounds(bench::EmbreePeer& embree, bench::EmbreeWorld& world, int side, Image& image)
-      : embree_(embree), world_(world), side_(side), image_(image) {}
-
-  void run() {
-    bench::set_sample_grid(world_, side_);
-    for (std::size_t i = 0; i < times_ms_.size(); ++i)
-      times_ms_[i].push_back(embree_.trace(world_, bench::embree_modes[i], image_));
-  }
-
-  /// The times of the mode with the least median.
-  PeerFigures best(const std::string& setting, double rmse) const {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < times_ms_.size(); ++i)
-      if (bench::median(times_ms_[i]) < bench::median(times_ms_[best])) best = i;
-    return {setting + ", " + name_of(bench::embree_modes[best]), rmse, times_ms_[best]};
-  }
-
- private:
-  bench::EmbreePeer& embree_;
-  bench::EmbreeWorld& world_;
-  int side_;
-  Image& image_;
-  std::array<std::vector<double>, bench::embree_modes.size()> times_ms_{};
-};
-
 /// All that runs in turn, and what it is compared with.
 struct Contest {
   const Scene& scene;
@@ -90,42 +62,75 @@ struct Contest {
   const PovraySweep& povray_sweep;
 };
 
+/// A peer's candidates for a target: what it takes by round, each once a round. What is the fastest
+/// of them is known only at the end.
+struct Candidate {
+  PeerFigures figures;
+  std::function<double()> trace_ms;
+};
+
+std::optional<PeerFigures> best_of(std::vector<Candidate>& candidates) {
+  const auto best = std::min_element(candidates.begin(), candidates.end(), [](auto& a, auto& b) {
+    return bench::median(a.figures.trace_ms) < bench::median(b.figures.trace_ms);
+  });
+  if (best == candidates.end()) return {};
+  return std::move(best->figures);
+}
+
+/// The cheapest grid, every way to hand its rays over.
+std::vector<Candidate> embree_candidates(double target, const Contest& contest, Image& image) {
+  std::vector<Candidate> candidates;
+  const auto grid = cheapest_within(contest.embree_sweep.points, target);
+  if (!grid) return candidates;
+  const SweepPoint& point = contest.embree_sweep.points[*grid];
+  for (const bench::EmbreeMode mode : bench::embree_modes)
+    candidates.push_back({{point.setting + ", " + name_of(mode), point.rmse},
+                          [&contest, &image, mode, side = static_cast<int>(*grid) + 1] {
+                            bench::set_sample_grid(contest.world, side);
+                            return contest.embree.trace(contest.world, mode, image);
+                          }});
+  return candidates;
+}
+
+/// Several: its times are of whole milliseconds, and the sweep's are measured once.
+std::vector<Candidate> povray_candidates(double target, const Contest& contest) {
+  constexpr std::size_t few = 3;
+  std::vector<Candidate> candidates;
+  for (const std::size_t i : cheapest_few_within(contest.povray_sweep.points, target, few)) {
+    const SweepPoint& point = contest.povray_sweep.points[i];
+    candidates.push_back(
+        {{point.setting, point.rmse}, [&contest, setting = contest.povray_sweep.settings[i]] {
+           return contest.povray.run(setting).times.trace_ms;
+         }});
+  }
+  return candidates;
+}
+
 TargetFigures measure_target(double target, const EqualErrorEffort& effort,
                              const Contest& contest) {
   constexpr int fewest_rounds = 3;
   TargetFigures row{.target = target};
-  const auto grid = cheapest_within(contest.embree_sweep.points, target);
-  const auto setting = cheapest_within(contest.povray_sweep.points, target);
   Image image(contest.exact.width, contest.exact.height);
-  EmbreeRounds embree_rounds(contest.embree, contest.world, grid ? static_cast<int>(*grid) + 1 : 1,
-                             image);
-  std::vector<double> povray_ms;
+  std::vector<Candidate> embree = embree_candidates(target, contest, image);
+  std::vector<Candidate> povray = povray_candidates(target, contest);
   Overrides overrides;
   overrides.target_rmse = target;
-  render_with(contest.scene, overrides, contest.pool);  // the warm-up; the peers had theirs
-
   const Stopwatch watch;
   for (int i = 0;
        i < effort.rounds && (i < fewest_rounds || watch.elapsed_ms() < 1000 * effort.seconds);
        ++i) {
+    // Once before, not timed: another process has run, and its caches are not what is measured.
+    render_with(contest.scene, overrides, contest.pool);
     const Rendering rendering = render_with(contest.scene, overrides, contest.pool);
     row.trace_ms.push_back(rendering.trace_ms);
     row.rmse = difference(rendering.image, contest.exact).rmse;
     row.estimated_error = rendering.estimated_error;
     row.samples_per_pixel = rendering.samples_per_pixel;
-    if (grid) embree_rounds.run();
-    if (setting)
-      povray_ms.push_back(
-          contest.povray.run(contest.povray_sweep.settings[*setting]).times.trace_ms);
+    for (std::vector<Candidate>* const peer : {&embree, &povray})
+      for (Candidate& candidate : *peer) candidate.figures.trace_ms.push_back(candidate.trace_ms());
   }
-  if (grid) {
-    const SweepPoint& point = contest.embree_sweep.points[*grid];
-    row.embree = embree_rounds.best(point.setting, point.rmse);
-  }
-  if (setting) {
-    const SweepPoint& point = contest.povray_sweep.points[*setting];
-    row.povray = PeerFigures{point.setting, point.rmse, std::move(povray_ms)};
-  }
+  row.embree = best_of(embree);
+  row.povray = best_of(povray);
   return row;
 }
 

@@ -33,7 +33,7 @@ double trace_time_ms(bench::EmbreePeer& embree, const bench::EmbreeWorld& world,
   return bench::median(times_ms);
 }
 
-constexpr std::array povray_thresholds{0.1, 0.03, 0.01, 0.003, 0.0};
+constexpr std::array povray_thresholds{0.3, 0.1, 0.03, 0.01, 0.0};
 constexpr std::array recursive_depths{1, 2, 3, 4, 5, 6};
 constexpr std::array flat_depths{2, 3, 4, 5, 6, 8, 11, 16, 23, 32};
 constexpr PovrayAntialiasing povray_floor{.method = 1, .threshold = 0, .depth = 40};
@@ -61,7 +61,7 @@ void deepen(const bench::PovrayPeer& povray, const Image& exact, double least_ta
 }  // namespace
 
 std::string name_of(const PovrayAntialiasing& setting) {
-  return fmt::format("+AM{} +A{} +R{}", setting.method, setting.threshold, setting.depth);
+  return fmt::format("+AM{} +A{:.3f} +R{}", setting.method, setting.threshold, setting.depth);
 }
 
 EmbreeSweep sweep_embree(bench::EmbreePeer& embree, bench::EmbreeWorld& world, const Image& exact,

@@ -64,12 +64,12 @@ std::string equal_error_section(const Report& report) {
       "\n## At equal error\n\n"
       "{} x {} pixels. The project is asked for the target; Embree takes a regular grid of n x n "
       "samples in every pixel by its fastest way to hand rays over; POV-Ray anti-aliases by its "
-      "methods 1 and 2 with thresholds from 0.1 to 0 and depths up to 32 (3.7 has no method 3: it "
+      "methods 1 and 2 with thresholds from 0.3 to 0 and depths up to 32 (3.7 has no method 3: it "
       "takes +AM3 as 2). Of each peer's settings the cheapest with an error of at most the target "
-      "is run in turn with the project. Medians of {} or more rounds; ratios are medians of the "
+      "is run in turn with the project. Medians; ratios are medians of the "
       "rounds' ratios, above 1 where the project is faster. POV-Ray's pictures are of 16 bits, and "
       "compared with a picture without ambient light, which it counts differently.\n\n",
-      report.equal_error_size.width_px, report.equal_error_size.height_px, 3);
+      report.equal_error_size.width_px, report.equal_error_size.height_px);
   text +=
       row("scene", "target", "rounds", "our error", "estimate", "samples", "trace", "Embree: grid",
           "error", "trace", "ratio", "POV-Ray: setting", "error", "trace", "ratio");

@@ -19,8 +19,8 @@ using Sweep = std::vector<SweepPoint>;
 /// Where the fastest point is whose error is at most `target`; nothing if none is that good.
 std::optional<std::size_t> cheapest_within(const Sweep& sweep, double target);
 
-/// The least error of all; infinite for none.
-double least_error(const Sweep& sweep);
+/// Where those whose error is at most `target` are, the fastest first, `most` at most.
+std::vector<std::size_t> cheapest_few_within(const Sweep& sweep, double target, std::size_t most);
 
 /// By time, those that are better than all faster ones.
 Sweep front(Sweep sweep);

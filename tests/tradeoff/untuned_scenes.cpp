@@ -118,7 +118,7 @@ std::string far_square() {
 std::string few_triangles() { return document(matt, triangle_soup(15, 120, 2) + "," + matt_plane); }
 
 /// Slivers and triangles of about a pixel.
-std::string many_triangles() { return document(matt, triangle_soup(16, 8000, 0.25)); }
+std::string many_triangles() { return document(matt, triangle_soup(16, 2000, 0.25)); }
 
 }  // namespace
 
