@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "engine/measure/stopwatch.h"
@@ -62,12 +64,27 @@ struct Contest {
   const PovraySweep& povray_sweep;
 };
 
-/// A peer's candidates for a target: what it takes by round, each once a round. What is the fastest
-/// of them is known only at the end.
+/// A peer's setting that may be its fastest for a target, which is known only at the end.
 struct Candidate {
   PeerFigures figures;
   std::function<double()> trace_ms;
 };
+
+/// Each once, but none that has taken so long in all. Those that are clearly slower drop out.
+void run_round(std::vector<Candidate>& candidates, double most_seconds) {
+  constexpr double near = 1.2;  // times the fastest of the first round
+  const auto first_ms = [](const Candidate& candidate) { return candidate.figures.trace_ms[0]; };
+  for (Candidate& candidate : candidates) {
+    std::vector<double>& times_ms = candidate.figures.trace_ms;
+    if (std::accumulate(times_ms.begin(), times_ms.end(), 0.0) < 1000 * most_seconds)
+      times_ms.push_back(candidate.trace_ms());
+  }
+  double fastest_ms = std::numeric_limits<double>::infinity();
+  for (const Candidate& candidate : candidates)
+    fastest_ms = std::min(fastest_ms, first_ms(candidate));
+  std::erase_if(candidates,
+                [&](const Candidate& each) { return first_ms(each) > near * fastest_ms; });
+}
 
 std::optional<PeerFigures> best_of(std::vector<Candidate>& candidates) {
   const auto best = std::min_element(candidates.begin(), candidates.end(), [](auto& a, auto& b) {
@@ -126,8 +143,8 @@ TargetFigures measure_target(double target, const EqualErrorEffort& effort,
     row.rmse = difference(rendering.image, contest.exact).rmse;
     row.estimated_error = rendering.estimated_error;
     row.samples_per_pixel = rendering.samples_per_pixel;
-    for (std::vector<Candidate>* const peer : {&embree, &povray})
-      for (Candidate& candidate : *peer) candidate.figures.trace_ms.push_back(candidate.trace_ms());
+    run_round(embree, effort.seconds);
+    run_round(povray, effort.seconds);
   }
   row.embree = best_of(embree);
   row.povray = best_of(povray);
@@ -165,7 +182,6 @@ EqualErrorFigures measure_equal_error(const EqualErrorCase& measured, ImageSize 
   figures.embree = std::move(embree_sweep.points);
   figures.embree_floor = embree_sweep.floor_rmse;
   figures.povray = std::move(povray_sweep.points);
-  figures.povray_floor = povray_sweep.floor_rmse;
   return figures;
 }
 

@@ -4,7 +4,7 @@
 // The setting of each peer is the cheapest of a sweep whose true error is at most the target; the
 // project is asked for the target. Then all run in turn, round after round. Errors are from the
 // project's own picture of thousands of samples: a peer's shading that differs counts as error, and
-// where that keeps it from a target, its error with very many samples is given.
+// where that keeps it from a target, the least error that it came to is given.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,7 @@ struct EqualErrorEffort {
 struct PeerFigures {
   std::string setting{};
   double rmse = 0;
-  std::vector<double> trace_ms{};  ///< by round
+  std::vector<double> trace_ms{};  ///< of the first rounds, fewer than all where it is slow
 };
 
 struct TargetFigures {
@@ -55,7 +55,6 @@ struct EqualErrorFigures {
   Sweep embree{};
   Sweep povray{};
   double embree_floor = 0;  ///< with very many samples; 0 where all targets were reached
-  double povray_floor = 0;
   std::vector<TargetFigures> targets{};
 };
 

@@ -22,7 +22,8 @@ struct EmbreeSweep {
 EmbreeSweep sweep_embree(bench::EmbreePeer& embree, bench::EmbreeWorld& world, const Image& exact,
                          double least_target);
 
-/// Its anti-aliasing methods 1 and 2, several thresholds, ever more depth.
+/// Its anti-aliasing methods 1 and 2, several thresholds, ever more depth while that pays: its
+/// method 1 has a limit of its own, which more depth does not take away.
 struct PovraySweep {
   std::vector<bench::PovrayAntialiasing> settings{};  ///< of each point
   Sweep points{};

@@ -132,6 +132,7 @@ std::vector<ContractCase> contract_cases(const Options& options) {
   for (const auto& entry : fs::directory_iterator(options.shipped))
     if (entry.path().extension() == ".json") paths.insert(entry.path());
   std::vector<ContractCase> cases;
+  cases.reserve(paths.size());
   for (const fs::path& path : paths) cases.push_back({path.stem().string(), text_of(path), true});
   for (ContractCase& untuned : untuned_scenes()) cases.push_back(std::move(untuned));
   return cases;

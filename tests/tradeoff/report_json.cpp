@@ -42,8 +42,7 @@ Json json_of(const EqualErrorFigures& figures) {
             {"with_target", json_of(figures.with_target)},
             {"embree", json_of(figures.embree)},
             {"povray", json_of(figures.povray)},
-            {"embree_floor", figures.embree_floor},
-            {"povray_floor", figures.povray_floor}};
+            {"embree_floor", figures.embree_floor}};
   for (const TargetFigures& target : figures.targets)
     json["targets"].push_back({{"target_rmse", target.target},
                                {"rmse", target.rmse},

@@ -1,6 +1,7 @@
 #include "tests/tradeoff/sweep.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace raytracer::published {
@@ -19,6 +20,12 @@ std::vector<std::size_t> cheapest_few_within(const Sweep& sweep, double target, 
 std::optional<std::size_t> cheapest_within(const Sweep& sweep, double target) {
   const std::vector<std::size_t> places = cheapest_few_within(sweep, target, 1);
   return places.empty() ? std::nullopt : std::optional(places[0]);
+}
+
+double least_error(const Sweep& sweep) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SweepPoint& point : sweep) least = std::min(least, point.rmse);
+  return least;
 }
 
 Sweep front(Sweep sweep) {

@@ -22,6 +22,9 @@ std::optional<std::size_t> cheapest_within(const Sweep& sweep, double target);
 /// Where those whose error is at most `target` are, the fastest first, `most` at most.
 std::vector<std::size_t> cheapest_few_within(const Sweep& sweep, double target, std::size_t most);
 
+/// The least of all; infinite for none.
+double least_error(const Sweep& sweep);
+
 /// By time, those that are better than all faster ones.
 Sweep front(Sweep sweep);
 

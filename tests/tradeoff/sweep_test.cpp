@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,11 @@ TEST(Sweep, cheapest_few_are_the_fastest_in_turn) {
   EXPECT_EQ(cheapest_few_within(sweep, 0.01, 2), (std::vector<std::size_t>{3, 1}));
   EXPECT_EQ(cheapest_few_within(sweep, 0.01, 9), (std::vector<std::size_t>{3, 1, 4}));
   EXPECT_TRUE(cheapest_few_within(sweep, 0.001, 2).empty());
+}
+
+TEST(Sweep, least_error_is_that_of_the_best) {
+  EXPECT_EQ(least_error(sweep), 0.004);
+  EXPECT_TRUE(std::isinf(least_error({})));
 }
 
 TEST(Sweep, front_rises_in_time_and_falls_in_error) {
