@@ -1,3 +1,5 @@
+// What is said of many budgets: a conclusion from budgets.h's figures that needs no renderer.
+
 #include "tests/bench/median.h"
 #include "tests/tradeoff/budgets.h"
 

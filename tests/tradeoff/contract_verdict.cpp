@@ -1,3 +1,5 @@
+// What is said of many targets: a conclusion from contracts.h's figures that needs no renderer.
+
 #include <algorithm>
 
 #include "tests/tradeoff/contracts.h"

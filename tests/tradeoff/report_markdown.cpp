@@ -67,8 +67,10 @@ std::string equal_error_section(const Report& report) {
       "methods 1 and 2 with thresholds from 0.3 to 0 and growing depths, while that pays (3.7 has "
       "no method 3: it "
       "takes +AM3 as 2). Of each peer's settings the cheapest with an error of at most the target "
-      "is run in turn with the project. Medians; ratios are medians of the "
-      "rounds' ratios, above 1 where the project is faster. POV-Ray's pictures are of 16 bits, and "
+      "is run in turn with the project; what takes many seconds is not run in all rounds. Medians; "
+      "ratios are medians of the rounds' ratios, above 1 where the project is faster. \"demo\" has "
+      "black shadows and the linear transfer here, which all draw. POV-Ray's pictures are of 16 "
+      "bits, and "
       "compared with a picture without ambient light, which it counts differently.\n\n",
       report.equal_error_size.width_px, report.equal_error_size.height_px);
   text +=
