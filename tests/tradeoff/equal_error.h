@@ -25,8 +25,8 @@ struct EqualErrorCase {
 struct EqualErrorEffort {
   std::vector<double> targets{};  ///< falling
   int exact_samples = 12'288;
-  int rounds = 7;
-  double seconds = 6;  ///< no new round of a target after that, if there were three
+  int rounds = 5;
+  double seconds = 4;  ///< no new round of a target after that, if there were three
 };
 
 /// A peer's cheapest setting for a target.

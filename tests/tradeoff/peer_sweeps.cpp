@@ -35,7 +35,7 @@ double trace_time_ms(bench::EmbreePeer& embree, const bench::EmbreeWorld& world,
 
 constexpr std::array povray_thresholds{0.3, 0.1, 0.03, 0.01, 0.0};
 constexpr std::array recursive_depths{1, 2, 3, 4, 5, 6};
-constexpr std::array flat_depths{2, 3, 4, 5, 6, 8, 11, 16, 23, 32};
+constexpr std::array flat_depths{2, 3, 4, 5, 6, 8, 11, 16, 23};
 
 /// One method and threshold with ever more depth, while that pays.
 template <std::size_t count>

@@ -40,7 +40,7 @@ struct Options {
   int contract_samples = 12'288;
   int budget_samples = 3072;
   int budget_repetitions = 20;
-  double exact_seconds = 5;
+  double exact_seconds = 8;
   std::size_t threads = 2;
   std::string commit = "unknown";
   std::string runs;
