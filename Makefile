@@ -53,13 +53,15 @@ tsan_options = suppressions=$(CURDIR)/tests/tsan.supp halt_on_error=1
 tsan:
 	$(call test_in,build-tsan,-DRAYTRACER_SANITIZE=thread,TSAN_OPTIONS="$(tsan_options)")
 
+# The peers are only for these, so they have a directory of their own.
 tradeoff:
-	.ci/install build test
-	$(call configure,build,-DRAYTRACER_TESTS=ON)
-	@cmake --build build --parallel $(JOBS) --target error_against_samples
-	@build/error_against_samples server/scenes/demo.json 175 125
+	.ci/install build test bench
+	$(call configure,build-bench,-DRAYTRACER_TESTS=ON -DRAYTRACER_BENCH=ON)
+	@cmake --build build-bench --parallel $(JOBS) --target raytracer_published_tradeoff
+	@mkdir -p tests/tradeoff/runs
+	build-bench/raytracer_published_tradeoff --runs tests/tradeoff/runs \
+	  --commit "$$(git describe --always --dirty --exclude='*')"
 
-# The peers are only for this, so it has a directory of its own.
 bench:
 	.ci/install build test bench
 	$(call configure,build-bench,-DRAYTRACER_TESTS=ON -DRAYTRACER_BENCH=ON)
@@ -114,7 +116,7 @@ help:
 	@echo "make check     clang-format, clang-tidy, shellcheck, instruction counts; installs what is missing"
 	@echo "make sanitize  all tests with AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make tsan      all tests with ThreadSanitizer"
-	@echo "make tradeoff  the demo's error and time for growing numbers of samples"
+	@echo "make tradeoff  error against time beside Embree and POV-Ray, written to tests/tradeoff/runs"
 	@echo "make bench     times against Embree and POV-Ray, written to tests/bench/runs"
 	@echo "make extremes  scenes at the extremes against exact pictures, written to tests/extremes/runs"
 	@echo "make fuzz      a minute each of random documents and of random scenes, with libFuzzer"

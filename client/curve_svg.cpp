@@ -8,36 +8,22 @@
 #include <utility>
 #include <vector>
 
-#include "client/log_axis.h"
+#include "client/log_plot.h"
 
 namespace raytracer::client {
 namespace {
 
-// In the drawing's own units; y downwards.
-constexpr double width = 860;
-constexpr double height = 520;
-constexpr double left = 78;
-constexpr double right = 620;
-constexpr double top = 76;
-constexpr double bottom = 456;
-
-constexpr std::string_view style = R"(  <style>
-    svg { color-scheme: light dark; --page: #fff; --ink: #1b1d1e; --soft: #5c6265; --line: #dfe2e3;
-      --single: #0b6a63; --double: #9a4a00; --target: #3647b8; --other: #6a6f72 }
-    @media (prefers-color-scheme: dark) { svg { --page: #111213; --ink: #e6e8e8; --soft: #a0a6a8;
-      --line: #2e3133; --single: #5cc4ba; --double: #f0a35e; --target: #9aa8ff; --other: #979da0 } }
-    text { font: 12px system-ui, sans-serif; fill: var(--ink) }
-    .title { font-size: 16px; font-weight: 600 }
-    .soft, .tick { fill: var(--soft) }
+constexpr std::string_view style =
+    R"(    svg { --single: #0b6a63; --double: #9a4a00; --target: #3647b8; --other: #6a6f72 }
+    @media (prefers-color-scheme: dark) { svg { --single: #5cc4ba; --double: #f0a35e;
+      --target: #9aa8ff; --other: #979da0 } }
     .name { font-size: 11px }
-    .grid { stroke: var(--line) }
     .front { fill: none; stroke: var(--soft); stroke-width: 1.5 }
     .point { stroke-width: 1.6; fill: var(--page) }
     .single { stroke: var(--single) } .single.best { fill: var(--single) }
     .double { stroke: var(--double) } .double.best { fill: var(--double) }
     .target { stroke: var(--target) } .target.best { fill: var(--target) }
     .other { stroke: var(--other) } .other.best { fill: var(--other) }
-  </style>
 )";
 
 /// What was set, as the drawing tells it apart.
@@ -63,26 +49,6 @@ const KindRow& row_of(const CurvePoint& point) {
                        [kind](const KindRow& row) { return row.kind == kind; });
 }
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (static_cast<unsigned char>(c) >= ' ')
-      result += c;  // XML has no place for control characters
-  }
-  return result;
-}
-
-std::string text_at(double x, double y, std::string_view attributes, std::string_view text) {
-  return fmt::format("  <text x=\"{:.1f}\" y=\"{:.1f}\"{}{}>{}</text>\n", x, y,
-                     attributes.empty() ? "" : " ", attributes, escaped(text));
-}
-
 /// The outline of a kind's mark around (x, y): circle, triangle, square, diamond.
 std::string outline(Kind kind, double x, double y) {
   switch (kind) {
@@ -101,66 +67,34 @@ std::string outline(Kind kind, double x, double y) {
 std::string mark(const KindRow& row, bool is_best, double x, double y, const std::string& title) {
   return fmt::format("  {} class=\"point {}{}\">{}</{}>\n", outline(row.kind, x, y), row.css_class,
                      is_best ? " best" : "",
-                     title.empty() ? "" : "<title>" + escaped(title) + "</title>",
+                     title.empty() ? "" : "<title>" + svg_escaped(title) + "</title>",
                      row.kind == Kind::single   ? "circle"
                      : row.kind == Kind::target ? "rect"
                                                 : "path");
 }
 
-/// Where the points stand.
-struct Frame {
-  LogAxis across;
-  LogAxis up;
-
-  double x(double ms) const { return left + across.place(ms) * (right - left); }
-  double y(double rmse) const { return bottom - up.place(rmse) * (bottom - top); }
-};
-
-Frame make_frame(const std::vector<CurvePoint>& points) {
+LogPlot make_plot(const std::vector<CurvePoint>& points) {
   std::vector<double> times;
   std::vector<double> errors;
   for (const CurvePoint& point : points) {
     times.push_back(point.trace_ms);
     errors.push_back(point.rmse);
   }
-  return {LogAxis(times), LogAxis(errors)};
-}
-
-std::string axes(const Frame& frame) {
-  std::string text;
-  for (const double tick : frame.across.ticks()) {
-    const double x = frame.x(tick);
-    text += fmt::format("  <path class=\"grid\" d=\"M{:.1f} {}V{}\"/>\n", x, top, bottom);
-    text +=
-        text_at(x, bottom + 18, "class=\"tick\" text-anchor=\"middle\"", fmt::format("{:g}", tick));
-  }
-  for (const double tick : frame.up.ticks()) {
-    const double y = frame.y(tick);
-    text += fmt::format("  <path class=\"grid\" d=\"M{} {:.1f}H{}\"/>\n", left, y, right);
-    text +=
-        text_at(left - 8, y + 4, "class=\"tick\" text-anchor=\"end\"", fmt::format("{:g}", tick));
-  }
-  text += text_at((left + right) / 2, bottom + 42, "text-anchor=\"middle\"",
-                  "time to trace, milliseconds");
-  const double middle = (top + bottom) / 2;
-  return text +
-         text_at(20, middle,
-                 fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 20 {})\"", middle),
-                 "error, root mean square");
+  return {times, errors};
 }
 
 std::string legend() {
-  constexpr double x = right + 32;
-  double y = top + 8;
+  constexpr double x = LogPlot::right + 32;
+  double y = LogPlot::top + 8;
   std::string text;
   for (const KindRow& row : kinds) {
-    text += mark(row, false, x, y - 4, "") + text_at(x + 14, y, "", row.name);
+    text += mark(row, false, x, y - 4, "") + svg_text(x + 14, y, "", row.name);
     y += 22;
   }
   y += 10;
   for (const std::string_view line : {"Filled: nothing else is as fast",
                                       "and as accurate, parts of the", "picture left out aside."}) {
-    text += text_at(x - 6, y, "class=\"soft\"", line);
+    text += svg_text(x - 6, y, "class=\"soft\"", line);
     y += 17;
   }
   return text;
@@ -179,12 +113,12 @@ class Names {
     const std::array<Box, 2> places{{{x - 8 - length, y + 3, x - 8, y + 3 + tall},
                                      {x + 8, y - 7 - tall, x + 8 + length, y - 7}}};
     for (const Box& box : places) {
-      if (box.x0 < left || box.x1 > right || box.y1 > bottom ||
+      if (box.x0 < LogPlot::left || box.x1 > LogPlot::right || box.y1 > LogPlot::bottom ||
           std::any_of(taken_.begin(), taken_.end(),
                       [&](const Box& other) { return box.meets(other); }))
         continue;
       taken_.push_back(box);
-      return text_at(box.x0, box.y1 - 2, "class=\"name\"", name);
+      return svg_text(box.x0, box.y1 - 2, "class=\"name\"", name);
     }
     return "";
   }
@@ -199,16 +133,16 @@ class Names {
   std::vector<Box> taken_;
 };
 
-std::string marks(const std::vector<CurvePoint>& points, const Frame& frame) {
+std::string marks(const std::vector<CurvePoint>& points, const LogPlot& plot) {
   std::string line;
   std::string drawn;
   std::string names;
   Names placed;
   for (const CurvePoint& point : points)
-    placed.keep_clear_of_mark(frame.x(point.trace_ms), frame.y(point.rmse));
+    placed.keep_clear_of_mark(plot.x(point.trace_ms), plot.y(point.rmse));
   for (const CurvePoint& point : points) {
-    const double x = frame.x(point.trace_ms);
-    const double y = frame.y(point.rmse);
+    const double x = plot.x(point.trace_ms);
+    const double y = plot.y(point.rmse);
     if (point.pareto && !point.changes_picture) {
       line += fmt::format("{}{:.1f} {:.1f}", line.empty() ? "M" : "L", x, y);
       names += placed.place(x, y, in_words(point.settings));
@@ -228,21 +162,14 @@ std::string curve_svg(const Curve& curve, const std::string& label) {
   std::vector<CurvePoint> points = curve.points;
   std::sort(points.begin(), points.end(),
             [](const CurvePoint& a, const CurvePoint& b) { return a.trace_ms < b.trace_ms; });
-  const Frame frame = make_frame(points);
+  const LogPlot plot = make_plot(points);
   const std::string measured = fmt::format(
       "{} x {} pixels on {} thread{}; errors against {} samples per pixel in double precision, "
       "off by at most {:.1g} by estimate",
       curve.width_px, curve.height_px, curve.thread_count, curve.thread_count == 1 ? "" : "s",
       curve.reference_samples, curve.reference_error);
-  return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
-             "height=\"{1}\" role=\"img\">\n",
-             width, height) +
-         "  <title>" + escaped("What accuracy costs: " + label) + "</title>\n" +
-         std::string(style) + "  <rect width=\"100%\" height=\"100%\" fill=\"var(--page)\"/>\n" +
-         text_at(left, 30, "class=\"title\"", "What accuracy costs: " + label) +
-         text_at(left, 52, "class=\"soft\"", measured) + axes(frame) + marks(points, frame) +
-         legend() + "</svg>\n";
+  return plot.document("What accuracy costs: " + label, measured, style,
+                       marks(points, plot) + legend());
 }
 
 }  // namespace raytracer::client

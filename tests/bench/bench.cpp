@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <set>
@@ -17,6 +16,7 @@
 #include "engine/memory/page_allocator.h"
 #include "tests/bench/measure_case.h"
 #include "tests/bench/report.h"
+#include "tests/bench/written_file.h"
 
 namespace {
 
@@ -87,12 +87,6 @@ bool is_wanted(const Case& candidate, const Options& options) {
                             options.scenes.end();
   const bool is_small = candidate.is_quick && candidate.width == 700 && candidate.samples == 1;
   return is_named && (!options.is_quick || is_small);
-}
-
-void write_file(const std::filesystem::path& path, const std::string& content) {
-  std::ofstream file(path, std::ios::binary);
-  file << content;
-  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
 void write_pictures(const CaseFigures& figures, const std::filesystem::path& directory,

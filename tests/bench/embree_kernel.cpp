@@ -25,13 +25,27 @@ class FlushSubnormals {
   unsigned before_;
 };
 
-template <int width>
+/// A mean of 1, and what is added before a value is cut to whole ones.
+template <typename Channel>
+struct Scale;
+template <>
+struct Scale<unsigned char> {
+  static constexpr float one = 255;
+  static constexpr float rounding = 0.5F;
+};
+template <>
+struct Scale<float> {
+  static constexpr float one = 1;
+  static constexpr float rounding = 0;
+};
+
+template <int width, typename Channel>
 class TileTracer : Lanes<width> {
  public:
   TileTracer(const EmbreeFrame& frame, EmbreeMode mode) : frame_(frame), rays_(frame, mode) {}
 
   /// A packet is a block of pixels, or as many samples of one pixel if there are enough.
-  void trace(int x_begin, int y_begin, int x_end, int y_end, unsigned char* rgb) {
+  void trace(int x_begin, int y_begin, int x_end, int y_end, Channel* rgb) {
     const bool has_many_samples = frame_.sample_count % width == 0;
     const int columns = has_many_samples ? 1 : Packet<width>::columns;
     const int rows = has_many_samples ? 1 : width / columns;
@@ -66,7 +80,7 @@ class TileTracer : Lanes<width> {
     F ka, kd, ks, shininess, reflectivity;
   };
 
-  void trace_block(int x_begin, int y_begin, int x_end, int y_end, unsigned char* rgb) {
+  void trace_block(int x_begin, int y_begin, int x_end, int y_end, Channel* rgb) {
     F x;
     F y;
     M inside;
@@ -80,36 +94,38 @@ class TileTracer : Lanes<width> {
     Vector sum{};
     for (int s = 0; s < frame_.sample_count; ++s)
       sum = plus(sum, clamped(radiance(x + frame_.sample_x[s], y + frame_.sample_y[s], inside)));
-    const Vector levels = in_levels(sum);
+    const Vector values = in_channels(sum);
     for (int i = 0; i < width; ++i) {
       if (!inside[i]) continue;
       const int column = x_begin + i % Packet<width>::columns;
       const int row = y_begin + i / Packet<width>::columns;
-      unsigned char* pixel = rgb + 3 * (static_cast<long>(row) * frame_.width + column);
-      pixel[0] = static_cast<unsigned char>(levels.x[i]);
-      pixel[1] = static_cast<unsigned char>(levels.y[i]);
-      pixel[2] = static_cast<unsigned char>(levels.z[i]);
+      store(values, i, column, row, rgb);
     }
   }
 
-  void trace_pixel(int column, int row, unsigned char* rgb) {
+  void trace_pixel(int column, int row, Channel* rgb) {
     const auto x = static_cast<float>(column);
     const auto y = static_cast<float>(frame_.height - 1 - row);
     Vector sum{};
     for (int s = 0; s < frame_.sample_count; s += width)
       sum = plus(sum, clamped(radiance(load(frame_.sample_x + s) + x, load(frame_.sample_y + s) + y,
                                        M{} - 1)));
-    unsigned char* pixel = rgb + 3 * (static_cast<long>(row) * frame_.width + column);
-    const Vector levels = in_levels({F{} + total(sum.x), F{} + total(sum.y), F{} + total(sum.z)});
-    pixel[0] = static_cast<unsigned char>(levels.x[0]);
-    pixel[1] = static_cast<unsigned char>(levels.y[0]);
-    pixel[2] = static_cast<unsigned char>(levels.z[0]);
+    store(in_channels({F{} + total(sum.x), F{} + total(sum.y), F{} + total(sum.z)}), 0, column, row,
+          rgb);
   }
 
-  /// The mean of the samples of this sum from 0 to 255, to be cut to whole levels.
-  Vector in_levels(const Vector& sum) const {
-    const float scale = 255 / static_cast<float>(frame_.sample_count);
-    return {sum.x * scale + 0.5F, sum.y * scale + 0.5F, sum.z * scale + 0.5F};
+  /// The mean of the samples of this sum, to be cut to what a channel holds.
+  Vector in_channels(const Vector& sum) const {
+    const float scale = Scale<Channel>::one / static_cast<float>(frame_.sample_count);
+    constexpr float rounding = Scale<Channel>::rounding;
+    return {sum.x * scale + rounding, sum.y * scale + rounding, sum.z * scale + rounding};
+  }
+
+  void store(const Vector& values, int lane, int column, int row, Channel* rgb) const {
+    Channel* pixel = rgb + 3 * (static_cast<long>(row) * frame_.width + column);
+    pixel[0] = static_cast<Channel>(values.x[lane]);
+    pixel[1] = static_cast<Channel>(values.y[lane]);
+    pixel[2] = static_cast<Channel>(values.z[lane]);
   }
 
   Vector radiance(F x, F y, M active) {
@@ -205,6 +221,20 @@ class TileTracer : Lanes<width> {
   RayCaster<width> rays_;
 };
 
+template <typename Channel>
+void trace_tile(const EmbreeFrame& frame, EmbreeMode mode, int packet_width, int x_begin,
+                int y_begin, int x_end, int y_end, Channel* rgb) {
+  const FlushSubnormals flush;
+  const int width =
+      mode == EmbreeMode::narrow_packets && packet_width > 4 ? packet_width / 2 : packet_width;
+  if (width == 16)
+    TileTracer<16, Channel>(frame, mode).trace(x_begin, y_begin, x_end, y_end, rgb);
+  else if (width == 8)
+    TileTracer<8, Channel>(frame, mode).trace(x_begin, y_begin, x_end, y_end, rgb);
+  else
+    TileTracer<4, Channel>(frame, mode).trace(x_begin, y_begin, x_end, y_end, rgb);
+}
+
 }  // namespace
 
 int embree_packet_width(RTCDevice device) {
@@ -215,15 +245,12 @@ int embree_packet_width(RTCDevice device) {
 
 void trace_embree_tile(const EmbreeFrame& frame, EmbreeMode mode, int packet_width, int x_begin,
                        int y_begin, int x_end, int y_end, unsigned char* rgb) {
-  const FlushSubnormals flush;
-  const int width =
-      mode == EmbreeMode::narrow_packets && packet_width > 4 ? packet_width / 2 : packet_width;
-  if (width == 16)
-    TileTracer<16>(frame, mode).trace(x_begin, y_begin, x_end, y_end, rgb);
-  else if (width == 8)
-    TileTracer<8>(frame, mode).trace(x_begin, y_begin, x_end, y_end, rgb);
-  else
-    TileTracer<4>(frame, mode).trace(x_begin, y_begin, x_end, y_end, rgb);
+  trace_tile(frame, mode, packet_width, x_begin, y_begin, x_end, y_end, rgb);
+}
+
+void trace_embree_tile(const EmbreeFrame& frame, EmbreeMode mode, int packet_width, int x_begin,
+                       int y_begin, int x_end, int y_end, float* rgb) {
+  trace_tile(frame, mode, packet_width, x_begin, y_begin, x_end, y_end, rgb);
 }
 
 }  // namespace raytracer::bench

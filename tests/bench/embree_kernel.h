@@ -61,9 +61,12 @@ struct EmbreeFrame {
 int embree_packet_width(RTCDevice device);
 
 /// Draws pixels [x_begin, x_end) x [y_begin, y_end), row 0 on top, into `rgb`, which has three
-/// bytes for each pixel of the whole image. `packet_width` is the widest; shading works on as many
-/// rays at once as there are in a packet, on the widest for single rays.
+/// channels for each pixel of the whole image: rounded to 8 bits, or as they are, from 0 to 1.
+/// `packet_width` is the widest; shading works on as many rays at once as there are in a packet,
+/// on the widest for single rays.
 void trace_embree_tile(const EmbreeFrame& frame, EmbreeMode mode, int packet_width, int x_begin,
                        int y_begin, int x_end, int y_end, unsigned char* rgb);
+void trace_embree_tile(const EmbreeFrame& frame, EmbreeMode mode, int packet_width, int x_begin,
+                       int y_begin, int x_end, int y_end, float* rgb);
 
 }  // namespace raytracer::bench

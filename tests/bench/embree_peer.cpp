@@ -6,28 +6,11 @@
 #include <stdexcept>
 
 #include "engine/measure/stopwatch.h"
-#include "tests/bench/embree_world.h"
 
 namespace raytracer::bench {
 namespace {
 
 constexpr int tile_side_px = 32;
-
-void trace(const EmbreeFrame& frame, EmbreeMode mode, int packet_width, WorkerPool& pool,
-           ByteImage& image) {
-  const int columns = (frame.width + tile_side_px - 1) / tile_side_px;
-  const int rows = (frame.height + tile_side_px - 1) / tile_side_px;
-  const std::atomic<bool> stop{false};
-  pool.run(
-      static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
-      [&](std::size_t tile) {
-        const int x = static_cast<int>(tile) % columns * tile_side_px;
-        const int y = static_cast<int>(tile) / columns * tile_side_px;
-        trace_embree_tile(frame, mode, packet_width, x, y, std::min(x + tile_side_px, frame.width),
-                          std::min(y + tile_side_px, frame.height), image.values.data());
-      },
-      stop);
-}
 
 }  // namespace
 
@@ -56,22 +39,46 @@ EmbreePeer::~EmbreePeer() { rtcReleaseDevice(device_); }
 
 EmbreeRun EmbreePeer::run(const Scene& scene) {
   EmbreeRun run;
-  const auto world = make_embree_world(device_, scene);
-  const Stopwatch build_watch;
-  rtcCommitScene(world->scene.get());
-  run.times.build_ms = build_watch.elapsed_ms();
-  if (rtcGetDeviceError(device_) != RTC_ERROR_NONE)
-    throw std::runtime_error("Embree reports an error");
-
+  const auto world = build(scene, run.times.build_ms);
   for (std::size_t i = 0; i < embree_modes.size(); ++i) {
     ByteImage image(scene.camera.width, scene.camera.height);
-    const Stopwatch trace_watch;
-    trace(world->frame, embree_modes[i], packet_width_, pool_, image);
-    run.times.trace_ms[i] = trace_watch.elapsed_ms();
+    run.times.trace_ms[i] = trace(*world, embree_modes[i], image);
     if (i == 0) run.image = std::move(image);
   }
   return run;
 }
+
+std::unique_ptr<EmbreeWorld> EmbreePeer::build(const Scene& scene, double& build_ms) {
+  auto world = make_embree_world(device_, scene);
+  const Stopwatch watch;
+  rtcCommitScene(world->scene.get());
+  build_ms = watch.elapsed_ms();
+  if (rtcGetDeviceError(device_) != RTC_ERROR_NONE)
+    throw std::runtime_error("Embree reports an error");
+  return world;
+}
+
+template <typename Channel>
+double EmbreePeer::trace(const EmbreeWorld& world, EmbreeMode mode, Raster<Channel>& image) {
+  const EmbreeFrame& frame = world.frame;
+  const int columns = (frame.width + tile_side_px - 1) / tile_side_px;
+  const int rows = (frame.height + tile_side_px - 1) / tile_side_px;
+  const std::atomic<bool> stop{false};
+  const Stopwatch watch;
+  pool_.run(
+      static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
+      [&](std::size_t tile) {
+        const int x = static_cast<int>(tile) % columns * tile_side_px;
+        const int y = static_cast<int>(tile) / columns * tile_side_px;
+        trace_embree_tile(frame, mode, packet_width_, x, y, std::min(x + tile_side_px, frame.width),
+                          std::min(y + tile_side_px, frame.height), image.values.data());
+      },
+      stop);
+  return watch.elapsed_ms();
+}
+
+template double EmbreePeer::trace(const EmbreeWorld&, EmbreeMode, ByteImage&);
+template double EmbreePeer::trace(const EmbreeWorld&, EmbreeMode, Image&);
 
 std::string EmbreePeer::version() const {
   const auto property = [&](RTCDeviceProperty name) {

@@ -9,10 +9,12 @@
 #include <embree3/rtcore.h>
 
 #include <array>
+#include <memory>
 #include <string>
 
 #include "engine/engine.h"
 #include "tests/bench/embree_kernel.h"
+#include "tests/bench/embree_world.h"
 
 namespace raytracer::bench {
 
@@ -42,6 +44,14 @@ class EmbreePeer {
 
   /// Throws std::runtime_error for a scene outside the limits above.
   EmbreeRun run(const Scene& scene);
+
+  /// The two halves of that, for who traces one scene more than once. `build_ms` is the commit
+  /// alone; throws as `run` does.
+  std::unique_ptr<EmbreeWorld> build(const Scene& scene, double& build_ms);
+
+  /// Milliseconds. Of a channel either 8 bits or a float remain; `image` has the frame's size.
+  template <typename Channel>
+  double trace(const EmbreeWorld& world, EmbreeMode mode, Raster<Channel>& image);
 
   std::string version() const;
   int packet_width() const { return packet_width_; }

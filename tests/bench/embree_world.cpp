@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/sample/pattern.h"
 #include "tests/bench/expanded_square.h"
@@ -127,6 +128,14 @@ std::vector<EmbreeLight> embree_lights(const Scene& scene) {
   return lights;
 }
 
+void set_samples(EmbreeWorld& world, std::vector<float> x, std::vector<float> y) {
+  world.sample_x = std::move(x);
+  world.sample_y = std::move(y);
+  world.frame.sample_x = world.sample_x.data();
+  world.frame.sample_y = world.sample_y.data();
+  world.frame.sample_count = static_cast<int>(world.sample_x.size());
+}
+
 }  // namespace
 
 std::unique_ptr<EmbreeWorld> make_embree_world(RTCDevice device, const Scene& scene) {
@@ -138,10 +147,13 @@ std::unique_ptr<EmbreeWorld> make_embree_world(RTCDevice device, const Scene& sc
   rtcSetSceneFlags(world->scene.get(), RTC_SCENE_FLAG_NONE);
   GeometryCollector(device, scene, *world).collect();
   world->lights = embree_lights(scene);
+  std::vector<float> sample_x;
+  std::vector<float> sample_y;
   for (const SamplePoint& sample : sample_pattern(scene.render.samples.value_or(1)).points) {
-    world->sample_x.push_back(static_cast<float>(sample.x));
-    world->sample_y.push_back(static_cast<float>(sample.y));
+    sample_x.push_back(static_cast<float>(sample.x));
+    sample_y.push_back(static_cast<float>(sample.y));
   }
+  set_samples(*world, std::move(sample_x), std::move(sample_y));
 
   EmbreeFrame& frame = world->frame;
   const EyeView view = make_eye_view(scene.camera);
@@ -151,9 +163,6 @@ std::unique_ptr<EmbreeWorld> make_embree_world(RTCDevice device, const Scene& sc
   set(frame.up, view.up);
   frame.width = scene.camera.width;
   frame.height = scene.camera.height;
-  frame.sample_x = world->sample_x.data();
-  frame.sample_y = world->sample_y.data();
-  frame.sample_count = static_cast<int>(world->sample_x.size());
   set(frame.background, scene.background);
   frame.ambient = static_cast<float>(scene.ambient);
   frame.max_depth = scene.render.max_depth;
@@ -163,6 +172,18 @@ std::unique_ptr<EmbreeWorld> make_embree_world(RTCDevice device, const Scene& sc
   frame.planes = world->planes.data();
   frame.plane_count = static_cast<int>(world->planes.size());
   return world;
+}
+
+void set_sample_grid(EmbreeWorld& world, int side) {
+  std::vector<float> x;
+  std::vector<float> y;
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      x.push_back((static_cast<float>(column) + 0.5F) / static_cast<float>(side));
+      y.push_back((static_cast<float>(row) + 0.5F) / static_cast<float>(side));
+    }
+  }
+  set_samples(world, std::move(x), std::move(y));
 }
 
 }  // namespace raytracer::bench

@@ -31,4 +31,7 @@ struct EmbreeWorld {
 /// Throws std::runtime_error for what the peer does not draw.
 std::unique_ptr<EmbreeWorld> make_embree_world(RTCDevice device, const Scene& scene);
 
+/// side x side samples in every pixel, each in the middle of its cell, instead of the scene's own.
+void set_sample_grid(EmbreeWorld& world, int side);
+
 }  // namespace raytracer::bench

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <regex>
 #include <stdexcept>
+#include <type_traits>
 
 #include "engine/measure/stopwatch.h"
 #include "tests/bench/povray_scene.h"
@@ -48,19 +49,34 @@ std::string head_word(std::istream& file) {
   return word;
 }
 
-ByteImage read_ppm(const std::filesystem::path& path) {
+unsigned char channel_at(const std::string& bytes, std::size_t index, const ByteImage&) {
+  return static_cast<unsigned char>(bytes[index]);
+}
+
+/// Of 16 bits, the upper eight first.
+float channel_at(const std::string& bytes, std::size_t index, const Image&) {
+  const auto byte = [&](std::size_t i) { return int{static_cast<unsigned char>(bytes[i])}; };
+  return static_cast<float>(256 * byte(2 * index) + byte(2 * index + 1)) / 65535;
+}
+
+template <typename Channel>
+Raster<Channel> read_ppm(const std::filesystem::path& path) {
+  constexpr std::size_t bytes_of_channel = std::is_same_v<Channel, float> ? 2 : 1;
   std::ifstream file(path, std::ios::binary);
   const std::string magic = head_word(file);
   const int width = std::atoi(head_word(file).c_str());
   const int height = std::atoi(head_word(file).c_str());
   const std::string largest = head_word(file);
-  if (!file || magic != "P6" || largest != "255" || width <= 0 || height <= 0)
-    throw std::runtime_error("POV-Ray wrote no PPM of 8 bits");
+  if (!file || magic != "P6" || largest != (bytes_of_channel == 2 ? "65535" : "255") ||
+      width <= 0 || height <= 0)
+    throw std::runtime_error(fmt::format("POV-Ray wrote no PPM of {} bits", 8 * bytes_of_channel));
   file.get();
-  ByteImage image(width, height);
+  Raster<Channel> image(width, height);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (bytes.size() != image.values.size()) throw std::runtime_error("POV-Ray's PPM is cut off");
-  std::copy(bytes.begin(), bytes.end(), image.values.begin());
+  if (bytes.size() != bytes_of_channel * image.values.size())
+    throw std::runtime_error("POV-Ray's PPM is cut off");
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = channel_at(bytes, i, image);
   return image;
 }
 
@@ -84,25 +100,35 @@ void PovrayPeer::set_scene(const Scene& scene) {
   std::ofstream file(directory_ / "scene.pov");
   write_povray_scene(scene, file);
   if (!file.flush()) throw std::runtime_error("POV-Ray's scene could not be written");
-  const int samples = scene.render.samples.value_or(1);
-  if (samples != 1 && samples != 16)
-    throw std::runtime_error("the POV-Ray peer takes 1 or 16 samples");
-  options_ = fmt::format("+W{} +H{} +WT{} {}", scene.camera.width, scene.camera.height,
-                         thread_count_, samples == 1 ? "-A" : "+A0.0 +AM1 +R4 -J");
+  width_ = scene.camera.width;
+  height_ = scene.camera.height;
+  samples_ = scene.render.samples.value_or(1);
 }
 
 PovrayRun PovrayPeer::run() const {
+  if (samples_ != 1 && samples_ != 16)
+    throw std::runtime_error("the POV-Ray peer takes 1 or 16 samples");
+  return run_with<unsigned char>(samples_ == 1 ? "+FP -A" : "+FP +A0.0 +AM1 +R4 -J");
+}
+
+PovrayFloatRun PovrayPeer::run(const PovrayAntialiasing& antialiasing) const {
+  return run_with<float>(fmt::format("+FP16 +A{:.3f} +AM{} +R{} -J", antialiasing.threshold,
+                                     antialiasing.method, antialiasing.depth));
+}
+
+template <typename Channel>
+BasicPovrayRun<Channel> PovrayPeer::run_with(const std::string& options) const {
   const Stopwatch watch;
-  const CommandOutcome outcome = run_command(
-      fmt::format("cd '{}' && povray +Iscene.pov +Oscene.ppm +FP File_Gamma=1.0 -D -V -P {}",
-                  directory_.string(), options_));
-  PovrayRun run;
+  const CommandOutcome outcome = run_command(fmt::format(
+      "cd '{}' && povray +Iscene.pov +Oscene.ppm File_Gamma=1.0 -D -V -P +W{} +H{} +WT{} {}",
+      directory_.string(), width_, height_, thread_count_, options));
+  BasicPovrayRun<Channel> run;
   run.times.process_ms = watch.elapsed_ms();
   if (outcome.status != 0) throw std::runtime_error("POV-Ray failed:\n" + outcome.output);
   run.times.parse_ms = time_ms(outcome.output, "Parse");
   run.times.bounding_ms = time_ms(outcome.output, "Bounding");
   run.times.trace_ms = time_ms(outcome.output, "Trace");
-  run.image = read_ppm(directory_ / "scene.ppm");
+  run.image = read_ppm<Channel>(directory_ / "scene.ppm");
   return run;
 }
 

@@ -2,29 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
+#include "tests/bench/markdown_table.h"
 #include "tests/bench/report.h"
 #include "tests/bench/summary.h"
 
 namespace raytracer::bench {
 namespace {
-
-/// Three digits that count, without an exponent.
-std::string digits(double value) {
-  if (value >= 99.95) return fmt::format("{:.0f}", value);
-  if (value >= 9.995) return fmt::format("{:.1f}", value);
-  return fmt::format("{:.2f}", value);
-}
-
-std::string percent(double share) { return fmt::format("{:.2f} %", 100 * share); }
-
-template <typename... Cells>
-std::string row(const Cells&... cells) {
-  std::string text = "|";
-  (fmt::format_to(std::back_inserter(text), " {} |", cells), ...);
-  return text + '\n';
-}
 
 std::string heading(const Report& report) {
   std::string text = fmt::format(

@@ -1,15 +1,11 @@
 #include "tests/bench/summary.h"
 
-#include <algorithm>
+#include <utility>
+
+#include "tests/bench/median.h"
 
 namespace raytracer::bench {
 namespace {
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
 
 /// The median over `rounds` of value(round).
 template <typename Value>
