@@ -57,9 +57,8 @@ InputError explain(const Refused& refused, const SceneSource& scene, const Overr
   std::string lines;
   for (const SceneError& error : refused.errors())
     lines += fmt::format("{}{}: {}{}{}", lines.empty() ? "" : "\n",
-                         place_of(error, scene, overrides, with_position),
-                         printable(error.pointer), error.pointer.empty() ? "" : ": ",
-                         printable(error.detail));
+                         place_of(error, scene, overrides, with_position), printable(error.pointer),
+                         error.pointer.empty() ? "" : ": ", printable(error.detail));
   return InputError(lines);
 }
 

@@ -57,10 +57,9 @@ void spread_first_parts(const Tile& tile, Image& image) {
 
 std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
   const Camera& camera = tracing.scene.camera;
-  const int columns = (camera.width + block_side - 1) / block_side;
-  const int rows = (camera.height + block_side - 1) / block_side;
-  FirstPicture first{Image(camera.width, camera.height),
-                     std::vector<char>(static_cast<std::size_t>(columns) * rows, 0)};
+  const auto columns = static_cast<std::size_t>((camera.width + block_side - 1) / block_side);
+  const auto rows = static_cast<std::size_t>((camera.height + block_side - 1) / block_side);
+  FirstPicture first{Image(camera.width, camera.height), std::vector<char>(columns * rows, 0)};
   const SamplePattern pattern = sample_pattern(1);
   const std::vector<Tile> tiles =
       split_into_tiles(camera.width, camera.height,
@@ -85,9 +84,9 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
       stop);
   if (stop) return {};
 
+  const std::size_t at_once = std::min(tracing.pool.thread_count(), tiles.size());
   const double tile_ms = tracing.watch.elapsed_ms() * (parts_in_block - 1) *
-                         static_cast<double>(tracing.pool.thread_count()) /
-                         static_cast<double>(tiles.size());
+                         static_cast<double>(at_once) / static_cast<double>(tiles.size());
   tracing.pool.run(
       tiles.size(),
       [&](std::size_t i) {
@@ -97,8 +96,8 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
         const Tile& tile = tiles[i];
         for (int y = tile.y_begin; y < tile.y_end; y += block_side)
           for (int x = tile.x_begin; x < tile.x_end; x += block_side)
-            first.is_traced[static_cast<std::size_t>(y / block_side * columns + x / block_side)] =
-                1;
+            first.is_traced[static_cast<std::size_t>(y / block_side) * columns +
+                            static_cast<std::size_t>(x / block_side)] = 1;
       },
       stop);
   if (tracing.progress.stop) return {};

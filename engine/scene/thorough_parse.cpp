@@ -241,9 +241,9 @@ Result<Document> parse_thoroughly(std::string_view text) {
       // The parser takes a zero byte for the text's end.
       const std::size_t zero = text.find('\0');
       if (zero == std::string_view::npos) return document;
-      return std::vector{Error{ErrorKind::syntax, "",
-                               fmt::format("not JSON: {}: a zero byte",
-                                           describe_position(text, zero))}};
+      return std::vector{
+          Error{ErrorKind::syntax, "",
+                fmt::format("not JSON: {}: a zero byte", describe_position(text, zero))}};
     }
     if (!builder.has_huge_number() || !huge_numbers.empty()) return std::vector{builder.failure()};
     huge_numbers = find_huge_numbers(text);

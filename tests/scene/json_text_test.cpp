@@ -71,7 +71,7 @@ TEST(JsonText, WithAnyByteReplacedNeverCrashes) {
 TEST(JsonText, SyntaxErrorsSayLineAndColumn) {
   expect_syntax_error("{\n  \"camera\": ?\n}", "line 2, column 13");
   expect_syntax_error("?", "line 1, column 1");
-  expect_syntax_error(std::string("{\n}\0 and more", 14), "line 2, column 2");
+  expect_syntax_error(std::string("{\n}\0 and more", 13), "line 2, column 2");
   expect_syntax_error(std::string("{}\0", 3), "line 1, column 3");
   expect_syntax_error(std::string("\0", 1), "line 1, column 1");
   expect_syntax_error("{\"a\": 1,\n\n}", "line 3, column 1");
