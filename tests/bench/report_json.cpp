@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tests/bench/machine_json.h"
 #include "tests/bench/report.h"
 #include "tests/bench/summary.h"
 
@@ -87,12 +88,7 @@ std::string to_json(const Report& report) {
             {"commit", report.commit},
             {"command", report.command},
             {"threads", report.thread_count},
-            {"machine",
-             {{"processor", report.machine.processor},
-              {"cores", report.machine.cores},
-              {"vectors", report.machine.vectors},
-              {"system", report.machine.system},
-              {"compiler", report.machine.compiler}}},
+            {"machine", json_of(report.machine)},
             {"engine", build_id}};
   if (report.embree) head["embree"] = *report.embree;
   if (report.povray) head["povray"] = *report.povray;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tests/bench/machine_json.h"
 #include "tests/tradeoff/report.h"
 
 namespace raytracer::published {
@@ -101,12 +102,7 @@ std::string to_json(const Report& report) {
                   {"commit", report.commit},
                   {"command", report.command},
                   {"threads", report.thread_count},
-                  {"machine",
-                   {{"processor", report.machine.processor},
-                    {"cores", report.machine.cores},
-                    {"vectors", report.machine.vectors},
-                    {"system", report.machine.system},
-                    {"compiler", report.machine.compiler}}},
+                  {"machine", bench::json_of(report.machine)},
                   {"engine", build_id},
                   {"embree", report.embree},
                   {"povray", report.povray},
