@@ -120,7 +120,8 @@ class Bands {
 }  // namespace binning
 
 /// Sorts `item_count` items into bins, row by row. Calls resize(entry_count) once, then from
-/// several threads write(first, entries) for ranges of entries, which together are all of them.
+/// several threads write(first, entries) for all entries of each bin that has some, of which
+/// `first` come in bins before it.
 /// Returns where each bin's entries begin, and the end of the last.
 template <typename Entry, typename CellsOf, typename EntryOf, typename EntryIn, typename Arrange,
           typename Resize, typename Write>
@@ -211,10 +212,12 @@ std::vector<std::uint32_t> sort_into_bins(
     // Now next[i] is the end of the band's bin i.
     std::uint32_t begin = 0;
     for (std::size_t i = 0; i + 1 < next.size(); ++i) {
-      how.arrange(std::span(entries).subspan(begin, next[i] - begin));
+      if (next[i] == begin) continue;
+      const std::span<Entry> bin = std::span(entries).subspan(begin, next[i] - begin);
+      how.arrange(bin);
+      write(band_begin + begin, std::span<const Entry>(bin));
       begin = next[i];
     }
-    write(band_begins[band].entries, std::span<const Entry>(entries));
   };
   for_each_chunk(bands.count(), chunk_count == 1 ? 1 : bands.count(), pool,
                  [&](std::size_t, std::size_t begin, std::size_t end) {

@@ -1,41 +1,44 @@
 // Entries, each a structure, written as columns, each an array: what a packet loads at once.
+//
+// The columns of one cell after another: what a test needs of a cell lies in a few lines next to
+// each other, and all cells in one array of few pages.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
-#include <utility>
-#include <vector>
 
 #include "engine/memory/page_allocator.h"
 
 namespace raytracer {
 
-/// The array that takes one member of each entry.
-template <typename Entry, typename T>
-struct Column {
-  LargeArray<T>* values;
-  T Entry::*member;
-};
+/// Of a structure's members, all of type T, in the columns' order.
+template <typename Entry, typename T, std::size_t column_count>
+using Members = std::array<T Entry::*, column_count>;
 
-template <typename Entry, typename T>
-class Columns {
- public:
-  explicit Columns(std::vector<Column<Entry, T>> columns) : columns_(std::move(columns)) {}
+/// Cell by cell, `column_count` columns of as many values as the cell has entries.
+template <typename T, std::size_t column_count>
+struct CellColumns {
+  LargeArray<T> values;
 
-  /// Makes room for `count` entries, and beyond them for a packet that begins at the last one.
-  void resize(std::size_t count) const {
+  /// Makes room for `entry_count` entries in all, and beyond them for a packet that begins at the
+  /// last one.
+  void resize(std::size_t entry_count) {
     constexpr std::size_t padding = 64;  // longer than any packet
-    for (const Column<Entry, T>& column : columns_) column.values->resize(count + padding);
+    values.resize(column_count * entry_count + padding);
   }
 
-  void write(std::size_t first, std::span<const Entry> entries) const {
-    for (const Column<Entry, T>& column : columns_)
-      for (std::size_t i = 0; i < entries.size(); ++i)
-        (*column.values)[first + i] = entries[i].*column.member;
+  /// All entries of one cell, of which `first` are in the cells before it.
+  template <typename Entry>
+  void write(std::size_t first, std::span<const Entry> cell,
+             const Members<Entry, T, column_count>& members) {
+    T* to = values.data() + column_count * first;
+    for (const auto member : members)
+      for (const Entry& entry : cell) *to++ = entry.*member;
   }
 
- private:
-  std::vector<Column<Entry, T>> columns_;
+  /// The columns of the cell whose entries begin with `first`.
+  const T* cell(std::size_t first) const { return values.data() + column_count * first; }
 };
 
 }  // namespace raytracer

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "engine/accel/binning.h"
-#include "engine/accel/columns.h"
 #include "engine/parallel/chunks.h"
 
 namespace raytracer {
@@ -133,16 +132,15 @@ DistantGrid<T> build_distant_grid(const Vec3& towards, std::span<const PackedSph
     std::sort(entries.begin(), entries.end(),
               [](const Entry& a, const Entry& b) { return a.w > b.w; });
   };
-  const Columns<Entry, T> columns({{&grid.u, &Entry::u},
-                                   {&grid.v, &Entry::v},
-                                   {&grid.w, &Entry::w},
-                                   {&grid.radius2, &Entry::radius2},
-                                   {&grid.id, &Entry::id}});
+  constexpr Members<Entry, T, DistantGrid<T>::column_count> members{&Entry::u, &Entry::v, &Entry::w,
+                                                                    &Entry::radius2, &Entry::id};
   grid.begins = sort_into_bins(
       spheres.size(), BinGrid{grid.columns, grid.rows, 0}, pool,
       make_binning<Entry>(cells_of, entry_of, entry_in, arrange),
-      [&](std::size_t count) { columns.resize(count); },
-      [&](std::size_t first, std::span<const Entry> entries) { columns.write(first, entries); });
+      [&](std::size_t count) { grid.discs.resize(count); },
+      [&](std::size_t first, std::span<const Entry> entries) {
+        grid.discs.write(first, entries, members);
+      });
   return grid;
 }
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/memory/page_allocator.h"
+#include "engine/accel/columns.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/parallel/worker_pool.h"
 
@@ -29,12 +29,11 @@ struct DistantGrid {
   std::vector<std::uint32_t> begins;  ///< of each cell, row by row, and the end of the last
   /// A cell of so few discs is not in order: a packet or two test them all.
   static constexpr std::size_t few = 32;
-  // Of each other cell's discs, those nearest to the light first. The columns are longer than the
-  // last cell by what a packet may read beyond it.
-  LargeArray<T> u, v;
-  LargeArray<T> radius2;
-  LargeArray<T> w;   ///< how far the centre is towards the light
-  LargeArray<T> id;  ///< of the primitive
+  /// The columns of a cell's discs: `w` is how far the centre is towards the light, `id` the
+  /// primitive's.
+  enum Column : std::size_t { u, v, w, radius2, id, column_count };
+  /// Of each other cell's discs, those nearest to the light first.
+  CellColumns<T, column_count> discs;
 };
 
 /// `numbers` are those of the scene. `towards` is a unit vector.

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "engine/accel/binning.h"
-#include "engine/accel/columns.h"
 #include "engine/accel/projection.h"
 #include "engine/pack/view.h"
 
@@ -102,17 +101,15 @@ PointGrid<T> build_point_grid(const Vec3& light, std::span<const PackedSphere> s
     std::sort(entries.begin(), entries.end(),
               [](const Entry& a, const Entry& b) { return a.nearest < b.nearest; });
   };
-  const Columns<Entry, T> columns({{&grid.x, &Entry::x},
-                                   {&grid.y, &Entry::y},
-                                   {&grid.z, &Entry::z},
-                                   {&grid.radius2, &Entry::radius2},
-                                   {&grid.nearest, &Entry::nearest},
-                                   {&grid.id, &Entry::id}});
+  constexpr Members<Entry, T, PointGrid<T>::column_count> members{
+      &Entry::x, &Entry::y, &Entry::z, &Entry::radius2, &Entry::nearest, &Entry::id};
   grid.begins = sort_into_bins(
       faces * spheres.size(), BinGrid{grid.side, faces * grid.side, 0}, pool,
       make_binning<Entry>(cells_of, entry_of, entry_in, arrange),
-      [&](std::size_t count) { columns.resize(count); },
-      [&](std::size_t first, std::span<const Entry> entries) { columns.write(first, entries); });
+      [&](std::size_t count) { grid.spheres.resize(count); },
+      [&](std::size_t first, std::span<const Entry> entries) {
+        grid.spheres.write(first, entries, members);
+      });
   return grid;
 }
 

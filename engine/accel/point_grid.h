@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/memory/page_allocator.h"
+#include "engine/accel/columns.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/parallel/worker_pool.h"
 
@@ -22,12 +22,10 @@ template <typename T>
 struct PointGrid {
   int side = 0;                       ///< cells along a face's side
   std::vector<std::uint32_t> begins;  ///< of each cell, face by face and row by row, and the end
-  // Of each cell's spheres, those nearest to the light first. The columns are longer than the last
-  // cell by what a packet may read beyond it.
-  LargeArray<T> x, y, z;  ///< the centre, relative to the light
-  LargeArray<T> radius2;
-  LargeArray<T> nearest;  ///< the least distance of its surface from the light; 0 around the light
-  LargeArray<T> id;       ///< of the primitive
+  /// The columns of a cell's spheres: the centre relative to the light, `nearest` the least
+  /// distance of the surface from the light (0 around the light), `id` the primitive's.
+  enum Column : std::size_t { x, y, z, radius2, nearest, id, column_count };
+  CellColumns<T, column_count> spheres;  ///< of each cell, those nearest to the light first
 };
 
 /// `numbers` are those of the scene.

@@ -56,8 +56,8 @@ HWY_INLINE bool suits_packet(std::size_t entry_count, std::size_t lane_count, st
 
 /// Visits the entries of each lane's cell, for the lanes of `rest`; cell i's entries begin at
 /// `begins[i]`. Calls `test_together(begin, end, lanes)`, to test each entry against all `lanes`,
-/// or `test_alone(begin, end, lane, lanes)`, to test the one lane against a packet of entries
-/// after another, whichever costs less.
+/// which may be more than those of `rest`, or `test_alone(begin, end, lane)`, to test the one lane
+/// against a packet of entries after another, whichever costs less.
 template <class D, class Begins, class Together, class Alone, class V = hn::Vec<D>,
           class M = hn::Mask<D>>
 HWY_INLINE void for_each_cell(D d, const Begins& begins, V cell, M rest,
@@ -66,19 +66,20 @@ HWY_INLINE void for_each_cell(D d, const Begins& begins, V cell, M rest,
   constexpr std::size_t most_lanes = hn::MaxLanes(D());
   HWY_ALIGN T cells[most_lanes];
   hn::Store(cell, d, cells);
-  while (!hn::AllFalse(d, rest)) {
-    const auto lane = static_cast<std::size_t>(hn::FindFirstTrue(d, rest));
-    const auto index = static_cast<std::size_t>(cells[lane]);
+  std::uint64_t lanes_left = bits_of(d, rest);
+  while (lanes_left != 0) {
+    const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero64(lanes_left);
+    const auto index = static_cast<std::uint32_t>(cells[lane]);
     const std::size_t begin = begins[index];
     const std::size_t end = begins[index + 1];
-    const M together = hn::And(rest, hn::Eq(cell, hn::Set(d, cells[lane])));
-    if (suits_packet(end - begin, count_true(d, together), most_lanes)) {
-      test_together(begin, end, together);
-      rest = hn::AndNot(together, rest);
+    const M equal = hn::Eq(cell, hn::Set(d, cells[lane]));
+    const std::uint64_t together = bits_of(d, equal) & lanes_left;
+    if (suits_packet(end - begin, hwy::PopCount(together), most_lanes)) {
+      test_together(begin, end, equal);
+      lanes_left &= ~together;
     } else {
-      const M alone = hn::Eq(hn::Iota(d, T(0)), hn::Set(d, static_cast<T>(lane)));
-      test_alone(begin, end, lane, alone);
-      rest = hn::AndNot(alone, rest);
+      test_alone(begin, end, lane);
+      lanes_left &= lanes_left - 1;
     }
   }
 }

@@ -28,43 +28,49 @@ HWY_INLINE M occluded_in_grid(D d, const DistantGrid<T>& grid, const Start<V>& f
   hn::Store(at.v, d, vs);
   hn::Store(at.w, d, ws);
   hn::Store(from.id, d, ids);
+  using Grid = DistantGrid<T>;
   M dark = hn::Lt(cell, cell);
+  std::uint64_t dark_alone = 0;
   const auto test_together = [&](std::size_t begin, std::size_t end, M lanes) HWY_ATTR {
-    for (std::size_t i = begin; i < end; ++i) {
-      const V du = hn::Sub(hn::Set(d, grid.u[i]), at.u);
-      const V dv = hn::Sub(hn::Set(d, grid.v[i]), at.v);
-      const M meets = hn::Le(hn::MulAdd(du, du, hn::Mul(dv, dv)), hn::Set(d, grid.radius2[i]));
-      const M before =
-          hn::And(hn::Gt(hn::Set(d, grid.w[i]), at.w), hn::Ne(hn::Set(d, grid.id[i]), from.id));
+    const T* const values = grid.discs.cell(begin);
+    const std::size_t count = end - begin;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto all = [&](typename Grid::Column column)
+                           HWY_ATTR { return hn::Set(d, values[column * count + i]); };
+      const V du = hn::Sub(all(Grid::u), at.u);
+      const V dv = hn::Sub(all(Grid::v), at.v);
+      const M meets = hn::Le(hn::MulAdd(du, du, hn::Mul(dv, dv)), all(Grid::radius2));
+      const M before = hn::And(hn::Gt(all(Grid::w), at.w), hn::Ne(all(Grid::id), from.id));
       dark = hn::Or(dark, hn::And(lanes, hn::And(meets, before)));
     }
   };
-  const auto test_alone = [&](std::size_t begin, std::size_t end, std::size_t lane,
-                              M alone) HWY_ATTR {
+  const auto test_alone = [&](std::size_t begin, std::size_t end, std::size_t lane) HWY_ATTR {
+    const T* const values = grid.discs.cell(begin);
+    const std::size_t count = end - begin;
     const V point_u = hn::Set(d, us[lane]);
     const V point_v = hn::Set(d, vs[lane]);
     const V point_w = hn::Set(d, ws[lane]);
     const V own = hn::Set(d, ids[lane]);
-    const bool is_sorted = end - begin > DistantGrid<T>::few;
-    for (std::size_t i = begin; i < end; i += most_lanes) {
+    const bool is_sorted = count > Grid::few;
+    for (std::size_t i = 0; i < count; i += most_lanes) {
+      const auto next = [&](typename Grid::Column column)
+                            HWY_ATTR { return hn::LoadU(d, values + column * count + i); };
       // Then this one and all behind it are farther from the light.
-      if (is_sorted && grid.w[i] <= ws[lane]) break;
-      const V du = hn::Sub(hn::LoadU(d, &grid.u[i]), point_u);
-      const V dv = hn::Sub(hn::LoadU(d, &grid.v[i]), point_v);
+      if (is_sorted && values[Grid::w * count + i] <= ws[lane]) break;
+      const V du = hn::Sub(next(Grid::u), point_u);
+      const V dv = hn::Sub(next(Grid::v), point_v);
       const V distance2 = hn::MulAdd(du, du, hn::Mul(dv, dv));
-      const M before = hn::And(hn::Gt(hn::LoadU(d, &grid.w[i]), point_w),
-                               hn::Ne(hn::LoadU(d, &grid.id[i]), own));
-      const M meets =
-          hn::And(hn::Le(distance2, hn::LoadU(d, &grid.radius2[i])), hn::FirstN(d, end - i));
+      const M before = hn::And(hn::Gt(next(Grid::w), point_w), hn::Ne(next(Grid::id), own));
+      const M meets = hn::And(hn::Le(distance2, next(Grid::radius2)), hn::FirstN(d, count - i));
       if (!hn::AllFalse(d, hn::And(before, meets))) {
-        dark = hn::Or(dark, alone);
+        dark_alone |= std::uint64_t{1} << lane;
         break;
       }
     }
   };
   // Off the grid nothing stands before the light.
   for_each_cell(d, grid.begins, cell, hn::And(lit, at.is_on_grid), test_together, test_alone);
-  return dark;
+  return hn::And(lit, hn::Or(dark, mask_of(d, dark_alone)));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -103,14 +103,31 @@ HWY_INLINE V inverse(D d, V a) {
   return hn::Div(hn::Set(d, T(1)), a);
 }
 
+/// A bit for each lane, the first lane's lowest.
+template <class D, class M = hn::Mask<D>>
+HWY_INLINE std::uint64_t bits_of(D d, M mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  if constexpr (hn::MaxLanes(D()) <= 8) return bytes[0];
+  // No more than was stored: a processor waits long for what it stored in pieces.
+  std::uint16_t bits = 0;
+  static_assert(hn::MaxLanes(D()) <= 8 * sizeof(bits));
+  std::memcpy(&bits, bytes, sizeof(bits));
+  return bits;
+}
+
+/// The lanes whose bits are set.
+template <class D>
+HWY_INLINE hn::Mask<D> mask_of(D d, std::uint64_t bits) {
+  std::uint8_t bytes[8];
+  std::memcpy(bytes, &bits, sizeof(bits));
+  return hn::LoadMaskBits(d, bytes);
+}
+
 /// hn::CountTrue, which g++ 12 reads from 64 bits where it has put a mask's 16 on the stack.
 template <class D, class M = hn::Mask<D>>
 HWY_INLINE std::size_t count_true(D d, M mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(d, mask, bytes);
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, bytes, sizeof(bits));
-  return hwy::PopCount(bits);
+  return hwy::PopCount(bits_of(d, mask));
 }
 
 /// The lanes' directions; the zero vector gives no number.

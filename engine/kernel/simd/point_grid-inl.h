@@ -71,37 +71,45 @@ HWY_INLINE M occluded_in_point_grid(D d, const PointGrid<T>& grid, const Triple<
   hn::Store(towards.y, d, towards_y);
   hn::Store(towards.z, d, towards_z);
 
+  using Grid = PointGrid<T>;
   M dark = hn::Lt(path, hn::Zero(d));
+  std::uint64_t dark_alone = 0;
   const auto test_together = [&](std::size_t begin, std::size_t end, M lanes) HWY_ATTR {
-    for (std::size_t i = begin; i < end; ++i) {
-      const V3<V> center = broadcast(d, Triple<T>{grid.x[i], grid.y[i], grid.z[i]});
-      const M meets =
-          stands_before_light(d, center, hn::Set(d, grid.radius2[i]), towards, path, kept);
-      const M other = hn::Ne(hn::Set(d, grid.id[i]), from.id);
+    const T* const values = grid.spheres.cell(begin);
+    const std::size_t count = end - begin;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto all = [&](typename Grid::Column column)
+                           HWY_ATTR { return hn::Set(d, values[column * count + i]); };
+      const V3<V> center{all(Grid::x), all(Grid::y), all(Grid::z)};
+      const M meets = stands_before_light(d, center, all(Grid::radius2), towards, path, kept);
+      const M other = hn::Ne(all(Grid::id), from.id);
       dark = hn::Or(dark, hn::And(lanes, hn::And(meets, other)));
     }
   };
-  const auto test_alone = [&](std::size_t begin, std::size_t end, std::size_t lane,
-                              M alone) HWY_ATTR {
+  const auto test_alone = [&](std::size_t begin, std::size_t end, std::size_t lane) HWY_ATTR {
+    const T* const values = grid.spheres.cell(begin);
+    const std::size_t count = end - begin;
     const V3<V> own_towards =
         broadcast(d, Triple<T>{towards_x[lane], towards_y[lane], towards_z[lane]});
     const V own_path = hn::Set(d, paths[lane]);
     const V own_id = hn::Set(d, ids[lane]);
-    for (std::size_t i = begin; i < end; i += most_lanes) {
-      if (grid.nearest[i] > paths[lane]) break;  // this one and all behind it are beyond the point
-      const V3<V> centers{hn::LoadU(d, &grid.x[i]), hn::LoadU(d, &grid.y[i]),
-                          hn::LoadU(d, &grid.z[i])};
-      const M meets = stands_before_light(d, centers, hn::LoadU(d, &grid.radius2[i]), own_towards,
-                                          own_path, kept);
-      const M other = hn::And(hn::FirstN(d, end - i), hn::Ne(hn::LoadU(d, &grid.id[i]), own_id));
+    for (std::size_t i = 0; i < count; i += most_lanes) {
+      const auto next = [&](typename Grid::Column column)
+                            HWY_ATTR { return hn::LoadU(d, values + column * count + i); };
+      // Then this one and all behind it are beyond the point.
+      if (values[Grid::nearest * count + i] > paths[lane]) break;
+      const V3<V> centers{next(Grid::x), next(Grid::y), next(Grid::z)};
+      const M meets =
+          stands_before_light(d, centers, next(Grid::radius2), own_towards, own_path, kept);
+      const M other = hn::And(hn::FirstN(d, count - i), hn::Ne(next(Grid::id), own_id));
       if (!hn::AllFalse(d, hn::And(meets, other))) {
-        dark = hn::Or(dark, alone);
+        dark_alone |= std::uint64_t{1} << lane;
         break;
       }
     }
   };
   for_each_cell(d, grid.begins, cell, lit, test_together, test_alone);
-  return dark;
+  return hn::And(lit, hn::Or(dark, mask_of(d, dark_alone)));
 }
 
 }  // namespace HWY_NAMESPACE
