@@ -26,6 +26,10 @@ struct CellRectangle {
   int y_end = 0;
 
   bool empty() const { return x_begin >= x_end || y_begin >= y_end; }
+  /// Of one that is not empty.
+  std::size_t cell_count() const {
+    return static_cast<std::size_t>(x_end - x_begin) * static_cast<std::size_t>(y_end - y_begin);
+  }
 };
 
 /// A grid of `columns` x `rows` bins, each of 2^cells_log2 x 2^cells_log2 cells.
@@ -75,10 +79,62 @@ struct Record {
   Entry entry;
 };
 
-/// What a chunk of the items, or all, puts into a band.
-struct BandCount {
-  std::size_t records = 0;
-  std::size_t entries = 0;
+/// What a chunk of the items puts into each band, in the items' order: in blocks, because how much
+/// it will be is not known before.
+template <typename Entry>
+class ChunkRecords {
+ public:
+  ChunkRecords() = default;
+  ChunkRecords(std::size_t band_count, std::size_t expected_count)
+      : bands_(band_count),
+        slab_size_(std::clamp(expected_count, band_count * block_size, most_in_slab)) {}
+
+  /// The place of the band's next record, which is not yet set.
+  Record<Entry>& add(std::size_t band, std::size_t entry_count) {
+    Band& to = bands_[band];
+    if (to.next == to.end) begin_block(to);
+    to.entry_count += entry_count;
+    return *to.next++;
+  }
+
+  /// Of all the band's records.
+  std::size_t entry_count(std::size_t band) const { return bands_[band].entry_count; }
+
+  template <typename Visit>
+  void for_each(std::size_t band, const Visit& visit) const {
+    for (const Record<Entry>* const block : bands_[band].blocks) {
+      const bool is_last = block == bands_[band].blocks.back();
+      const Record<Entry>* const end = is_last ? bands_[band].next : block + block_size;
+      for (const Record<Entry>* record = block; record != end; ++record) visit(*record);
+    }
+  }
+
+ private:
+  static constexpr std::size_t block_size = 512;
+  static constexpr std::size_t most_in_slab = 1 << 16;
+
+  struct Band {
+    Record<Entry>* next = nullptr;  ///< in the last block
+    Record<Entry>* end = nullptr;   ///< of the last block
+    std::size_t entry_count = 0;
+    std::vector<Record<Entry>*> blocks;
+  };
+
+  void begin_block(Band& band) {
+    if (slabs_.empty() || used_ + block_size > slab_size_) {
+      slabs_.emplace_back(slab_size_);
+      used_ = 0;
+    }
+    band.next = slabs_.back().data() + used_;
+    band.end = band.next + block_size;
+    band.blocks.push_back(band.next);
+    used_ += block_size;
+  }
+
+  std::vector<Band> bands_;
+  std::size_t slab_size_ = 0;  ///< in records
+  std::size_t used_ = 0;       ///< of the last slab
+  std::vector<LargeArray<Record<Entry>>> slabs_;
 };
 
 /// The rows of a grid, cut into at most `most_bands` bands of 2^k rows.
@@ -129,69 +185,54 @@ std::vector<std::uint32_t> sort_into_bins(
     std::size_t item_count, const BinGrid& grid, WorkerPool& pool,
     const Binning<Entry, CellsOf, EntryOf, EntryIn, Arrange>& how, const Resize& resize,
     const Write& write) {
-  using binning::BandCount;
   using Record = binning::Record<Entry>;
   const binning::Bands bands(grid);
   const std::size_t chunk_count = item_count < few_items ? 1 : pool.thread_count();
 
-  LargeArray<CellRectangle> cells(item_count);
-  std::vector<std::vector<BandCount>> places(chunk_count, std::vector<BandCount>(bands.count()));
+  std::vector<binning::ChunkRecords<Entry>> chunks(chunk_count);
   for_each_chunk(item_count, chunk_count, pool,
                  [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                   BandCount* const counts = places[chunk].data();
+                   binning::ChunkRecords<Entry> records(bands.count(), end - begin);
                    for (std::size_t item = begin; item < end; ++item) {
-                     cells[item] = how.cells_of(item);
-                     bands.for_each(cells[item], [&](std::size_t band) {
-                       const CellRectangle bins = bands.bins_in(cells[item], band);
-                       ++counts[band].records;
-                       counts[band].entries += static_cast<std::size_t>(bins.x_end - bins.x_begin) *
-                                               static_cast<std::size_t>(bins.y_end - bins.y_begin);
+                     const CellRectangle cells = how.cells_of(item);
+                     if (cells.empty()) continue;
+                     const Record* first = nullptr;
+                     bands.for_each(cells, [&](std::size_t band) {
+                       Record& record = records.add(band, bands.bins_in(cells, band).cell_count());
+                       if (first != nullptr) {
+                         record = *first;
+                         return;
+                       }
+                       // In its place: one made elsewhere in pieces and copied is waited for.
+                       first = &record;
+                       record.cells = cells;
+                       record.entry = how.entry_of(item);
                      });
                    }
+                   chunks[chunk] = std::move(records);
                  });
 
-  // From here on a chunk's counts are where its next record goes; band_begins those of the bands.
-  std::vector<BandCount> band_begins(bands.count() + 1);
-  BandCount total;
+  std::vector<std::size_t> band_begins(bands.count() + 1);  // in entries
   for (std::size_t band = 0; band < bands.count(); ++band) {
-    band_begins[band] = total;
-    for (std::vector<BandCount>& chunk_places : places) {
-      const BandCount count = chunk_places[band];
-      chunk_places[band] = total;
-      total.records += count.records;
-      total.entries += count.entries;
-    }
+    band_begins[band + 1] = band_begins[band];
+    for (const auto& chunk : chunks) band_begins[band + 1] += chunk.entry_count(band);
   }
-  band_begins[bands.count()] = total;
-  if (total.entries > std::numeric_limits<std::uint32_t>::max())
+  const std::size_t entry_count = band_begins.back();
+  if (entry_count > std::numeric_limits<std::uint32_t>::max())
     throw std::length_error("more entries in bins than 32 bits count");
 
-  LargeArray<Record> records(total.records);
-  for_each_chunk(
-      item_count, chunk_count, pool, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        BandCount* const next = places[chunk].data();
-        for (std::size_t item = begin; item < end; ++item) {
-          if (cells[item].empty()) continue;
-          const Record record{cells[item], how.entry_of(item)};
-          bands.for_each(cells[item],
-                         [&](std::size_t band) { records[next[band].records++] = record; });
-        }
-      });
-
-  cells = {};  // the entries need the memory
-
   std::vector<std::uint32_t> bin_begins(grid.bin_count() + 1);
-  bin_begins[grid.bin_count()] = static_cast<std::uint32_t>(total.entries);
-  resize(total.entries);
+  bin_begins[grid.bin_count()] = static_cast<std::uint32_t>(entry_count);
+  resize(entry_count);
   const auto sort_band = [&](std::size_t band) {
-    const std::span<const Record> own = std::span(records).subspan(
-        band_begins[band].records, band_begins[band + 1].records - band_begins[band].records);
     const auto for_each_entry = [&](const auto& visit) {
-      for (const Record& record : own) {
-        const CellRectangle bins = bands.bins_in(record.cells, band);
-        for (int row = bins.y_begin; row < bins.y_end; ++row)
-          for (int column = bins.x_begin; column < bins.x_end; ++column) visit(record, column, row);
-      }
+      for (const auto& chunk : chunks)
+        chunk.for_each(band, [&](const Record& record) {
+          const CellRectangle bins = bands.bins_in(record.cells, band);
+          for (int row = bins.y_begin; row < bins.y_end; ++row)
+            for (int column = bins.x_begin; column < bins.x_end; ++column)
+              visit(record, column, row);
+        });
     };
     const std::size_t first_bin = grid.index(0, bands.row_begin(band));
     const std::size_t last_bin = grid.index(0, bands.row_end(band));
@@ -200,7 +241,7 @@ std::vector<std::uint32_t> sort_into_bins(
       ++next[grid.index(column, row) - first_bin + 1];
     });
     for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
-    const auto band_begin = static_cast<std::uint32_t>(band_begins[band].entries);
+    const auto band_begin = static_cast<std::uint32_t>(band_begins[band]);
     for (std::size_t bin = first_bin; bin < last_bin; ++bin)
       bin_begins[bin] = band_begin + next[bin - first_bin];
 

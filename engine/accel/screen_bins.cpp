@@ -71,32 +71,60 @@ Box bound(const PackedSquare& square) {
   return Box{square.center - extent, square.center + extent}.padded(0);
 }
 
+/// An entry on its way to its block.
+struct BinnedEntry {
+  ScreenEntry entry;
+  std::uint16_t parts;  ///< as in BlockEntries
+};
+
 /// Nearest first. Distances are not negative: their order is that of their bits, and a radix sort
 /// of those takes a fifth of the time that comparisons take in a block of hundreds.
-void sort_by_distance(std::span<ScreenEntry> entries) {
+void sort_by_distance(std::span<BinnedEntry> entries) {
   constexpr std::size_t few = 48;
   constexpr int digit_bits = 8;
   constexpr std::uint32_t digits = 1U << digit_bits;
   if (entries.size() <= few) {
-    std::sort(entries.begin(), entries.end(),
-              [](const ScreenEntry& a, const ScreenEntry& b) { return a.nearest < b.nearest; });
+    std::sort(entries.begin(), entries.end(), [](const BinnedEntry& a, const BinnedEntry& b) {
+      return a.entry.nearest < b.entry.nearest;
+    });
     return;
   }
-  std::vector<ScreenEntry> other(entries.size());
-  std::span<ScreenEntry> from = entries;
-  std::span<ScreenEntry> to = other;
+  std::vector<BinnedEntry> other(entries.size());
+  std::span<BinnedEntry> from = entries;
+  std::span<BinnedEntry> to = other;
   for (int shift = 0; shift < 32; shift += digit_bits) {
-    const auto digit = [shift](const ScreenEntry& entry) {
-      return std::bit_cast<std::uint32_t>(entry.nearest) >> shift & (digits - 1);
+    const auto digit = [shift](const BinnedEntry& binned) {
+      return std::bit_cast<std::uint32_t>(binned.entry.nearest) >> shift & (digits - 1);
     };
     std::array<std::uint32_t, digits> next{};
-    for (const ScreenEntry& entry : from) ++next[digit(entry)];
+    for (const BinnedEntry& binned : from) ++next[digit(binned)];
     if (next[digit(from[0])] == from.size()) continue;
     std::exclusive_scan(next.begin(), next.end(), next.begin(), 0U);
-    for (const ScreenEntry& entry : from) to[next[digit(entry)]++] = entry;
+    for (const BinnedEntry& binned : from) to[next[digit(binned)]++] = binned;
     std::swap(from, to);
   }
   if (from.data() != entries.data()) std::copy(from.begin(), from.end(), entries.begin());
+}
+
+/// As sort_into_bins, into `lists`.
+template <typename CellsOf, typename EntryOf, typename EntryIn>
+void sort_into_lists(std::size_t item_count, const BinGrid& blocks, WorkerPool& pool,
+                     const CellsOf& cells_of, const EntryOf& entry_of, const EntryIn& entry_in,
+                     ScreenLists& lists) {
+  constexpr std::size_t padding = 64;  // longer than any vector of parts
+  lists.begins = sort_into_bins(
+      item_count, blocks, pool,
+      make_binning<BinnedEntry>(cells_of, entry_of, entry_in, &sort_by_distance),
+      [&](std::size_t count) {
+        lists.entries.resize(count);
+        lists.parts.resize(count + padding);
+      },
+      [&](std::size_t first, std::span<const BinnedEntry> block) {
+        for (std::size_t i = 0; i < block.size(); ++i) {
+          lists.entries[first + i] = block[i].entry;
+          lists.parts[first + i] = block[i].parts;
+        }
+      });
 }
 
 /// Fills in the bins' triangles.
@@ -114,25 +142,19 @@ void bin_triangles(const View& view, std::span<const PackedTriangle> triangles, 
     return parts_touched(projection.of_triangle(triangles[i]), blocks);
   };
   const auto entry_of = [&](std::size_t i) {
-    return ScreenEntry{static_cast<float>(projection.depth(triangles[i]) * (1 - 1e-6)),
-                       static_cast<std::uint32_t>(i), 0};
+    return BinnedEntry{{static_cast<float>(projection.depth(triangles[i]) * (1 - 1e-6)),
+                        static_cast<std::uint32_t>(i)},
+                       0};
   };
-  const auto entry_in = [&](ScreenEntry entry, const CellRectangle& parts, int column, int row) {
-    entry.nearest *= distance_per_depth[blocks.index(column, row)];
-    entry.parts = part_mask(parts, column, row);
+  const auto entry_in = [&](BinnedEntry binned, const CellRectangle& parts, int column, int row) {
+    binned.entry.nearest *= distance_per_depth[blocks.index(column, row)];
+    binned.parts = part_mask(parts, column, row);
     if (parts.x_end - parts.x_begin > parts_across && parts.y_end - parts.y_begin > parts_across)
-      entry.parts = parts_reached(TriangleSides(view, triangles[entry.primitive]),
-                                  block_pixels(column, row), entry.parts);
-    return entry;
+      binned.parts = parts_reached(TriangleSides(view, triangles[binned.entry.primitive]),
+                                   block_pixels(column, row), binned.parts);
+    return binned;
   };
-  bins.triangle_begins = sort_into_bins(
-      triangles.size(), blocks, pool,
-      make_binning<ScreenEntry>(cells_of, entry_of, entry_in, &sort_by_distance),
-      [&](std::size_t count) { bins.triangles.resize(count); },
-      [&](std::size_t first, std::span<const ScreenEntry> entries) {
-        std::copy(entries.begin(), entries.end(),
-                  bins.triangles.begin() + static_cast<std::ptrdiff_t>(first));
-      });
+  sort_into_lists(triangles.size(), blocks, pool, cells_of, entry_of, entry_in, bins.triangles);
 }
 
 }  // namespace
@@ -150,21 +172,14 @@ ScreenBins build_screen_bins(const View& view, std::span<const PackedSphere> sph
   const auto entry_of = [&](std::size_t i) {
     // Rounded down: by more than the rounding of the distance and of the cast.
     const double nearest = (length(spheres[i].center) - spheres[i].radius) * (1 - 1e-6);
-    return ScreenEntry{static_cast<float>(std::max(nearest, 0.0)), static_cast<std::uint32_t>(i),
+    return BinnedEntry{{static_cast<float>(std::max(nearest, 0.0)), static_cast<std::uint32_t>(i)},
                        0};
   };
-  const auto entry_in = [](ScreenEntry entry, const CellRectangle& parts, int column, int row) {
-    entry.parts = part_mask(parts, column, row);
-    return entry;
+  const auto entry_in = [](BinnedEntry binned, const CellRectangle& parts, int column, int row) {
+    binned.parts = part_mask(parts, column, row);
+    return binned;
   };
-  bins.begins = sort_into_bins(
-      spheres.size(), bins.blocks, pool,
-      make_binning<ScreenEntry>(cells_of, entry_of, entry_in, &sort_by_distance),
-      [&](std::size_t count) { bins.spheres.resize(count); },
-      [&](std::size_t first, std::span<const ScreenEntry> entries) {
-        std::copy(entries.begin(), entries.end(),
-                  bins.spheres.begin() + static_cast<std::ptrdiff_t>(first));
-      });
+  sort_into_lists(spheres.size(), bins.blocks, pool, cells_of, entry_of, entry_in, bins.spheres);
 
   if (!triangles.empty()) bin_triangles(view, triangles, pool, bins);
 

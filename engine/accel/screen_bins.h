@@ -19,36 +19,47 @@ namespace raytracer {
 struct ScreenEntry {
   float nearest;            ///< a lower bound of its distance from the eye
   std::uint32_t primitive;  ///< index into the spheres or triangles
-  /// Which of the block's parts it may touch: bit parts_across * row + column, row 0 on top.
-  std::uint16_t parts;
 };
 
-/// Entries by block, blocks row by row from the top.
+/// Those of a block, nearest first.
+struct BlockEntries {
+  std::span<const ScreenEntry> entries;
+  /// Which of the block's parts each may touch: bit parts_across * row + column, row 0 on top.
+  /// Vectors that begin with any of them may be read.
+  const std::uint16_t* parts = nullptr;
+};
+
+/// Entries by block, blocks row by row from the top. What an entry may touch is kept apart, so that
+/// many are looked through at once.
+struct ScreenLists {
+  std::vector<std::uint32_t> begins;  ///< of each block, and the end of the last
+  LargeArray<ScreenEntry> entries;
+  LargeArray<std::uint16_t> parts;  ///< as in BlockEntries
+
+  bool empty() const { return entries.empty(); }
+  BlockEntries block(std::size_t index) const {
+    const std::uint32_t begin = begins[index];
+    return {std::span(entries).subspan(begin, begins[index + 1] - begin), parts.data() + begin};
+  }
+};
+
 struct ScreenBins {
   BinGrid blocks{};
-  std::vector<std::uint32_t> begins;  ///< of each block in `spheres`, and the end of the last
-  LargeArray<ScreenEntry> spheres;
-  std::vector<std::uint32_t> triangle_begins;  ///< of each block in `triangles`, likewise
-  LargeArray<ScreenEntry> triangles;           ///< none unless they are to be found here
-  std::vector<std::uint16_t> squares;          ///< the parts of each block that may show a square
+  ScreenLists spheres;
+  ScreenLists triangles;               ///< none unless they are to be found here
+  std::vector<std::uint16_t> squares;  ///< the parts of each block that may show a square
 
-  /// The parts of the block at (column, row) that may show a square, as ScreenEntry::parts.
+  /// The parts of the block at (column, row) that may show a square, as in BlockEntries.
   std::uint16_t square_parts(int column, int row) const {
     return squares.empty() ? 0 : squares[blocks.index(column, row)];
   }
 
   /// The spheres of the block at (column, row), nearest first.
-  std::span<const ScreenEntry> block(int column, int row) const {
-    const std::uint32_t begin = begins[blocks.index(column, row)];
-    return std::span(spheres).subspan(begin, begins[blocks.index(column, row) + 1] - begin);
-  }
+  BlockEntries block(int column, int row) const { return spheres.block(blocks.index(column, row)); }
 
   /// Its triangles, nearest first.
-  std::span<const ScreenEntry> block_triangles(int column, int row) const {
-    if (triangles.empty()) return {};
-    const std::uint32_t begin = triangle_begins[blocks.index(column, row)];
-    const std::uint32_t end = triangle_begins[blocks.index(column, row) + 1];
-    return std::span(triangles).subspan(begin, end - begin);
+  BlockEntries block_triangles(int column, int row) const {
+    return triangles.empty() ? BlockEntries{} : triangles.block(blocks.index(column, row));
   }
 };
 

@@ -69,9 +69,9 @@ class EyeRays {
 
 /// What rays from the eye may meet in a block.
 struct BlockContents {
-  std::span<const ScreenEntry> spheres;
-  std::span<const ScreenEntry> triangles;
-  std::uint32_t square_parts;  ///< parts that may show a square, as ScreenEntry::parts
+  BlockEntries spheres;
+  BlockEntries triangles;
+  std::uint32_t square_parts;  ///< parts that may show a square, as in BlockEntries
   std::uint32_t parts;         ///< parts that may show anything
 
   template <typename T>
@@ -81,8 +81,8 @@ struct BlockContents {
         square_parts(scene.bins.square_parts(column, row)),
         parts(square_parts) {
     constexpr std::uint32_t all = 0xFFFF;
-    for (const ScreenEntry& entry : spheres) parts |= entry.parts;
-    for (const ScreenEntry& entry : triangles) parts |= entry.parts;
+    for (const BlockEntries& block : {spheres, triangles})
+      for (std::size_t i = 0; i < block.entries.size(); ++i) parts |= block.parts[i];
     const bool by_tree = (scene.has_triangles && !scene.has_triangle_bins) ||
                          (!scene.spheres.empty() && !scene.has_sphere_bins);
     if (!scene.planes.empty() || by_tree) parts = all;

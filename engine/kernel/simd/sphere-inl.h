@@ -7,9 +7,10 @@
 #define RAYTRACER_KERNEL_SIMD_SPHERE_INL_H_
 #endif
 
-#include <span>
+#include <cstdint>
 
 #include "engine/kernel/simd/hit-inl.h"
+#include "engine/kernel/simd/screen-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -18,28 +19,26 @@ namespace HWY_NAMESPACE {
 /// Rays from the eye, in one of the 4 x 4 parts of a block, against the block's spheres: near to
 /// far, until the next one is farther than all that is seen already.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void show_spheres_to_eye(D d, const SimdScene<T>& scene,
-                                    std::span<const ScreenEntry> entries, int part,
-                                    const V3<V>& direction, M active, Nearest<V>& nearest) {
+HWY_INLINE void show_spheres_to_eye(D d, const SimdScene<T>& scene, const BlockEntries& block,
+                                    int part, const V3<V>& direction, M active,
+                                    Nearest<V>& nearest) {
   const V zero = hn::Zero(d);
   float t_max = farthest(d, nearest, active);
-  for (const ScreenEntry& entry : entries) {
-    if (entry.nearest > t_max) return;
-    if ((entry.parts >> part & 1) == 0) continue;
-    const SimdSphere<T>& sphere = scene.spheres[entry.primitive];
+  for_each_in_part(block, part, t_max, [&](std::uint32_t primitive) HWY_ATTR {
+    const SimdSphere<T>& sphere = scene.spheres[primitive];
     const V3<V> center = broadcast(d, sphere.center);
     const V b = dot(center, direction);
     const V3<V> l{hn::MulSub(direction.x, b, center.x), hn::MulSub(direction.y, b, center.y),
                   hn::MulSub(direction.z, b, center.z)};
     const V discriminant = hn::Sub(hn::Set(d, sphere.radius2), dot(l, l));
     const M hit = hn::And(hn::Ge(discriminant, zero), hn::Gt(b, zero));
-    if (hn::AllFalse(d, hit)) continue;
+    if (hn::AllFalse(d, hit)) return;
     const V t =
         hn::Div(hn::Set(d, sphere.eye_c), hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
     const V id = hn::Set(d, static_cast<T>(sphere.id));
     take(nearest, is_nearer(nearest, t, id, hit), t, id);
     t_max = farthest(d, nearest, active);
-  }
+  });
 }
 
 /// Spheres, one for each lane's ray.

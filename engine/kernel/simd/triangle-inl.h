@@ -19,6 +19,7 @@
 
 #include "engine/kernel/simd/cells-inl.h"
 #include "engine/kernel/simd/flat-inl.h"
+#include "engine/kernel/simd/screen-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -27,28 +28,26 @@ namespace HWY_NAMESPACE {
 /// Rays from the eye, in one of the 4 x 4 parts of a block, against the block's triangles: near to
 /// far, until the next one is farther than all that is seen already.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void show_triangles_to_eye(D d, const SimdScene<T>& scene,
-                                      std::span<const ScreenEntry> entries, int part,
-                                      const V3<V>& direction, M active, Nearest<V>& nearest) {
+HWY_INLINE void show_triangles_to_eye(D d, const SimdScene<T>& scene, const BlockEntries& block,
+                                      int part, const V3<V>& direction, M active,
+                                      Nearest<V>& nearest) {
   const V zero = hn::Zero(d);
   const V outside = hn::Set(d, -4 * std::numeric_limits<T>::epsilon());
   float t_max = farthest(d, nearest, active);
-  for (const ScreenEntry& entry : entries) {
-    if (entry.nearest > t_max) return;
-    if ((entry.parts >> part & 1) == 0) continue;
-    const TriangleCone<T>& cone = scene.eye_cones[entry.primitive];
+  for_each_in_part(block, part, t_max, [&](std::uint32_t primitive) HWY_ATTR {
+    const TriangleCone<T>& cone = scene.eye_cones[primitive];
     const V least = hn::Min(
         hn::Min(dot(broadcast(d, cone[0]), direction), dot(broadcast(d, cone[1]), direction)),
         dot(broadcast(d, cone[2]), direction));
     const M inside = hn::Ge(least, outside);
-    if (hn::AllFalse(d, inside)) continue;
-    const SimdPlane<T>& plane = scene.triangles[entry.primitive].plane;
+    if (hn::AllFalse(d, inside)) return;
+    const SimdPlane<T>& plane = scene.triangles[primitive].plane;
     const V t = hn::Div(hn::Set(d, plane.height), dot(broadcast(d, plane.normal), direction));
     const M ahead = hn::And(hn::Gt(t, zero), hn::Lt(t, hn::Set(d, std::numeric_limits<T>::max())));
     const V id = hn::Set(d, static_cast<T>(plane.id));
     take(nearest, is_nearer(nearest, t, id, hn::And(inside, ahead)), t, id);
     t_max = farthest(d, nearest, active);
-  }
+  });
 }
 
 /// A triangle in all lanes.
