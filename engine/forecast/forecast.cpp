@@ -82,7 +82,7 @@ std::string error_basis(const Rehearsal& rehearsal, double samples) {
 std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
                                  const MachineCosts& costs, WorkerPool& pool,
                                  const RenderProgress& progress) {
-  Forecast result{make_plan(scene, this_machine(pool.thread_count())), {}};
+  Forecast result{make_plan(scene, this_machine(pool.thread_count()), &pool), {}};
   const Plan& plan = result.plan;
   const Stopwatch build_watch;
   const Tracer tracer = make_tracer(plan, scene, pool);

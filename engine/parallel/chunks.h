@@ -26,6 +26,15 @@ void for_each_chunk(std::size_t count, std::size_t chunk_count, WorkerPool& pool
       never);
 }
 
+/// The same, all here if there is no pool.
+template <typename Visit>
+void for_each_chunk(std::size_t count, std::size_t chunk_count, WorkerPool* pool,
+                    const Visit& visit) {
+  if (pool != nullptr) return for_each_chunk(count, chunk_count, *pool, visit);
+  for (std::size_t chunk = 0; chunk < chunk_count; ++chunk)
+    visit(chunk, count * chunk / chunk_count, count * (chunk + 1) / chunk_count);
+}
+
 /// Calls visit(begin, end) for ranges that together are 0 ... count, on the pool's threads unless
 /// there are few items.
 template <typename Visit>

@@ -1,6 +1,7 @@
 #include "engine/plan/census.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,7 +9,9 @@
 #include <vector>
 
 #include "engine/math/block.h"
+#include "engine/parallel/chunks.h"
 #include "engine/plan/coincidence.h"
+#include "engine/plan/sphere_tally.h"
 
 namespace raytracer {
 namespace {
@@ -59,18 +62,32 @@ double pixel_angle(const Camera& camera) {
 
 class Counter {
  public:
-  Counter(const Frame& frame, const Camera& camera, Census& census)
+  Counter(const Frame& frame, const Camera& camera, WorkerPool* pool, Census& census)
       : frame_(frame),
+        pool_(pool),
         census_(census),
         pixel_angle_(pixel_angle(camera)),
         blocks_per_radian_(stretch(camera) / (block_side * pixel_angle(camera))),
         block_columns_(1 + static_cast<double>(camera.width) / block_side),
         block_rows_(1 + static_cast<double>(camera.height) / block_side) {}
 
-  void operator()(const Sphere& s) { add_sphere(s.center, s.radius); }
+  void operator()(const Sphere& s) {
+    SphereTally tally;
+    count(s.center, s.radius, tally);
+    add(tally);
+  }
 
   void operator()(const Spheres& s) {
-    for (std::size_t i = 0; i < s.centers.size(); ++i) add_sphere(s.centers[i], s.radius(i));
+    // In as many parts whatever the number of threads: the sums are the same.
+    std::array<SphereTally, 16> tallies;
+    const std::size_t part_count = s.centers.size() < few_items ? 1 : tallies.size();
+    const auto count_part = [&](std::size_t part, std::size_t begin, std::size_t end) {
+      SphereTally tally;
+      for (std::size_t i = begin; i < end; ++i) count(s.centers[i], s.radius(i), tally);
+      tallies[part] = tally;
+    };
+    for_each_chunk(s.centers.size(), part_count, pool_, count_part);
+    for (std::size_t part = 0; part < part_count; ++part) add(tallies[part]);
   }
 
   void operator()(const SphereSquare& s) {
@@ -81,7 +98,10 @@ class Counter {
     approach(distance_to_square(s, center, r));
     census_.farthest = std::max(census_.farthest, reach);
     census_.distance_in_radii = std::max(census_.distance_in_radii, reach / r);
-    note_size(s.center, s.radius, reach, r, 4 * std::pow(static_cast<double>(s.n), 2));
+    census_.coarseness =
+        std::max(census_.coarseness, max_abs(s.center) * step_of_doubles / s.radius);
+    if (2 * r < reach * pixel_angle_)  // none of them is farther
+      census_.small_spheres += 4 * std::pow(static_cast<double>(s.n), 2);
   }
 
   void operator()(const Plane& p) {
@@ -131,23 +151,31 @@ class Counter {
     farthest_but_squares_ = std::max(farthest_but_squares_, farthest);
   }
 
-  /// Of `count` spheres, none of which is farther than `distance`.
-  void note_size(const Vec3& scene_center, double scene_radius, double distance, double r,
-                 double count) {
-    constexpr double step = 0x1p-53;
-    census_.coarseness = std::max(census_.coarseness, max_abs(scene_center) * step / scene_radius);
-    if (2 * r < distance * pixel_angle_) census_.small_spheres += count;
+  void count(const Vec3& scene_center, double scene_radius, SphereTally& tally) const {
+    const double r = frame_.frame_from_scene(scene_radius);
+    if (!Frame::carries(r)) {
+      tally.lost += 1;
+      return;
+    }
+    const double distance = length(frame_.frame_from_scene(scene_center));
+    const double sine = r / distance;
+    tally.note_distance(distance, r, sine);
+    tally.note_place(scene_center, scene_radius);
+    if (2 * r < distance * pixel_angle_) tally.small += 1;
+    tally.blocks += blocks(tangent_seen(distance, r, sine));
   }
 
-  void add_sphere(const Vec3& scene_center, double scene_radius) {
-    const double r = frame_.frame_from_scene(scene_radius);
-    if (is_lost(r)) return;
-    const double distance = length(frame_.frame_from_scene(scene_center));
-    add(distance - r, distance + r);
-    census_.distance_in_radii = std::max(census_.distance_in_radii, (distance + r) / r);
-    note_size(scene_center, scene_radius, distance, r, 1);
-    const double tangent2 = (distance - r) * (distance + r);
-    census_.sphere_blocks += blocks(tangent2 > 0 ? r / std::sqrt(tangent2) : 1e300);
+  void add(const SphereTally& tally) {
+    census_.lost += tally.lost;
+    census_.smallest = std::min(census_.smallest, tally.smallest);
+    census_.nearest = std::min(census_.nearest, std::max(tally.nearest, 0.0));
+    census_.clearance = std::min(census_.clearance, tally.clearance);
+    census_.farthest = std::max(census_.farthest, tally.farthest);
+    farthest_but_squares_ = std::max(farthest_but_squares_, tally.farthest);
+    census_.distance_in_radii = std::max(census_.distance_in_radii, tally.distance_in_radii);
+    census_.coarseness = std::max(census_.coarseness, tally.place_in_radii * step_of_doubles);
+    census_.small_spheres += tally.small;
+    census_.sphere_blocks += tally.blocks;
   }
 
   /// That something touches which is seen under twice this angle; its tangent.
@@ -164,6 +192,7 @@ class Counter {
   }
 
   const Frame& frame_;
+  WorkerPool* pool_;
   Census& census_;
   double pixel_angle_;
   double blocks_per_radian_;
@@ -282,9 +311,10 @@ double magnification(const Scene& scene, const Frame& frame, const Features& fea
 
 }  // namespace
 
-Census take_census(const Scene& scene, const Frame& frame, const Features& features) {
+Census take_census(const Scene& scene, const Frame& frame, const Features& features,
+                   WorkerPool* pool) {
   Census census;
-  Counter counter(frame, scene.camera, census);
+  Counter counter(frame, scene.camera, pool, census);
   for (const Object& object : scene.objects)
     std::visit([&](const auto& shape) { counter(shape); }, object.shape);
   for (const Light& light : scene.lights) {
@@ -302,7 +332,7 @@ Census take_census(const Scene& scene, const Frame& frame, const Features& featu
     }
     Census around_light;
     const Frame light_frame(point->position, frame.exponent());
-    Counter light_counter(light_frame, scene.camera, around_light);
+    Counter light_counter(light_frame, scene.camera, pool, around_light);
     for (const Object& object : scene.objects)
       std::visit([&](const auto& shape) { light_counter(shape); }, object.shape);
     census.light_clearance =

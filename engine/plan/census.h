@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "engine/parallel/worker_pool.h"
 #include "engine/plan/features.h"
 #include "engine/plan/frame.h"
 #include "engine/scene/scene.h"
@@ -37,6 +38,8 @@ struct Census {
   double pixel_angle = 0;  ///< radians, at the image's centre
 };
 
-Census take_census(const Scene& scene, const Frame& frame, const Features& features);
+/// `pool`: whose threads help with many spheres, if there is one; the result is the same.
+Census take_census(const Scene& scene, const Frame& frame, const Features& features,
+                   WorkerPool* pool = nullptr);
 
 }  // namespace raytracer

@@ -26,11 +26,11 @@ Choice<Precision> precision_for(const Scene& scene, const Plan& plan) {
 
 }  // namespace
 
-Plan make_plan(const Scene& scene, const Machine& machine) {
+Plan make_plan(const Scene& scene, const Machine& machine, WorkerPool* pool) {
   Plan plan;
   plan.features = find_features(scene);
   plan.frame = make_frame(scene);
-  plan.census = take_census(scene, plan.frame, plan.features);
+  plan.census = take_census(scene, plan.frame, plan.features, pool);
   plan.kernel = choose_kernel(plan.features, plan.census);
   plan.precision = precision_for(scene, plan);
   plan.arithmetic_error =

@@ -29,7 +29,7 @@ struct Plan {
   Choice<int> tile_side_px;  ///< of the tiles that threads take, in the first pass
 };
 
-/// A pure function: the same scene and machine give the same plan.
-Plan make_plan(const Scene& scene, const Machine& machine);
+/// A pure function: the same scene and machine give the same plan. `pool`: as for take_census().
+Plan make_plan(const Scene& scene, const Machine& machine, WorkerPool* pool = nullptr);
 
 }  // namespace raytracer

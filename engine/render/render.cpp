@@ -24,7 +24,7 @@ BasicRendering<Channel> make_rendering(const Scene& scene, WorkerPool& pool,
       static_cast<std::size_t>(scene.camera.width) * static_cast<std::size_t>(scene.camera.height);
 
   const Stopwatch plan_watch;
-  const Plan plan = make_plan(scene, this_machine(pool.thread_count()));
+  const Plan plan = make_plan(scene, this_machine(pool.thread_count()), &pool);
   rendering.plan_ms = plan_watch.elapsed_ms();
   rendering.precision = plan.precision.value;
 
