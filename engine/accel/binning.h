@@ -196,17 +196,11 @@ std::vector<std::uint32_t> sort_into_bins(
                    for (std::size_t item = begin; item < end; ++item) {
                      const CellRectangle cells = how.cells_of(item);
                      if (cells.empty()) continue;
-                     const Record* first = nullptr;
+                     const Entry entry = how.entry_of(item);
                      bands.for_each(cells, [&](std::size_t band) {
                        Record& record = records.add(band, bands.bins_in(cells, band).cell_count());
-                       if (first != nullptr) {
-                         record = *first;
-                         return;
-                       }
-                       // In its place: one made elsewhere in pieces and copied is waited for.
-                       first = &record;
                        record.cells = cells;
-                       record.entry = how.entry_of(item);
+                       record.entry = entry;
                      });
                    }
                    chunks[chunk] = std::move(records);
