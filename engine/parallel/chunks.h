@@ -26,7 +26,7 @@ void for_each_chunk(std::size_t count, std::size_t chunk_count, WorkerPool& pool
       never);
 }
 
-/// The same, all here if there is no pool.
+/// The same with a pool or, all here and in the order of the chunks, without.
 template <typename Visit>
 void for_each_chunk(std::size_t count, std::size_t chunk_count, WorkerPool* pool,
                     const Visit& visit) {

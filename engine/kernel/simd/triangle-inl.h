@@ -15,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <span>
 
 #include "engine/kernel/simd/cells-inl.h"
 #include "engine/kernel/simd/flat-inl.h"
