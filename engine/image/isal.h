@@ -7,17 +7,22 @@
 // threads, so the stream is the same however many there are.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
-#include "engine/memory/page_allocator.h"
 #include "engine/parallel/worker_pool.h"
 
 namespace raytracer {
 
-/// The stream of `bytes`, at least one. Throws std::runtime_error if ISA-L fails, and
-/// std::bad_alloc.
-LargeArray<unsigned char> compress_zlib(std::span<const unsigned char> bytes, WorkerPool& pool);
+/// Bytes that the stream of `size` bytes, at least one, has at most: a little more than these.
+std::size_t largest_stream(std::size_t size);
+
+/// Writes the stream of `bytes`, at least one, to `out`, which has room for largest_stream() of
+/// them, and returns its size. What is behind it is left as it may be. Throws std::runtime_error if
+/// ISA-L fails, and std::bad_alloc.
+std::size_t compress_zlib(std::span<const unsigned char> bytes, unsigned char* out,
+                          WorkerPool& pool);
 
 /// CRC-32 as PNG has it (ISO 3309).
 std::uint32_t crc32(std::span<const unsigned char> bytes);
