@@ -15,6 +15,7 @@ std::vector<Material> worn_materials(const Scene& scene) {
   for (const Object& object : scene.objects)
     if (primitive_count(object) > 0) is_worn[object.material] = true;
   std::vector<Material> worn;
+  worn.reserve(scene.materials.size());
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
     if (is_worn[i]) worn.push_back(scene.materials[i]);
   return worn;
@@ -24,6 +25,15 @@ bool shows_ambient(const Scene& scene, const std::vector<Material>& worn) {
   return scene.ambient > 0 && std::any_of(worn.begin(), worn.end(), [](const Material& m) {
            return m.ka > 0 && max_abs(m.color) > 0;
          });
+}
+
+std::vector<Light> lights_on(const std::vector<Material>& worn, const Scene& scene) {
+  std::vector<Light> lights;
+  if (worn.empty()) return lights;
+  const bool bring_ambient = scene.shadows == Shadows::black && shows_ambient(scene, worn);
+  std::copy_if(scene.lights.begin(), scene.lights.end(), std::back_inserter(lights),
+               [&](const Light& light) { return bring_ambient || emits(light); });
+  return lights;
 }
 
 void count_objects(const Scene& scene, Features& features) {
@@ -68,13 +78,7 @@ std::size_t primitive_count(const Object& object) {
 }
 
 std::vector<Light> lights_in_use(const Scene& scene) {
-  const std::vector<Material> worn = worn_materials(scene);
-  std::vector<Light> lights;
-  if (worn.empty()) return lights;
-  const bool bring_ambient = scene.shadows == Shadows::black && shows_ambient(scene, worn);
-  std::copy_if(scene.lights.begin(), scene.lights.end(), std::back_inserter(lights),
-               [&](const Light& light) { return bring_ambient || emits(light); });
-  return lights;
+  return lights_on(worn_materials(scene), scene);
 }
 
 Features find_features(const Scene& scene) {
@@ -84,7 +88,7 @@ Features find_features(const Scene& scene) {
   features.materials = worn.size();
 
   bool is_lit = false;
-  for (const Light& light : lights_in_use(scene)) {
+  for (const Light& light : lights_on(worn, scene)) {
     is_lit = is_lit || emits(light);
     ++(std::holds_alternative<PointLight>(light.source) ? features.point_lights
                                                         : features.distant_lights);

@@ -28,6 +28,7 @@ Sampling sampling_of(const RenderSettings& settings) {
 }
 
 Choice<Sampling> choose_sampling(const RenderSettings& settings) {
+  if (sampling_of(settings) == Sampling::fixed) return {Sampling::fixed, why_fixed(settings)};
   const std::string how =
       "one sample per pixel, then four, or sixteen if spheres may be smaller than a pixel, then "
       "four "
@@ -39,10 +40,8 @@ Choice<Sampling> choose_sampling(const RenderSettings& settings) {
   if (settings.target_rmse)
     return {Sampling::contract, fmt::format("{}, until the estimated error is at most {:g}", how,
                                             *settings.target_rmse)};
-  if (settings.budget_ms)
-    return {Sampling::contract,
-            fmt::format("{}, as many as fit into {:g} ms", how, *settings.budget_ms)};
-  return {Sampling::fixed, why_fixed(settings)};
+  return {Sampling::contract,
+          fmt::format("{}, as many as fit into {:g} ms", how, *settings.budget_ms)};
 }
 
 }  // namespace raytracer

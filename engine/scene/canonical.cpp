@@ -11,6 +11,11 @@ namespace {
 /// Appends values as bytes, least significant first, so that all machines agree.
 class Bytes {
  public:
+  Bytes() {
+    constexpr std::size_t few_objects = 1024;
+    bytes_.reserve(few_objects);
+  }
+
   template <std::integral T>
   void add(T value) {
     std::array<char, 8> bytes{};
