@@ -1,4 +1,5 @@
--- wrk's requests: two spheres at 64 x 48, the same each time or (PICTURES=distinct) never twice.
+-- wrk's requests: two spheres at 64 x 48, the same each time or (PICTURES=distinct) never twice in
+-- runs that differ in ROUND, a number.
 local distinct = os.getenv("PICTURES") == "distinct"
 local scene = [[{"camera": {"origin": [0, 1, -6], "look_at": [0, 0, 0], "fov": 0.8, "width": 64, "height": 48},
 "background": [0.5, 0.8, 0.9], "lights": [{"type": "distant", "direction": [-1, -2, 1]}],
@@ -11,9 +12,10 @@ wrk.body = scene:format("0")
 
 if distinct then
   local count = 0
+  local round = os.getenv("ROUND") or "0"
   -- One thread only: several would ask for the same numbers.
   request = function()
     count = count + 1
-    return wrk.format(nil, nil, nil, scene:format(string.format("0.%07d", count)))
+    return wrk.format(nil, nil, nil, scene:format(string.format("0.%03d%07d", round, count)))
   end
 end
