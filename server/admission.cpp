@@ -24,7 +24,7 @@ Admission::Admission(std::size_t most_running, std::size_t most_waiting)
 
 Admission::Place Admission::enter(RenderProgress& progress) {
   const std::scoped_lock lock(mutex_);
-  demand_open_locked();
+  demand_open();
   auto entry = std::make_unique<Entry>(progress, Clock::now());
   if (running_.size() >= most_running_ && !may_wait()) refuse_full();
   waiting_.push_back(entry.get());
@@ -34,7 +34,7 @@ Admission::Place Admission::enter(RenderProgress& progress) {
 
 Admission::Companion Admission::accompany() {
   const std::scoped_lock lock(mutex_);
-  demand_open_locked();
+  demand_open();
   if (!may_wait()) refuse_full();
   ++companions_;
   return Companion(*this);
@@ -51,11 +51,6 @@ void Admission::refuse_full() const {
 }
 
 void Admission::demand_open() const {
-  const std::scoped_lock lock(mutex_);
-  demand_open_locked();
-}
-
-void Admission::demand_open_locked() const {
   if (closed_) throw Refusal({503, "The server is shutting down and takes no new work"});
 }
 
@@ -75,10 +70,7 @@ Admission::Load Admission::load() const {
   return {running_.size(), waiting_.size() + companions_};
 }
 
-bool Admission::is_closed() const {
-  const std::scoped_lock lock(mutex_);
-  return closed_;
-}
+bool Admission::is_closed() const { return closed_; }
 
 bool Admission::is_full() const {
   const std::scoped_lock lock(mutex_);
@@ -140,7 +132,7 @@ bool Admission::Place::wait_for_turn() {
   std::unique_lock lock(admission_->mutex_);
   while (!entry_->is_running) {
     if (entry_->progress.stop) return false;
-    admission_->demand_open_locked();
+    admission_->demand_open();
     entry_->turn_came.wait_for(lock, look_again);
   }
   return !entry_->progress.stop;

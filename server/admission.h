@@ -4,6 +4,7 @@
 // ones still pass long ones. An unbounded queue would end in clients that time out and retry.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -55,7 +56,6 @@ class Admission {
   struct Entry;
   using Clock = std::chrono::steady_clock;
 
-  void demand_open_locked() const;
   bool may_wait() const;
   [[noreturn]] void refuse_full() const;
   void leave(Entry& entry);
@@ -69,8 +69,8 @@ class Admission {
   std::vector<Entry*> running_;
   std::deque<Entry*> waiting_;
   std::size_t companions_ = 0;
-  bool closed_ = false;
-  double mean_render_s_ = 1;  ///< of late, the newest counting most
+  std::atomic<bool> closed_{false};  ///< set with the mutex held
+  double mean_render_s_ = 1;         ///< of late, the newest counting most
 };
 
 /// A place in the queue, then among those who run; given back at the end of its life.

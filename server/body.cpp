@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <chrono>
+#include <iterator>
 #include <optional>
 
 #include "engine/engine.h"
@@ -27,10 +28,10 @@ std::optional<std::int64_t> read_length(std::string_view text) {
 
 /// Nothing if there is no Content-Length; 400 if there are several or it is no number.
 std::optional<std::int64_t> announced_length(const httplib::Request& request) {
-  if (!request.has_header("Content-Length")) return {};
-  const std::string text = header_list(request, "Content-Length");
-  const std::optional<std::int64_t> length = read_length(text);
-  if (!length) refuse(400, "Content-Length must be one number of bytes");
+  const auto [begin, end] = request.headers.equal_range("Content-Length");
+  if (begin == end) return {};
+  const std::optional<std::int64_t> length = read_length(begin->second);
+  if (!length || std::next(begin) != end) refuse(400, "Content-Length must be one number of bytes");
   return length;
 }
 

@@ -7,13 +7,14 @@
 namespace raytracer {
 
 BodyMemory::Share BodyMemory::take(std::int64_t bytes) {
-  const std::scoped_lock lock(mutex_);
-  if (bytes > most_ - taken_)
-    throw Refusal({429,
-                   "The bodies of other requests fill the memory for them; try again later",
-                   {},
-                   {{"Retry-After", "1"}}});
-  taken_ += bytes;
+  std::int64_t taken = taken_;
+  do {
+    if (bytes > most_ - taken)
+      throw Refusal({429,
+                     "The bodies of other requests fill the memory for them; try again later",
+                     {},
+                     {{"Retry-After", "1"}}});
+  } while (!taken_.compare_exchange_weak(taken, taken + bytes));
   return {*this, bytes};
 }
 
@@ -27,9 +28,7 @@ BodyMemory::Share& BodyMemory::Share::operator=(Share&& other) noexcept {
 }
 
 BodyMemory::Share::~Share() {
-  if (!memory_) return;
-  const std::scoped_lock lock(memory_->mutex_);
-  memory_->taken_ -= bytes_;
+  if (memory_) memory_->taken_ -= bytes_;
 }
 
 }  // namespace raytracer

@@ -4,9 +4,8 @@
 // HTTP threads could take the machine's memory together.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
-#include <memory>
-#include <mutex>
 
 namespace raytracer {
 
@@ -35,8 +34,7 @@ class BodyMemory {
 
  private:
   const std::int64_t most_;
-  std::mutex mutex_;
-  std::int64_t taken_ = 0;
+  std::atomic<std::int64_t> taken_{0};
 };
 
 }  // namespace raytracer

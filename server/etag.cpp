@@ -4,6 +4,7 @@
 #include <openssl/evp.h>
 
 #include <array>
+#include <memory>
 #include <stdexcept>
 
 #include "engine/engine.h"
@@ -12,12 +13,17 @@
 namespace raytracer {
 
 std::string sha256_hex(std::string_view bytes) {
-  // EVP_sha256() would be looked up at each use, behind a lock.
+  // EVP_sha256() would be looked up at each use, behind a lock; and of a short text OpenSSL takes
+  // as long to make and free a context as to compute the digest.
   static EVP_MD* const sha256 = EVP_MD_fetch(nullptr, "SHA256", nullptr);
+  thread_local const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(
+      EVP_MD_CTX_new(), &EVP_MD_CTX_free);
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int length = 0;
-  if (sha256 == nullptr ||
-      EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, sha256, nullptr) != 1)
+  if (sha256 == nullptr || context == nullptr ||
+      EVP_DigestInit_ex2(context.get(), sha256, nullptr) != 1 ||
+      EVP_DigestUpdate(context.get(), bytes.data(), bytes.size()) != 1 ||
+      EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1)
     throw std::runtime_error("OpenSSL does not compute SHA-256");
   constexpr std::string_view digits = "0123456789abcdef";
   std::string hex;
@@ -32,7 +38,9 @@ std::string sha256_hex(std::string_view bytes) {
 std::string content_digest(const Scene& scene) { return sha256_hex(canonical_content(scene)); }
 
 std::string picture_digest(std::string_view content_digest, const Scene& view) {
-  return sha256_hex(fmt::format("{}\n{}", content_digest, canonical_view(view)));
+  std::string text(content_digest);
+  text += '\n';
+  return sha256_hex(text += canonical_view(view));
 }
 
 std::string maker_of_pictures(const Machine& machine) {
@@ -41,9 +49,11 @@ std::string maker_of_pictures(const Machine& machine) {
 
 std::string entity_tag(std::string_view picture_digest, std::string_view media_type,
                        std::string_view maker) {
-  const std::string digest =
-      sha256_hex(fmt::format("{}\n{}\n{}", picture_digest, media_type, maker));
-  return fmt::format("\"{}\"", std::string_view(digest).substr(0, 32));
+  constexpr std::size_t digits = 32;
+  std::string text;
+  text.reserve(picture_digest.size() + media_type.size() + maker.size() + 2);
+  ((((text += picture_digest) += '\n') += media_type) += '\n') += maker;
+  return '"' + sha256_hex(text).substr(0, digits) + '"';
 }
 
 bool names_tag(std::string_view if_none_match, std::string_view tag) {

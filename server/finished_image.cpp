@@ -23,10 +23,7 @@ std::string_view name_of(Stop stop) {
 
 }  // namespace
 
-std::size_t FinishedImage::memory() const {
-  constexpr std::size_t field_bytes = 128;  // two short texts
-  return sizeof *this + bytes.capacity() + fields.size() * field_bytes;
-}
+std::size_t FinishedImage::memory() const { return sizeof *this + bytes.capacity(); }
 
 template <typename Channel>
 FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queue_ms,
@@ -38,12 +35,10 @@ FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queu
       std::chrono::steady_clock::now() - begin;
   image.stages = {queue_ms, rendering.plan_ms, rendering.build_ms, rendering.trace_ms,
                   encoding.count()};
-  image.fields = {{"Render-Samples", fmt::format("{:.6g}", rendering.samples_per_pixel)},
-                  {"Render-Precision",
-                   rendering.precision == Precision::single_precision ? "single" : "double"},
-                  {"Render-Stop", std::string(name_of(rendering.stop))}};
-  if (rendering.estimated_error)
-    image.fields.emplace_back("Render-Error", fmt::format("{:.3g}", *rendering.estimated_error));
+  image.samples = fmt::format("{:.6g}", rendering.samples_per_pixel);
+  image.precision = rendering.precision == Precision::single_precision ? "single" : "double";
+  image.stop = name_of(rendering.stop);
+  if (rendering.estimated_error) image.error = fmt::format("{:.3g}", *rendering.estimated_error);
   return image;
 }
 

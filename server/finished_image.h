@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
-#include <utility>
-#include <vector>
+#include <string_view>
 
 #include "engine/engine.h"
 
@@ -22,7 +22,11 @@ struct Stages {
 
 struct FinishedImage {
   std::string bytes;
-  std::vector<std::pair<std::string, std::string>> fields;  ///< Render-Samples and the like
+  // The header fields Render-Samples and so on.
+  std::string samples;
+  std::string_view precision;
+  std::string_view stop;
+  std::optional<std::string> error;
   Stages stages;
 
   /// What it takes in memory.

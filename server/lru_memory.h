@@ -52,10 +52,12 @@ class LruMemory {
     if (bytes > most_bytes_) return false;
     std::list<Entry> forgotten;  // large ones take long to destroy: after the lock
     const std::scoped_lock lock(mutex_);
-    const auto place = places_.find(key);
-    if (place != places_.end()) forget(place->second, forgotten);
     entries_.push_front({std::move(key), std::move(value), bytes});
-    places_.emplace(entries_.front().key, entries_.begin());
+    const auto [place, is_new] = places_.try_emplace(entries_.front().key, entries_.begin());
+    if (!is_new) {
+      forget(place->second, forgotten);
+      places_.emplace(entries_.front().key, entries_.begin());
+    }
     counts_.bytes += bytes;
     while (counts_.bytes > most_bytes_) {
       forget(std::prev(entries_.end()), forgotten);

@@ -46,14 +46,18 @@ void Metrics::waited(double queue_ms) {
 
 void Metrics::took(Stage stage, double ms) {
   const std::scoped_lock lock(mutex_);
+  observe(stage, ms);
+}
+
+void Metrics::observe(Stage stage, double ms) {
   stage_seconds_[static_cast<std::size_t>(stage)].observe(ms / 1000);
 }
 
 void Metrics::rendered(const RenderReport& report, const std::optional<std::string>& digest) {
-  took(Stage::plan, report.plan_ms);
-  took(Stage::build, report.build_ms);
-  took(Stage::trace, report.trace_ms);
   const std::scoped_lock lock(mutex_);
+  observe(Stage::plan, report.plan_ms);
+  observe(Stage::build, report.build_ms);
+  observe(Stage::trace, report.trace_ms);
   ++renders_;
   const auto pixels = static_cast<double>(report.pixel_count);
   pixels_ += pixels;

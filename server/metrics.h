@@ -53,6 +53,8 @@ class Metrics {
  private:
   using RouteKey = std::pair<std::string, std::string>;  ///< method, pattern
 
+  void observe(Stage stage, double ms);  ///< with the mutex held
+
   mutable std::mutex mutex_;
   std::map<std::pair<RouteKey, int>, std::uint64_t> requests_;
   std::map<RouteKey, Histogram> request_seconds_;
