@@ -34,18 +34,16 @@ struct Expectation {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What render() would make of the contract: `probing` samples everywhere, and then more where they
-/// are needed, each refinement four times as many as before.
+/// What render() would make of the contract: `probing` samples everywhere, under a budget fewer
+/// before them, and then more where they are needed.
 Expectation expect_contract(const RenderSettings& settings, int most, int probing,
                             const PassModel& model) {
-  constexpr double overestimate = 1.5;                    // of the error, mostly
-  constexpr double all_refinements = 1.0 / (growth - 1);  // against the last one's samples
+  constexpr double overestimate = 1.3;     // of the error, mostly
+  constexpr double all_refinements = 0.1;  // against the last one's samples
   const Rehearsal& rehearsal = model.rehearsal;
   const double share = std::min(rehearsal.refined_share, 1.0);
-  if (most < growth) return {1, model.pass_ms(1), model.rehearsal.error_of(1)};
-  double probed_ms = model.pass_ms(1);
-  for (int samples = growth; samples <= probing; samples *= growth)
-    probed_ms += model.pass_ms(samples);
+  double probed_ms = model.pass_ms(probing);
+  if (settings.budget_ms) probed_ms += model.pass_ms(1);
   const double sample_ms = (1 + all_refinements) * static_cast<double>(rehearsal.tile_count) *
                            rehearsal.refined_sample_ms / model.threads;
 
@@ -96,10 +94,10 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
   const PassModel model{rehearsal, costs, static_cast<double>(camera.width) * camera.height,
                         static_cast<double>(threads)};
   const double fixed = scene.render.samples.value_or(1);
+  const int most = most_samples(scene, limits);
   const Expectation expected =
       plan.sampling.value == Sampling::contract
-          ? expect_contract(scene.render, most_samples(scene, limits), probing_samples(plan.census),
-                            model)
+          ? expect_contract(scene.render, most, std::min(probing_samples(plan.census), most), model)
           : Expectation{fixed, model.pass_ms(fixed), rehearsal.error_of(fixed)};
   result.prediction = {
       .build_ms = build_ms,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace raytracer {
@@ -12,13 +13,30 @@ struct SamplePoint {
   double y;
 };
 
-/// The places of a pixel's samples, and how those of its neighbours differ from them: pixel (x, y)
-/// has all of its places moved by `stagger` times stagger_of(x, y). With none, an edge along a row
-/// of pixels passes all of them alike, and is seen by all or by none.
+/// The places of a pixel's samples, and how those of its neighbours differ from them: in pixel
+/// (x, y) the places are moved away from the pixel's middle lines by `stagger` times
+/// stagger_of(x, y), so that their own middle stays. With none, an edge along a row of pixels
+/// passes all of them alike, and is seen by all or by none.
 struct SamplePattern {
   std::vector<SamplePoint> points;
+  /// Of the points, which are spread like the others: the two tell each other's error.
+  std::size_t first_half = 0;
   double stagger = 0;
+
+  /// Whether there is a half to compare with, and the share of the halves' squared difference that
+  /// all points together err by (PartErrors).
+  bool has_halves() const { return 0 < first_half && first_half < points.size(); }
+  double error2_share() const {
+    const auto all = static_cast<double>(points.size());
+    const auto first = static_cast<double>(first_half);
+    return first * (all - first) / (all * all);
+  }
 };
+
+/// `distance` to the side of the pixel's middle on which the coordinate lies.
+constexpr double away_from_middle(double coordinate, double distance) {
+  return coordinate < 0.5 ? -distance : distance;
+}
 
 /// For pixels of a square of 4 x 4: from -1/2 to 1/2, as evenly as possible along its rows (x) and
 /// columns (y), each value once.

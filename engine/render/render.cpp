@@ -1,9 +1,12 @@
 #include "engine/render/render.h"
 
+#include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "engine/image/encode.h"
+#include "engine/image/part_errors.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/plan/plan.h"
 #include "engine/plan/sampling.h"
@@ -45,10 +48,19 @@ BasicRendering<Channel> make_rendering(const Scene& scene, WorkerPool& pool,
 template <typename Channel>
 void render_fixed(Tracing& tracing, BasicRendering<Channel>& rendering) {
   const int samples = tracing.scene.render.samples.value_or(1);
-  std::optional<Raster<Channel>> image = tracing.pass<Channel>(samples);
+  PartErrors errors(tracing.scene.camera.width, tracing.scene.camera.height);
+  const SamplePattern pattern = sample_pattern(samples);
+  std::optional<Raster<Channel>> image = tracing.pass<Channel>(pattern, errors);
   rendering.samples_per_pixel = samples;
   rendering.stop = image ? Stop::samples : Stop::cancelled;
-  if (image) rendering.image = std::move(*image);
+  if (!image) return;
+  rendering.image = std::move(*image);
+  if (pattern.has_halves()) {
+    std::vector<ImagePart> parts;
+    for (const double error2 : errors.all()) parts.push_back({samples, error2});
+    rendering.estimated_error =
+        std::sqrt(conservative_sum(parts) / static_cast<double>(rendering.image.values.size()));
+  }
 }
 
 }  // namespace

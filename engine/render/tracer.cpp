@@ -13,19 +13,21 @@ Rgb clamped(const Rgb& c) {
   return {std::clamp(c.x, 0.0, 1.0), std::clamp(c.y, 0.0, 1.0), std::clamp(c.z, 0.0, 1.0)};
 }
 
-float encoded(double linear, Transfer transfer) {
+Rgb encoded(const Rgb& linear, Transfer transfer) {
   // Most images are linear: not a call for each channel of each pixel.
-  return static_cast<float>(transfer == Transfer::linear ? linear
-                                                         : encode_channel(linear, transfer));
+  if (transfer == Transfer::linear) return linear;
+  return {encode_channel(linear.x, transfer), encode_channel(linear.y, transfer),
+          encode_channel(linear.z, transfer)};
 }
 
-void store(float channel, float& to) { to = channel; }
-void store(float channel, unsigned char& to) { to = to_byte(channel); }
+void store(double channel, float& to) { to = static_cast<float>(channel); }
+void store(double channel, unsigned char& to) { to = to_byte(static_cast<float>(channel)); }
 
 void store(const Rgb& mean, Transfer transfer, auto* pixel) {
-  store(encoded(mean.x, transfer), pixel[0]);
-  store(encoded(mean.y, transfer), pixel[1]);
-  store(encoded(mean.z, transfer), pixel[2]);
+  const Rgb color = encoded(mean, transfer);
+  store(color.x, pixel[0]);
+  store(color.y, pixel[1]);
+  store(color.z, pixel[2]);
 }
 
 /// Whether a sample of this colour is clamped, and whether it is no number.
@@ -35,7 +37,7 @@ BeyondRange beyond_range(const Rgb& c) {
 }
 
 BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, Transfer transfer,
-                  const Tile& tile, const Canvas& canvas) {
+                  const Tile& tile, const Canvas& canvas, PartErrors* errors) {
   const PackedScene& scene = *tracer.scene;
   BeyondRange beyond;
   const auto trace_with = [&](const auto& structure, auto* image) {
@@ -43,19 +45,36 @@ BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, T
       for (int x = tile.x_begin; x < tile.x_end; ++x) {
         if ((tile.parts >> tile.part_of(x, y) & 1) == 0) continue;
         const SamplePoint moved = stagger_of(x, y);
-        Rgb sum;
         BeyondRange seen;
-        for (const SamplePoint& sample : pattern.points) {
-          const Rgb color = radiance(
-              scene, structure,
-              scene.view.direction(x + sample.x + pattern.stagger * moved.x,
-                                   image->height - 1 - y + sample.y + pattern.stagger * moved.y));
-          seen += beyond_range(color);
-          sum += clamped(color);
-        }
+        const auto sum_of = [&](std::size_t begin, std::size_t end) {
+          Rgb sum;
+          for (std::size_t i = begin; i < end; ++i) {
+            const SamplePoint& sample = pattern.points[i];
+            const double across = away_from_middle(sample.x, pattern.stagger) * moved.x;
+            const double up = away_from_middle(sample.y, pattern.stagger) * moved.y;
+            const Rgb color = radiance(
+                scene, structure,
+                scene.view.direction(x + sample.x + across, image->height - 1 - y + sample.y + up));
+            seen += beyond_range(color);
+            sum += clamped(color);
+          }
+          return sum;
+        };
+        const std::size_t count = pattern.points.size();
+        const Rgb half = sum_of(0, pattern.first_half);
+        const Rgb rest = sum_of(pattern.first_half, count);
         beyond.not_numbers += seen.not_numbers > 0 ? 1 : 0;
         beyond.clamped += seen.clamped > 0 && seen.not_numbers == 0 ? 1 : 0;
-        store(sum / static_cast<double>(pattern.points.size()), transfer, image->pixel(x, y));
+        store((half + rest) / static_cast<double>(count), transfer, image->pixel(x, y));
+        if (errors != nullptr && pattern.has_halves()) {
+          const Rgb difference =
+              encoded(half / static_cast<double>(pattern.first_half), transfer) -
+              encoded(rest / static_cast<double>(count - pattern.first_half), transfer);
+          const int to_x = (x - tile.x_begin) % block_side;
+          const int to_y = (y - tile.y_begin) % block_side;
+          errors->of_block(x - to_x, y - to_y)[tile.part_of(x, y)] +=
+              pattern.error2_share() * dot(difference, difference);
+        }
       }
     }
   };
@@ -65,8 +84,8 @@ BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, T
 
 template <typename T>
 BeyondRange trace(const SimdTracer<T>& tracer, const SamplePattern& pattern, Transfer transfer,
-                  const Tile& tile, const Canvas& canvas) {
-  return render_tile(tracer.scene, pattern, transfer, tile, tracer.target, canvas).beyond;
+                  const Tile& tile, const Canvas& canvas, PartErrors* errors) {
+  return render_tile(tracer.scene, pattern, transfer, tile, tracer.target, canvas, errors).beyond;
 }
 
 }  // namespace
@@ -89,9 +108,10 @@ Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool) {
 }
 
 BeyondRange render_tile(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
-                        const Tile& tile, const Canvas& canvas) {
+                        const Tile& tile, const Canvas& canvas, PartErrors* errors) {
   return std::visit(
-      [&](const auto& chosen) { return trace(chosen, pattern, transfer, tile, canvas); }, tracer);
+      [&](const auto& chosen) { return trace(chosen, pattern, transfer, tile, canvas, errors); },
+      tracer);
 }
 
 }  // namespace raytracer

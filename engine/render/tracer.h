@@ -8,6 +8,7 @@
 #include "engine/accel/brute_force.h"
 #include "engine/accel/bvh.h"
 #include "engine/image/image.h"
+#include "engine/image/part_errors.h"
 #include "engine/image/tile.h"
 #include "engine/kernel/beyond_range.h"
 #include "engine/kernel/simd/render_tile.h"
@@ -36,8 +37,9 @@ using Tracer = std::variant<ReferenceTracer, SimdTracer<float>, SimdTracer<doubl
 Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool);
 
 /// Traces the tile's pixels with one sample at each place of `pattern` and stores their encoded
-/// means. Touches no other pixel.
+/// means, and adds the errors of its parts to `errors` if the pattern has halves. Touches no other
+/// pixel and no other part.
 BeyondRange render_tile(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
-                        const Tile& tile, const Canvas& canvas);
+                        const Tile& tile, const Canvas& canvas, PartErrors* errors = nullptr);
 
 }  // namespace raytracer

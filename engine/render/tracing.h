@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "engine/image/part_errors.h"
 #include "engine/image/tile.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/plan/plan.h"
@@ -42,11 +43,12 @@ struct Tracing {
   /// Whether the budget is spent, or would be `more_ms` from now.
   bool is_over_time(double more_ms = 0) const { return rest_ms() < more_ms; }
 
-  /// An image of `samples` per pixel; nothing if it was stopped before it was whole.
+  /// An image with these samples, and the errors of its parts if the pattern has halves; nothing if
+  /// it was stopped before it was whole.
   template <typename Channel>
-  std::optional<Raster<Channel>> pass(int samples) {
+  std::optional<Raster<Channel>> pass(const SamplePattern& pattern, PartErrors& errors) {
     Raster<Channel> image(scene.camera.width, scene.camera.height);
-    const SamplePattern pattern = sample_pattern(samples);
+    const auto samples = static_cast<int>(pattern.points.size());
     const std::vector<Tile> tiles = split_into_tiles(
         image.width, image.height,
         tile_side_px(image.width, image.height, samples, scene.lights.size(), pool.thread_count()));
@@ -60,7 +62,8 @@ struct Tracing {
         stop = true;
         return;
       }
-      beyond_in_tiles[i] = render_tile(tracer, pattern, scene.render.transfer, tiles[i], &image);
+      beyond_in_tiles[i] =
+          render_tile(tracer, pattern, scene.render.transfer, tiles[i], &image, &errors);
       if (preview) preview->finished(i);
       report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
     };

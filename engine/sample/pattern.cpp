@@ -4,32 +4,56 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <utility>
+#include <vector>
 
 namespace raytracer {
+namespace {
 
-SamplePattern sample_pattern(int count) {
-  // Columns in turn, rows in the order of the golden ratio's multiples: over random edges the
-  // error of the covered area was least or near least among this, Hammersley's points, rank-1
-  // lattices and, for square counts, a grid, which fails along its own directions.
+/// For each of `count` columns the row of its point, in the order of the golden ratio's multiples.
+std::vector<std::size_t> golden_rows(std::size_t count) {
   constexpr double golden_ratio = 1 / std::numbers::phi;
-  const auto size = static_cast<std::size_t>(count);
-  std::vector<double> keys(size);
-  for (std::size_t k = 0; k < size; ++k) {
-    const double multiple = (static_cast<double>(k) + 0.5) * golden_ratio;
+  // Counts of fours are symmetric about the centre; for others nearer to even this way.
+  const bool is_symmetric = count % 4 == 0;
+  const double first = is_symmetric ? 0.5 * (1 - static_cast<double>(count)) : 0.5;
+  const double origin = is_symmetric ? 0.5 : 0;
+  std::vector<double> keys(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double multiple = origin + (first + static_cast<double>(k)) * golden_ratio;
     keys[k] = multiple - std::floor(multiple);
   }
-  std::vector<std::size_t> by_key(size);
+  std::vector<std::size_t> by_key(count);
   std::iota(by_key.begin(), by_key.end(), std::size_t{0});
   std::sort(by_key.begin(), by_key.end(),
             [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  std::vector<std::size_t> rows(count);
+  for (std::size_t rank = 0; rank < count; ++rank) rows[by_key[rank]] = rank;
+  return rows;
+}
 
-  std::vector<SamplePoint> points(size);
-  for (std::size_t rank = 0; rank < size; ++rank) {
-    const std::size_t k = by_key[rank];
-    points[k] = {(static_cast<double>(k) + 0.5) / count, (static_cast<double>(rank) + 0.5) / count};
-  }
-  return {std::move(points)};
+}  // namespace
+
+SamplePattern sample_pattern(int count) {
+  // Over random edges the error of the covered area was least or near least among this,
+  // Hammersley's points, rank-1 lattices and, for square counts, a grid, which fails along its own
+  // directions.
+  const auto size = static_cast<std::size_t>(count);
+  const std::vector<std::size_t> rows = golden_rows(size);
+  // A half has every second column up to the middle, and their mirror images: both halves have the
+  // pixel's middle, and do not differ where the picture is but a slope.
+  const auto is_in_first = [&](std::size_t k) {
+    return count == 2 ? k == 0 : std::min(k, size - 1 - k) % 2 == 0;
+  };
+  SamplePattern pattern;
+  const auto add = [&](std::size_t k) {
+    pattern.points.push_back(
+        {(static_cast<double>(k) + 0.5) / count, (static_cast<double>(rows[k]) + 0.5) / count});
+  };
+  for (std::size_t k = 0; k < size; ++k)
+    if (is_in_first(k)) add(k);
+  pattern.first_half = pattern.points.size();
+  for (std::size_t k = 0; k < size; ++k)
+    if (!is_in_first(k)) add(k);
+  return pattern;
 }
 
 SamplePattern staggered_pattern(int count) {

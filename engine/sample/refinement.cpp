@@ -3,72 +3,176 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
+#include "engine/math/block.h"
 #include "engine/scene/overrides.h"
 
 namespace raytracer {
 namespace {
 
-constexpr int shrinkage_log2 = 3;  // of growth^3/2, by which a part's squared error shrinks
+constexpr int least_growth = 2;
+constexpr int most_growth = 16;
 
-/// Errors per sample by powers of the fourth root of two, from 2^-128 on.
-constexpr int steps_per_octave = 4;
-constexpr int step_count = 128 * steps_per_octave;
-// A refined part's error per sample is less by both.
-constexpr int steps_per_refinement = 5 * steps_per_octave;
+/// Of errors' fall: of random samples, and where edges cross pixels.
+constexpr double slowest = 1;
+constexpr double fastest = 1.5;
 
-int step_of(const ImagePart& part) {
-  const double octaves = std::log2(part.error2 / part.samples) + 128;
-  return std::clamp(static_cast<int>(octaves * steps_per_octave), 0, step_count - 1);
+/// Numbers of samples: 1, 2, 4, 8, 12, 16, 24 ... From 8 on two in an octave, so that parts of a
+/// block often have the same and are traced together, and all in fours (sample_pattern()).
+constexpr int rung_count = 56;
+
+constexpr int samples_of_rung(int rung) {
+  if (rung < 3) return 1 << rung;
+  return rung % 2 == 1 ? 1 << (rung + 3) / 2 : 3 << rung / 2;
+}
+
+/// Numbers of samples as they are wanted, by steps of their logarithm.
+constexpr int steps_per_octave = 16;
+constexpr int step_count = 30 * steps_per_octave;
+
+int step_of(double samples) {
+  return static_cast<int>(std::floor(steps_per_octave * std::log2(samples)));
+}
+
+/// What every number of samples that can be wanted comes to.
+struct Ladder {
+  std::array<int, step_count> samples{};     ///< of the highest rung of at most as many
+  std::array<double, step_count> factors{};  ///< of one sample's squared error
+
+  explicit Ladder(int most_samples) {
+    int rung = 0;
+    for (int step = 0; step < step_count; ++step) {
+      const auto at = static_cast<std::size_t>(step);
+      while (rung + 1 < rung_count && samples_of_rung(rung + 1) <= most_samples &&
+             step_of(samples_of_rung(rung + 1)) <= step)
+        ++rung;
+      samples[at] = samples_of_rung(rung);
+      factors[at] = std::pow(samples[at], -fastest);
+    }
+  }
+};
+
+/// A part that more samples would do good.
+struct Candidate {
+  std::size_t part;
+  int least_samples;
+  int most_samples;  ///< at once
+  int step;          ///< of the samples that its detail needs, plus a level that all have in common
+  double error2;
+  double detail;  ///< the squared error of one sample
+};
+
+std::vector<Candidate> candidates_of(std::span<const ImagePart> parts) {
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const ImagePart& part = parts[i];
+    if (part.error2 <= 0) continue;
+    const int samples = std::max(part.samples, 1);
+    const double detail = part.error2 * std::pow(samples, fastest);
+    candidates.push_back({.part = i,
+                          .least_samples = part.samples > 0 ? least_growth * samples : 1,
+                          .most_samples = most_growth * samples,
+                          .step = step_of(std::pow(detail, 1 / (1 + fastest))),
+                          .error2 = part.error2,
+                          .detail = detail});
+  }
+  return candidates;
+}
+
+/// Of a level common to all: whether it is enough for the goal, and affordable.
+class Levels {
+ public:
+  Levels(std::span<const Candidate> candidates, const RefinementGoal& goal)
+      : candidates_(candidates), goal_(goal), ladder_(goal.most_samples) {}
+
+  /// The samples that a part gets next, or 0.
+  int samples_at(int level, const Candidate& candidate) const {
+    const int samples =
+        std::min(ladder_.samples[rung_at(level, candidate)], candidate.most_samples);
+    return samples >= candidate.least_samples ? samples : 0;
+  }
+
+  /// Whether it would bring the sum to the goal, however many times the samples grow.
+  bool is_enough(int level) const {
+    double sum = 0;
+    for (const Candidate& candidate : candidates_) {
+      const std::size_t at = rung_at(level, candidate);
+      const bool is_refined = ladder_.samples[at] >= candidate.least_samples;
+      sum += is_refined ? candidate.detail * ladder_.factors[at] : candidate.error2;
+    }
+    return sum <= goal_.error2;
+  }
+
+  bool is_affordable(int level) const {
+    double samples = 0;
+    for (const Candidate& candidate : candidates_) samples += samples_at(level, candidate);
+    return samples <= goal_.samples;
+  }
+
+ private:
+  static std::size_t rung_at(int level, const Candidate& candidate) {
+    return static_cast<std::size_t>(std::clamp(candidate.step + level, 0, step_count - 1));
+  }
+
+  std::span<const Candidate> candidates_;
+  RefinementGoal goal_;
+  Ladder ladder_;
+};
+
+/// The first in [begin, end) of which `is_true`, which all after it are, too; `end` if none is.
+template <typename Condition>
+int first_true(int begin, int end, const Condition& is_true) {
+  while (begin < end) {
+    const int middle = begin + (end - begin) / 2;
+    if (is_true(middle))
+      end = middle;
+    else
+      begin = middle + 1;
+  }
+  return end;
 }
 
 }  // namespace
 
 int most_samples(const Scene& scene, const Limits& limits) {
-  constexpr double share_of_last = 1 - 1.0 / growth;  // of 1 + growth + growth^2 + ...
+  constexpr double share_of_last = 0.5;
   const double by_work = share_of_last * static_cast<double>(limits.work) / count_rays(scene, 1);
   return static_cast<int>(std::clamp(std::min(by_work, static_cast<double>(limits.samples)), 1.0,
                                      static_cast<double>(1 << 30)));
 }
 
-int probing_samples(const Census& census) {
-  return census.small_spheres > 0 ? growth * growth : growth;
-}
+int probing_samples(const Census& census) { return census.small_spheres > 0 ? 16 : 4; }
 
-double estimate_error2(const Image& coarser, const Image& finer, const Tile& part,
-                       int finer_samples) {
-  double sum = 0;
-  for (int y = part.y_begin; y < part.y_end; ++y) {
-    const float* const a = coarser.pixel(part.x_begin, y);
-    const float* const b = finer.pixel(part.x_begin, y);
-    for (int i = 0; i < 3 * (part.x_end - part.x_begin); ++i) {
-      const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
-      sum += difference * difference;
-    }
+ErrorFall::ErrorFall(const Census& census)
+    : guess_(census.small_spheres > 0 ? slowest : (slowest + fastest) / 2) {}
+
+void ErrorFall::include(std::span<const ImagePart> before, std::span<const ImagePart> after) {
+  double slow = 0;
+  double fast = 0;
+  double real = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i].samples == 0 || after[i].samples <= before[i].samples) continue;
+    const double growth = static_cast<double>(after[i].samples) / before[i].samples;
+    slow += before[i].error2 * std::pow(growth, -slowest);
+    fast += before[i].error2 * std::pow(growth, -fastest);
+    real += after[i].error2;
   }
-  return sum / (finer_samples > growth ? growth : 2);
+  if (fast <= 0 || real <= 0) return;
+  log_fall_ += std::log(slow / real);
+  log_range_ += std::log(slow / fast);
 }
 
-double estimate_first_error2(const Image& image, const Tile& part) {
-  constexpr double share = 1.0 / 8;
-  double sum = 0;
-  const auto add = [&](const float* a, const float* b) {
-    for (int i = 0; i < 3; ++i) {
-      const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
-      sum += difference * difference;
-    }
-  };
-  for (int y = part.y_begin; y < part.y_end; ++y) {
-    for (int x = part.x_begin; x < part.x_end; ++x) {
-      const float* const pixel = image.pixel(x, y);
-      if (x + 1 < image.width) add(pixel, image.pixel(x + 1, y));
-      if (y + 1 < image.height) add(pixel, image.pixel(x, y + 1));
-    }
-  }
-  return share * sum;
+double ErrorFall::exponent() const {
+  constexpr double least_range = 0.7;  // less is noise
+  if (log_range_ < least_range) return guess_;
+  return std::clamp(slowest + (fastest - slowest) * log_fall_ / log_range_, slowest, fastest);
 }
 
-std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int columns) {
+double ErrorFall::halves_excess() const { return std::exp2(exponent()) - 1; }
+
+std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int columns,
+                                       double halves_excess) {
   constexpr double share = 0.1;
   const int width = parts_across * columns;
   const int height = static_cast<int>(parts.size()) / parts_across / columns;
@@ -86,60 +190,51 @@ std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int col
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const ImagePart& part = parts[index(x, y)];
-      detail[place(x, y)] = part.error2 * part.samples * std::sqrt(part.samples);
+      detail[place(x, y)] = part.error2 / halves_excess * std::pow(part.samples, fastest);
     }
   std::vector<ImagePart> expected(parts.begin(), parts.end());
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
+      ImagePart& part = expected[index(x, y)];
+      if (part.samples == 0) continue;
       const std::size_t at = place(x, y);
       double sum = -detail[at];
       for (const std::size_t row : {at - stride, at, at + stride})
         sum += detail[row - 1] + detail[row] + detail[row + 1];
-      ImagePart& part = expected[index(x, y)];
       part.error2 =
-          std::max(part.error2, share * sum / 8 / (part.samples * std::sqrt(part.samples)));
+          std::max(part.error2 / halves_excess, share * sum / 8 * std::pow(part.samples, -fastest));
     }
   return expected;
 }
 
-std::vector<std::size_t> parts_to_refine(std::span<const ImagePart> parts, double bound,
-                                         int most_samples) {
-  std::array<double, step_count> error2_by_step{};
-  double rest = 0;  // that nothing can be done about
+double conservative_sum(std::span<const ImagePart> parts) {
   double sum = 0;
-  const auto can_grow = [&](const ImagePart& part) {
-    return part.error2 > 0 && part.samples <= most_samples / growth;
-  };
+  double squares = 0;
   for (const ImagePart& part : parts) {
     sum += part.error2;
-    if (can_grow(part))
-      error2_by_step[static_cast<std::size_t>(step_of(part))] += part.error2;
-    else
-      rest += part.error2;
+    squares += part.error2 * part.error2;
   }
-  if (sum <= bound) return {};
+  return sum + 2 * std::sqrt(2 * squares);
+}
 
-  /// What is left when all parts are refined until their errors per sample are below `level`.
-  const auto left_at = [&](int level) {
-    double left = rest;
-    for (int step = 0; step < step_count; ++step) {
-      const int above = std::max(step - level, 0);
-      const int refinements = (above + steps_per_refinement - 1) / steps_per_refinement;
-      left +=
-          std::ldexp(error2_by_step[static_cast<std::size_t>(step)], -shrinkage_log2 * refinements);
-    }
-    return left;
-  };
-  // The highest that is low enough; at -1 all are refined that have an error.
-  int level = -1;
-  for (int too_high = step_count - 1; too_high - level > 1;) {
-    const int middle = (level + too_high) / 2;
-    (left_at(middle) <= bound ? level : too_high) = middle;
-  }
-  std::vector<std::size_t> chosen;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (can_grow(parts[i]) && step_of(parts[i]) > level) chosen.push_back(i);
-  return chosen;
+std::vector<int> next_samples(std::span<const ImagePart> parts, const RefinementGoal& goal) {
+  std::vector<int> samples(parts.size(), 0);
+  const std::vector<Candidate> candidates = candidates_of(parts);
+  if (candidates.empty()) return samples;
+  const auto [least, most] =
+      std::minmax_element(candidates.begin(), candidates.end(),
+                          [](const Candidate& a, const Candidate& b) { return a.step < b.step; });
+  const int lowest = -most->step;
+  const int highest = step_count - least->step;
+  const Levels levels(candidates, goal);
+  const int enough =
+      first_true(lowest, highest, [&](int level) { return levels.is_enough(level); });
+  const int too_dear =
+      first_true(lowest, enough + 1, [&](int level) { return !levels.is_affordable(level); });
+  const int level = std::min(enough, too_dear - 1);
+  for (const Candidate& candidate : candidates)
+    samples[candidate.part] = levels.samples_at(level, candidate);
+  return samples;
 }
 
 }  // namespace raytracer

@@ -1,65 +1,83 @@
-// Which parts of an image get more samples.
+// Which parts of an image get more samples, and how many.
 //
-// A part's error is estimated from what its last samples changed; refined, it has `growth` times
-// the samples and about growth^-3/2 of its squared error. The sum of squared errors is brought to a
-// bound by the fewest samples if the parts' errors per sample are made equal (Lagrange): those
-// above a common level are refined, and the level is the highest that leads to the bound.
+// A part's squared error is taken to fall as n^-3/2 with its n samples, as where edges cross
+// pixels; where there is more detail than samples it falls more slowly, and takes more passes. The
+// sum of squared errors is brought to a bound by the fewest samples if all parts' errors per sample
+// are equal (Lagrange), which is where n grows as detail^2/5, detail being the squared error of one
+// sample: a common level of the errors per sample tells every part its number.
 //
-// Limits: a thing that neither the earlier nor the later samples met is in no estimate.
+// New samples replace the old ones, as even spread is worth more than their sum: a part that is
+// refined gets at least twice as many, and at most sixteen times, because the error that asks for
+// them is an estimate.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
-#include "engine/image/image.h"
-#include "engine/image/tile.h"
 #include "engine/plan/census.h"
 #include "engine/scene/limits.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {
 
-/// How many times the samples of a part that is refined grow.
-inline constexpr int growth = 4;
-
 /// 4 x 4 pixels, those of them that the image has.
 struct ImagePart {
-  int samples = 1;    ///< per pixel
+  int samples = 1;    ///< per pixel; 0 where a part beside it stands for it
   double error2 = 0;  ///< estimated: the sum of its values' squared errors
 };
 
-/// The most samples per pixel that the limits grant a contract on this scene, the fewer ones before
-/// them included; at least 1.
+/// The most samples per pixel that the limits grant a contract on this scene, with those before
+/// them, which are at most as many; at least 1.
 int most_samples(const Scene& scene, const Limits& limits);
 
 /// The samples per pixel that all parts get before any is chosen: they tell where more are needed,
-/// but four tell little of what is smaller than a pixel.
+/// but few tell little of what is smaller than a pixel.
 int probing_samples(const Census& census);
 
-/// The sum of squared errors of `finer`, which took `growth` times the samples of `coarser`, over
-/// the values of one part. The two have no samples in common, so their squared errors add up in
-/// the difference; of these the finer one's share is 1 / (growth + 1) if samples err like random
-/// ones, and less where they do better. It is taken as 1 / growth, for small images, and as a half
-/// after the first sample, which is at the centre.
-double estimate_error2(const Image& coarser, const Image& finer, const Tile& part,
-                       int finer_samples);
+/// How squared errors fall with the samples: as their power -e.
+class ErrorFall {
+ public:
+  /// A guess, before any are compared.
+  explicit ErrorFall(const Census& census);
 
-/// The same where no other samples are there to compare with: of an image of one sample per pixel,
-/// by how much each pixel differs from those to its right and below. An edge that moves a pixel's
-/// value by d errs by d^2 / 12 in the mean, and shows in one such difference; it is taken as
-/// d^2 / 8. Gradients, too, count as edges.
-double estimate_first_error2(const Image& image, const Tile& part);
+  /// Takes in what a refinement has shown. Parts whose samples did not grow are not looked at.
+  void include(std::span<const ImagePart> before, std::span<const ImagePart> after);
 
-/// The parts with the errors that they probably have: where samples met detail there is more beside
-/// it that they have missed. A part counts at least as a share of its neighbours' mean does, at its
-/// own number of samples. Blocks of 4 x 4 parts, row by row, `columns` in a row.
-std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int columns);
+  /// From 1, as of random samples, to 3/2, as where edges cross pixels.
+  double exponent() const;
 
-/// The indices of the parts to refine next, so that repeated refinement brings the sum of squared
-/// errors to at most `bound` (0: every part that has an error). Parts of more than
-/// `most_samples` / growth samples stay as they are. None if the bound is kept.
-std::vector<std::size_t> parts_to_refine(std::span<const ImagePart> parts, double bound,
-                                         int most_samples);
+  /// By what factor the difference of two halves of samples overstates the squared error of all
+  /// (PartErrors): if half of the samples have 2^e times the squared error u, half of the
+  /// difference has the rest, (2^e - 1) u.
+  double halves_excess() const;
+
+ private:
+  double guess_;
+  double log_fall_ = 0;   ///< beyond the slowest, of all refinements
+  double log_range_ = 0;  ///< between the slowest and the fastest
+};
+
+/// The parts with the errors that they probably have, from those that their halves show. Where
+/// samples met detail there is more beside it that they have missed: a part counts at least as a
+/// share of its neighbours' mean does, at its own number of samples. Blocks of 4 x 4 parts, row by
+/// row, `columns` in a row.
+std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int columns,
+                                       double halves_excess);
+
+/// The sum of these squared errors with its own uncertainty, which counts where few parts have an
+/// error: that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself, of
+/// which two are added.
+double conservative_sum(std::span<const ImagePart> parts);
+
+/// What a refinement is for, and what it may cost.
+struct RefinementGoal {
+  double error2;     ///< to which the parts' sum is to fall; 0 for the least that can be reached
+  double samples;    ///< at most so many per pixel times parts; infinite without a limit
+  int most_samples;  ///< per pixel of any part
+};
+
+/// For each part the samples per pixel that it gets next, or 0 if it stays as it is. All stay if
+/// the goal is reached, or nothing can be done for it.
+std::vector<int> next_samples(std::span<const ImagePart> parts, const RefinementGoal& goal);
 
 }  // namespace raytracer

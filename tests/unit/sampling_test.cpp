@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 #include <vector>
 
+#include "engine/math/block.h"
+#include "engine/sample/missable_spheres.h"
 #include "engine/sample/pattern.h"
 #include "engine/sample/refinement.h"
+#include "tests/support/scenes.h"
 
 namespace raytracer::test {
 namespace {
@@ -47,6 +51,39 @@ TEST(SamplePattern, CoversTheQuartersOfThePixelEvenly) {
   }
 }
 
+SamplePoint middle_of(const std::vector<SamplePoint>& points, std::size_t begin, std::size_t end) {
+  SamplePoint sum{0, 0};
+  for (std::size_t i = begin; i < end; ++i) {
+    sum.x += points[i].x / static_cast<double>(end - begin);
+    sum.y += points[i].y / static_cast<double>(end - begin);
+  }
+  return sum;
+}
+
+TEST(SamplePattern, HasHalvesAboutTheSameMiddle) {
+  for (const int count : {4, 8, 12, 16, 24, 64, 96, 256, 1024}) {
+    const SamplePattern pattern = sample_pattern(count);
+    ASSERT_TRUE(pattern.has_halves());
+    EXPECT_EQ(pattern.first_half, pattern.points.size() / 2);
+    EXPECT_EQ(pattern.error2_share(), 0.25);
+    const SamplePoint first = middle_of(pattern.points, 0, pattern.first_half);
+    const SamplePoint second = middle_of(pattern.points, pattern.first_half, pattern.points.size());
+    EXPECT_NEAR(first.x, 0.5, 1e-12) << count;
+    EXPECT_NEAR(first.y, 0.5, 1e-12) << count;
+    EXPECT_NEAR(second.x, 0.5, 1e-12) << count;
+    EXPECT_NEAR(second.y, 0.5, 1e-12) << count;
+  }
+}
+
+TEST(SamplePattern, HasHalvesFromTwoOn) {
+  EXPECT_FALSE(sample_pattern(1).has_halves());
+  for (const int count : {2, 3, 5, 6, 7, 9, 17, 31}) {
+    const SamplePattern pattern = sample_pattern(count);
+    EXPECT_TRUE(pattern.has_halves()) << count;
+    EXPECT_NEAR(static_cast<double>(pattern.first_half), count / 2.0, 1.01) << count;
+  }
+}
+
 TEST(SamplePattern, StaggeredMovesEachPixelsPlacesWithinTheirColumnsAndRows) {
   const SamplePattern pattern = staggered_pattern(16);
   EXPECT_EQ(pattern.points.size(), 16U);
@@ -64,6 +101,19 @@ TEST(SamplePattern, StaggeredMovesEachPixelsPlacesWithinTheirColumnsAndRows) {
   EXPECT_EQ(up.size(), 16U);
 }
 
+/// A slope is no error: all places together are moved nowhere.
+TEST(SamplePattern, StaggeredKeepsTheMiddle) {
+  const SamplePattern pattern = staggered_pattern(16);
+  double across = 0;
+  double up = 0;
+  for (const SamplePoint& point : pattern.points) {
+    across += away_from_middle(point.x, pattern.stagger);
+    up += away_from_middle(point.y, pattern.stagger);
+  }
+  EXPECT_EQ(across, 0);
+  EXPECT_EQ(up, 0);
+}
+
 /// Along a row of four the places differ by a quarter in y, and along a column in x: that is what
 /// finds an edge that runs along it.
 TEST(SamplePattern, NeighboursAreStaggeredAcrossTheirRowOrColumn) {
@@ -79,78 +129,138 @@ TEST(SamplePattern, NeighboursAreStaggeredAcrossTheirRowOrColumn) {
   }
 }
 
-Image gray(float value) {
-  Image image(4, 4);
-  for (float& channel : image.values) channel = value;
-  return image;
-}
-
-const Tile whole_part{0, 0, 4, 4};
-
-TEST(EstimateError, OfEqualImagesIsZero) {
-  EXPECT_EQ(estimate_error2(gray(0.5F), gray(0.5F), whole_part, 16), 0);
-}
-
-TEST(EstimateError, IsAQuarterOfTheSquaredDifference) {
-  EXPECT_DOUBLE_EQ(estimate_error2(gray(0.5F), gray(0.75F), whole_part, 16), 48 * 0.0625 / 4);
-  EXPECT_DOUBLE_EQ(estimate_error2(gray(0.75F), gray(0.5F), {0, 0, 2, 1}, 16), 6 * 0.0625 / 4);
-}
-
-TEST(EstimateError, IsLargerAfterTheFirstSample) {
-  EXPECT_GT(estimate_error2(gray(0.5F), gray(0.75F), whole_part, 4),
-            estimate_error2(gray(0.5F), gray(0.75F), whole_part, 16));
-}
-
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double usual = 1.5;
 constexpr int plenty = 1 << 20;
 
-TEST(PartsToRefine, AreNoneWhenTheBoundIsKept) {
-  EXPECT_TRUE(parts_to_refine(std::vector<ImagePart>{{4, 1}, {4, 2}}, 3, plenty).empty());
-  EXPECT_TRUE(parts_to_refine(std::vector<ImagePart>{{4, 0}}, 0, plenty).empty());
+std::vector<int> samples_for(const std::vector<ImagePart>& parts, double error2) {
+  return next_samples(parts, {error2, infinite, plenty});
 }
 
-TEST(PartsToRefine, AreThoseWithTheLargestErrorPerSample) {
-  const std::vector<ImagePart> parts{{4, 0.1}, {4, 8}, {64, 8}, {4, 0}};
-  EXPECT_EQ(parts_to_refine(parts, 10, plenty), std::vector<std::size_t>{1});
+TEST(NextSamples, AreNoneWhenTheGoalIsReached) {
+  EXPECT_EQ(samples_for({{4, 1}, {4, 2}}, 3), (std::vector<int>{0, 0}));
+  EXPECT_EQ(samples_for({{4, 0}}, 0), std::vector<int>{0});
 }
 
-TEST(PartsToRefine, AreAllWithAnErrorWhenNothingIsAllowed) {
-  const std::vector<ImagePart> parts{{4, 0.1}, {4, 8}, {64, 1e-30}, {4, 0}};
-  EXPECT_EQ(parts_to_refine(parts, 0, plenty), (std::vector<std::size_t>{0, 1, 2}));
+TEST(NextSamples, AreForTheLargestErrorPerSample) {
+  const std::vector<int> samples = samples_for({{4, 0.1}, {4, 8}, {64, 8}, {4, 0}}, 10);
+  EXPECT_EQ(samples[0], 0);
+  EXPECT_GE(samples[1], 8);
+  EXPECT_EQ(samples[2], 0);
+  EXPECT_EQ(samples[3], 0);
 }
 
-TEST(PartsToRefine, NeverGetMoreThanTheLimit) {
-  const std::vector<ImagePart> parts{{16, 1}, {4, 0.5}};
-  EXPECT_EQ(parts_to_refine(parts, 1e-9, 32), std::vector<std::size_t>{1});
+TEST(NextSamples, AreForAllWithAnErrorWhenNothingIsAllowed) {
+  const std::vector<int> samples = samples_for({{4, 0.1}, {4, 8}, {64, 1e-30}, {4, 0}}, 0);
+  EXPECT_EQ(samples, (std::vector<int>{64, 64, 1024, 0})) << "sixteen times as many at once";
 }
 
-TEST(PartsToRefine, LeadToTheBoundIfErrorsFallAsExpected) {
+TEST(NextSamples, NeverExceedTheLimit) {
+  EXPECT_EQ(next_samples(std::vector<ImagePart>{{16, 1}, {4, 0.5}}, {1e-9, infinite, 24}),
+            (std::vector<int>{0, 24}));
+}
+
+TEST(NextSamples, AreWhatThereIsTimeFor) {
   std::vector<ImagePart> parts(1000, ImagePart{4, 0});
   for (std::size_t i = 0; i < parts.size(); ++i)
     parts[i].error2 = std::pow(1.02, static_cast<double>(i % 300));
-  double sum = 0;
-  int rounds = 0;
-  for (;; ++rounds) {
-    sum = 0;
-    for (const ImagePart& part : parts) sum += part.error2;
-    const std::vector<std::size_t> chosen = parts_to_refine(parts, 500, plenty);
-    if (chosen.empty()) break;
-    for (const std::size_t i : chosen) parts[i] = {growth * parts[i].samples, parts[i].error2 / 8};
+  for (const double affordable : {1e2, 1e3, 1e4, 5e4}) {
+    double sum = 0;
+    for (const int samples : next_samples(parts, {0, affordable, plenty})) sum += samples;
+    EXPECT_LE(sum, affordable);
+    EXPECT_GT(sum, affordable / 2 - 4 * 64) << "parts of one error get theirs together";
   }
-  EXPECT_LE(sum, 500);
-  EXPECT_GT(sum, 500 / 8.0) << "more than was asked for";
-  EXPECT_LE(rounds, 6);
+  EXPECT_EQ(next_samples(parts, {0, 0, plenty}), std::vector<int>(parts.size(), 0));
+}
+
+TEST(NextSamples, ReachTheGoalAtOnceIfErrorsFallAsExpected) {
+  std::vector<ImagePart> parts(1000, ImagePart{4, 0});
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i].error2 = std::pow(1.02, static_cast<double>(i % 300));
+  const double goal = 6000;
+  const std::vector<int> samples = samples_for(parts, goal);
+  double sum = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    sum += parts[i].error2 * (samples[i] > 0 ? std::pow(4.0 / samples[i], usual) : 1);
+  EXPECT_LE(sum, goal);
+  EXPECT_GT(sum, 0.8 * goal) << "more than was asked for";
+}
+
+/// The fewest samples for a sum of errors have equal errors per sample in all parts.
+TEST(NextSamples, LevelTheErrorsPerSample) {
+  const std::vector<int> samples = samples_for({{4, 1}, {4, 2}, {4, 4}, {4, 8}}, 1);
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    const double ratio = static_cast<double>(samples[i + 1]) / samples[i];
+    EXPECT_GE(ratio, 1);
+    EXPECT_LE(ratio, 2) << "2^(1 / 2.5), to the next number that is used";
+  }
+}
+
+Census census_with(double small_spheres) {
+  Census census;
+  census.small_spheres = small_spheres;
+  return census;
+}
+
+TEST(ErrorFall, IsMeasured) {
+  for (const double exponent : {1.0, 1.2, 1.5}) {
+    ErrorFall fall(census_with(0));
+    fall.include(std::vector<ImagePart>{{4, 1}, {4, 2}, {16, 5}},
+                 std::vector<ImagePart>{
+                     {64, std::pow(16, -exponent)}, {64, 2 * std::pow(16, -exponent)}, {16, 5}});
+    EXPECT_NEAR(fall.exponent(), exponent, 1e-9);
+  }
+}
+
+TEST(ErrorFall, IsWithinWhatSamplesCanDo) {
+  ErrorFall none(census_with(0));
+  none.include(std::vector<ImagePart>{{4, 1}}, std::vector<ImagePart>{{64, 1}});
+  EXPECT_EQ(none.exponent(), 1);
+  ErrorFall all(census_with(0));
+  all.include(std::vector<ImagePart>{{4, 1}}, std::vector<ImagePart>{{64, 1e-9}});
+  EXPECT_EQ(all.exponent(), 1.5);
+}
+
+TEST(ErrorFall, IsAGuessBefore) {
+  EXPECT_EQ(ErrorFall(census_with(1)).exponent(), 1);
+  EXPECT_GT(ErrorFall(census_with(0)).exponent(), 1);
 }
 
 /// Two blocks side by side: 8 x 4 parts.
 TEST(ExpectedErrors, RiseBesideDetail) {
   std::vector<ImagePart> parts(32, ImagePart{4, 0});
   parts[3] = {16, 1};  // at (3, 0), at the second block's side
-  const std::vector<ImagePart> expected = expected_errors(parts, 2);
+  const std::vector<ImagePart> expected = expected_errors(parts, 2, 1);
   EXPECT_EQ(expected[3].error2, 1);
   EXPECT_GT(expected[16].error2, 0);     // at (4, 0)
   EXPECT_GT(expected[2 + 4].error2, 0);  // at (2, 1)
   EXPECT_EQ(expected[1].error2, 0);
   EXPECT_LT(expected[16].error2, 0.5);
+}
+
+TEST(ExpectedErrors, AreLessWhereTheHalvesCompleteEachOther) {
+  const std::vector<ImagePart> parts(16, ImagePart{4, 1});
+  EXPECT_EQ(expected_errors(parts, 1, 1)[5].error2, 1);
+  EXPECT_EQ(expected_errors(parts, 1, 2)[5].error2, 0.5);
+  ErrorFall fall(census_with(0));
+  fall.include(std::vector<ImagePart>{{4, 1}}, std::vector<ImagePart>{{64, 1.0 / 64}});
+  EXPECT_NEAR(fall.halves_excess(), std::exp2(1.5) - 1, 1e-9);
+}
+
+TEST(MissableSpheres, AreThoseSmallerThanAPixelUntilSamplesMustMeetThem) {
+  const double pixel = 2 * std::tan(0.25) / 32 * 100;  // at that distance
+  const Scene scene = scene_of(document(camera_json(32, 32, 0.5, {0, 0, 0}, {0, 0, 1}),
+                                        {sphere_json({2 * pixel, 2 * pixel, 100}, 0.2 * pixel),
+                                         sphere_json({-6 * pixel, -6 * pixel, 100}, 3 * pixel)},
+                                        {distant_json({0, 0, 1})}));
+  const MissableSpheres missable(scene, make_frame(scene));
+  // To the right of the middle and above it: the second block, its part in the lower left.
+  const std::size_t part = parts_in_block + 12;
+  EXPECT_GT(missable.error2(part, 1), missable.error2(part, 16));
+  EXPECT_GT(missable.error2(part, 16), 1e-3);
+  EXPECT_LT(missable.error2(part, 256), 1e-6);
+  for (std::size_t i = 0; i < 4 * parts_in_block; ++i)
+    EXPECT_EQ(missable.error2(i, 1) > 0, i == part) << i;
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class EyeRays {
       : scene_(scene),
         block_(block),
         offsets_(d),
-        stagger_(static_cast<T>(stagger)),
+        stagger_(stagger),
         step_x_(2.0 / scene.view.width),
         step_y_(2.0 / scene.view.height) {}
 
@@ -41,8 +41,10 @@ class EyeRays {
     V down = offsets_.y;
     if (stagger_ > 0) {
       const Staggers<D> staggers(d, place);
-      right = hn::MulAdd(staggers.x, hn::Set(d, stagger_), right);
-      down = hn::NegMulAdd(staggers.y, hn::Set(d, stagger_), down);
+      const auto across = static_cast<T>(away_from_middle(sample.x, stagger_));
+      const auto up = static_cast<T>(away_from_middle(sample.y, stagger_));
+      right = hn::MulAdd(staggers.x, hn::Set(d, across), right);
+      down = hn::NegMulAdd(staggers.y, hn::Set(d, up), down);
     }
     const V x = hn::MulAdd(right, hn::Set(d, static_cast<T>(step_x_)),
                            hn::Set(d, static_cast<T>(corner_x)));
@@ -62,7 +64,7 @@ class EyeRays {
   const SimdScene<T>& scene_;
   const Block& block_;
   LaneOffsets<D> offsets_;
-  T stagger_;
+  double stagger_;
   double step_x_;
   double step_y_;
 };
@@ -130,7 +132,8 @@ HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
 
 template <typename T>
 void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
-                  const Block& block, const Canvas& canvas, BeyondRange& beyond) {
+                  const Block& block, const Canvas& canvas, double* part_errors,
+                  BeyondRange& beyond) {
   using D = hn::ScalableTag<T>;
   const D d;
   using V = hn::Vec<D>;
@@ -147,9 +150,11 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
 
   const EyeRays<D> rays(d, scene, block, pattern.stagger);
   BlockColours<T> sums;
+  BlockColours<T> sums_of_half;
   BlockColours<T> colours;
   BlockBeyondRange<D> block_beyond;
   for (std::size_t sample = 0; sample < pattern.points.size(); ++sample) {
+    if (sample == pattern.first_half && sample > 0) sums_of_half = sums;
     trace_sample(d, scene, block, contents, rays, pattern.points[sample], colours);
     Highest<D> highest(d);
     for (int packet = 0; packet < Shape::packets; ++packet) {
@@ -164,12 +169,26 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
       block_beyond.note(d, block, colours,
                         [&](const auto& place) HWY_ATTR { return rays.active(d, place); });
   }
-  const V share = hn::Set(d, static_cast<T>(1 / static_cast<double>(pattern.points.size())));
+  // A mean of singles may exceed 1 by a rounding.
+  const auto mean_of = [&](const V3<V>& sum, std::size_t count) HWY_ATTR {
+    const V share = hn::Set(d, static_cast<T>(1 / static_cast<double>(count)));
+    return resolved(clamped(d, scale(sum, share)));
+  };
+  const std::size_t count = pattern.points.size();
   for (int i = 0; i < Shape::packets; ++i) {
-    if (!PacketPlace<D>(i).is_in(block)) continue;
+    const PacketPlace<D> place(i);
+    if (!place.is_in(block)) continue;
     const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
-    // A mean of singles may exceed 1 by a rounding.
-    store(d, resolved(clamped(d, scale(load(d, sums, first), share))), first, sums);
+    const V3<V> sum = load(d, sums, first);
+    if (part_errors != nullptr) {
+      const V3<V> half = load(d, sums_of_half, first);
+      const V3<V> difference = sub(mean_of(half, pattern.first_half),
+                                   mean_of(sub(sum, half), count - pattern.first_half));
+      const V squares = hn::IfThenElseZero(rays.active(d, place), dot(difference, difference));
+      part_errors[place.part()] +=
+          pattern.error2_share() * static_cast<double>(hn::GetLane(hn::SumOfLanes(d, squares)));
+    }
+    store(d, mean_of(sum, count), first, sums);
   }
   store_block(d, sums, block, canvas);
   block_beyond.add_to(beyond);
@@ -177,25 +196,28 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
 
 template <typename T>
 TracedTile render_blocks(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
-                         const Tile& tile, const Canvas& canvas) {
+                         const Tile& tile, const Canvas& canvas, PartErrors* errors) {
   TracedTile traced{HWY_TARGET, {}};
+  const bool tells_errors = errors != nullptr && pattern.has_halves();
   for (int y = tile.y_begin; y < tile.y_end; y += block_side)
     for (int x = tile.x_begin; x < tile.x_end; x += block_side)
       render_block(scene, pattern, transfer,
                    {x, y, std::min(block_side, tile.x_end - x),
                     std::min(block_side, tile.y_end - y), tile.parts},
-                   canvas, traced.beyond);
+                   canvas, tells_errors ? errors->of_block(x, y) : nullptr, traced.beyond);
   return traced;
 }
 
 TracedTile render_single(const SimdScene<float>& scene, const SamplePattern& pattern,
-                         Transfer transfer, const Tile& tile, const Canvas& canvas) {
-  return render_blocks(scene, pattern, transfer, tile, canvas);
+                         Transfer transfer, const Tile& tile, const Canvas& canvas,
+                         PartErrors* errors) {
+  return render_blocks(scene, pattern, transfer, tile, canvas, errors);
 }
 
 TracedTile render_double(const SimdScene<double>& scene, const SamplePattern& pattern,
-                         Transfer transfer, const Tile& tile, const Canvas& canvas) {
-  return render_blocks(scene, pattern, transfer, tile, canvas);
+                         Transfer transfer, const Tile& tile, const Canvas& canvas,
+                         PartErrors* errors) {
+  return render_blocks(scene, pattern, transfer, tile, canvas, errors);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -234,16 +256,16 @@ Machine this_machine(std::size_t thread_count) {
 
 TracedTile render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas) {
+                       const Canvas& canvas, PartErrors* errors) {
   return HWY_DISPATCH_TABLE(render_single)[table_index(target)](scene, pattern, transfer, tile,
-                                                                canvas);
+                                                                canvas, errors);
 }
 
 TracedTile render_tile(const SimdScene<double>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas) {
+                       const Canvas& canvas, PartErrors* errors) {
   return HWY_DISPATCH_TABLE(render_double)[table_index(target)](scene, pattern, transfer, tile,
-                                                                canvas);
+                                                                canvas, errors);
 }
 
 }  // namespace raytracer

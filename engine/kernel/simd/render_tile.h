@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/image/image.h"
+#include "engine/image/part_errors.h"
 #include "engine/image/tile.h"
 #include "engine/kernel/beyond_range.h"
 #include "engine/kernel/sample_point.h"
@@ -24,12 +25,13 @@ struct TracedTile {
 };
 
 /// Traces one sample at each place of `pattern` in each of the tile's pixels, and stores the means
-/// of their clamped colours after `transfer`. The tile begins at multiples of `block_side`.
+/// of their clamped colours after `transfer`; and the errors of the parts that it traced, if the
+/// pattern has halves and somebody wants them. The tile begins at multiples of `block_side`.
 TracedTile render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas);
+                       const Canvas& canvas, PartErrors* errors = nullptr);
 TracedTile render_tile(const SimdScene<double>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas);
+                       const Canvas& canvas, PartErrors* errors = nullptr);
 
 }  // namespace raytracer

@@ -1,0 +1,201 @@
+#include "engine/render/refined_image.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "engine/math/block.h"
+
+namespace raytracer {
+
+RefinedImage::RefinedImage(Tracing& tracing, Image& image)
+    : tracing_(tracing),
+      width_(tracing.scene.camera.width),
+      height_(tracing.scene.camera.height),
+      columns_((width_ + block_side - 1) / block_side),
+      fall_(tracing.plan.census),
+      shown_(tracing.progress.preview, image),
+      image_(image),
+      parts_(parts_in_block * static_cast<std::size_t>(columns_) *
+             static_cast<std::size_t>((height_ + block_side - 1) / block_side)) {
+  if (tracing.plan.census.small_spheres > 0) missable_.emplace(tracing.scene, tracing.plan.frame);
+}
+
+bool RefinedImage::begin(const SamplePattern& pattern) {
+  PartErrors errors(width_, height_);
+  std::optional<Image> image = tracing_.pass<float>(pattern, errors);
+  if (!image) return false;
+  shown_.change([&](Image& whole) { whole = std::move(*image); });
+  const auto samples = static_cast<int>(pattern.points.size());
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    parts_[i] = {samples,
+                 pattern.has_halves() ? errors.all()[i] : one_sample_error2(image_, tile_of(i))};
+  expect_errors();
+  note_first_pass(samples);
+  return true;
+}
+
+void RefinedImage::begin(FirstPicture first) {
+  shown_.change([&](Image& whole) { whole = std::move(first.image); });
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const std::size_t block = i / parts_in_block;
+    const bool is_coarse = first.is_traced[block] == 0;
+    const int column = static_cast<int>(block) % columns_;
+    const int row = static_cast<int>(block) / columns_;
+    parts_[i] = {is_coarse && i % parts_in_block > 0 ? 0 : 1,
+                 is_coarse ? coarse_error2(image_, column, row) * pixel_count(i)
+                           : one_sample_error2(image_, tile_of(i))};
+  }
+  expected_ = parts_;
+  note_first_pass(1);
+}
+
+double RefinedImage::mean_samples() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    sum += static_cast<double>(parts_[i].samples) * pixel_count(i);
+  return sum / (static_cast<double>(width_) * height_);
+}
+
+std::vector<int> RefinedImage::next_samples(double error2, int most_samples) const {
+  double sum = 0;
+  for (const ImagePart& part : expected_) sum += part.error2;
+  const double part_sample_ms = sample_ms_ * part_side * part_side;
+  return raytracer::next_samples(expected_,
+                                 {.error2 = error2 * sum / this->error2(),
+                                  .samples = std::max(tracing_.rest_ms(), 0.0) / part_sample_ms,
+                                  .most_samples = most_samples});
+}
+
+bool RefinedImage::refine(const std::vector<int>& samples) {
+  for (const int count : samples)
+    if (count > 0 && !patterns_.contains(count)) patterns_[count] = sample_pattern(count);
+  const std::vector<ImagePart> before = parts_;
+  const bool is_done = trace(tasks_for(samples));
+  fall_.include(before, parts_);
+  expect_errors();
+  return is_done;
+}
+
+bool RefinedImage::refine_all(const SamplePattern& pattern) {
+  const auto samples = static_cast<int>(pattern.points.size());
+  patterns_[samples] = pattern;
+  const bool is_done = trace(tasks_for(std::vector<int>(parts_.size(), samples)));
+  patterns_.erase(samples);
+  return is_done;
+}
+
+bool RefinedImage::trace(std::vector<Task> tasks) {
+  if (tracing_.progress.stop || tracing_.is_over_time()) return false;
+  // What there is no time for should be what would have helped least.
+  if (tracing_.scene.render.budget_ms)
+    std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
+      return a.error2 * b.sample_count() > b.error2 * a.sample_count();
+    });
+  if (finer_.values.empty()) finer_ = Image(width_, height_);
+  PartErrors errors(width_, height_);
+  const double begin_ms = tracing_.watch.elapsed_ms();
+  std::vector<char> is_done(tasks.size(), 0);
+  std::atomic<bool> stop{false};
+  std::atomic<std::size_t> done{0};
+  std::atomic<std::size_t> not_numbers{0};
+  const double thread_sample_ms = sample_ms_ * static_cast<double>(tracing_.pool.thread_count());
+  tracing_.pool.run(
+      tasks.size(),
+      [&](std::size_t i) {
+        const Task& task = tasks[i];
+        if (tracing_.progress.stop ||
+            tracing_.is_over_time(thread_sample_ms * task.sample_count())) {
+          stop = true;
+          return;
+        }
+        not_numbers += render_tile(tracing_.tracer, patterns_.at(task.samples),
+                                   tracing_.scene.render.transfer, task.tile, &finer_, &errors)
+                           .not_numbers;
+        is_done[i] = 1;
+        tracing_.report(static_cast<double>(++done) / static_cast<double>(tasks.size()));
+      },
+      stop);
+  double samples = 0;
+  shown_.change([&](Image& image) {
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      if (is_done[i] == 0) continue;
+      samples += tasks[i].sample_count();
+      for (const std::size_t part : tasks[i].parts) {
+        parts_[part] = {tasks[i].samples, errors.all()[part]};
+        copy_tile(finer_, tile_of(part), image);
+      }
+    }
+  });
+  ++tracing_.passes_done;
+  tracing_.beyond.not_numbers += not_numbers;
+  expect_errors();
+  if (samples > 0) sample_ms_ = (tracing_.watch.elapsed_ms() - begin_ms) / samples;
+  return !stop;
+}
+
+double RefinedImage::Task::sample_count() const {
+  return static_cast<double>(parts.size()) * part_side * part_side * samples;
+}
+
+Tile RefinedImage::tile_of(std::size_t part) const {
+  const auto block = static_cast<int>(part / parts_in_block);
+  const auto in_block = static_cast<int>(part % parts_in_block);
+  const int x = block % columns_ * block_side + in_block % parts_across * part_side;
+  const int y = block / columns_ * block_side + in_block / parts_across * part_side;
+  return {std::min(x, width_), std::min(y, height_), std::min(x + part_side, width_),
+          std::min(y + part_side, height_)};
+}
+
+int RefinedImage::pixel_count(std::size_t part) const {
+  const Tile tile = tile_of(part);
+  return (tile.x_end - tile.x_begin) * (tile.y_end - tile.y_begin);
+}
+
+std::vector<RefinedImage::Task> RefinedImage::tasks_for(const std::vector<int>& samples) const {
+  constexpr double most_samples = 1 << 14;  // others wait for a task, and so does the clock
+  std::vector<Task> tasks;
+  std::map<int, std::size_t> open;  // of the block at hand, by samples
+  for (std::size_t part = 0; part < samples.size(); ++part) {
+    if (part % parts_in_block == 0) open.clear();
+    if (samples[part] == 0 || pixel_count(part) == 0) continue;
+    const auto found = open.find(samples[part]);
+    if (found == open.end() || tasks[found->second].sample_count() >= most_samples) {
+      open[samples[part]] = tasks.size();
+      const int x = static_cast<int>(part / parts_in_block) % columns_ * block_side;
+      const int y = static_cast<int>(part / parts_in_block) / columns_ * block_side;
+      tasks.push_back(
+          {.tile = {x, y, std::min(x + block_side, width_), std::min(y + block_side, height_), 0},
+           .samples = samples[part]});
+    }
+    Task& task = tasks[open[samples[part]]];
+    task.tile.parts = static_cast<std::uint16_t>(task.tile.parts | 1U << part % parts_in_block);
+    task.parts.push_back(part);
+    task.error2 += expected_[part].error2;
+  }
+  return tasks;
+}
+
+void RefinedImage::expect_errors() {
+  // What is no number has no error that more samples would make less.
+  for (ImagePart& part : parts_)
+    if (!(part.error2 > 0)) part.error2 = 0;
+  expected_ = expected_errors(parts_, columns_, fall_.halves_excess());
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (pixel_count(i) == 0)
+      expected_[i].error2 = 0;  // beside the image is no detail
+    else if (missable_ && parts_[i].samples > 0)
+      expected_[i].error2 = std::max(expected_[i].error2, missable_->error2(i, parts_[i].samples));
+}
+
+void RefinedImage::note_first_pass(int samples) {
+  const bool is_shared = !is_one_tile(width_, height_, samples, tracing_.scene.lights.size());
+  const std::size_t threads = is_shared ? 1 : tracing_.pool.thread_count();  // that had no part
+  sample_ms_ = tracing_.watch.elapsed_ms() /
+               (static_cast<double>(width_) * height_ * samples * static_cast<double>(threads));
+}
+
+}  // namespace raytracer
