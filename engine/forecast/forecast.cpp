@@ -42,26 +42,29 @@ Expectation expect_contract(const RenderSettings& settings, int most, int probin
   constexpr double all_refinements = 0.1;  // against the last one's samples
   const Rehearsal& rehearsal = model.rehearsal;
   const double share = std::min(rehearsal.refined_share, 1.0);
+  constexpr int few = 4;
   double probed_ms = model.pass_ms(probing);
   if (settings.budget_ms) probed_ms += model.pass_ms(1);
+  if (settings.budget_ms && probing > few) probed_ms += model.pass_ms(few);
   const double sample_ms = (1 + all_refinements) * static_cast<double>(rehearsal.tile_count) *
                            rehearsal.refined_sample_ms / model.threads;
 
-  double samples = probing;  // on average, of the refined image
-  if (settings.target_rmse) {
-    const double even = std::pow(overestimate * rehearsal.error / *settings.target_rmse,
-                                 1 / rehearsal.error_exponent);
-    samples = std::max(samples, share * even);
+  double even = probing;  // samples that would err as little as the refined image if all had them
+  if (settings.target_rmse)
+    even = std::max(even, std::pow(overestimate * rehearsal.error / *settings.target_rmse,
+                                   1 / rehearsal.error_exponent));
+  double samples = std::max(static_cast<double>(probing), share * even);  // on average
+  double affordable = most;
+  if (settings.budget_ms && sample_ms > 0)
+    affordable =
+        std::min(affordable, probing + std::max(*settings.budget_ms - probed_ms, 0.0) / sample_ms);
+  if (samples > affordable || !settings.target_rmse) {
+    samples = affordable;
+    even = samples > probing ? samples / share : samples;
   }
-  if (settings.budget_ms) {
-    const double rest_ms = std::max(*settings.budget_ms - probed_ms, 0.0);
-    const double affordable = probing + (sample_ms > 0 ? rest_ms / sample_ms : 0);
-    samples = settings.target_rmse ? std::min(samples, affordable) : affordable;
-  }
-  samples = std::min(samples, static_cast<double>(most));
   const double trace_ms = std::min(probed_ms + std::max(samples - probing, 0.0) * sample_ms,
                                    settings.budget_ms.value_or(infinity));
-  return {samples, trace_ms, rehearsal.error_of(std::max(samples / share, 1.0))};
+  return {samples, trace_ms, rehearsal.error_of(even)};
 }
 
 std::string error_basis(const Rehearsal& rehearsal, double samples) {
@@ -97,7 +100,7 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
   const int most = most_samples(scene, limits);
   const Expectation expected =
       plan.sampling.value == Sampling::contract
-          ? expect_contract(scene.render, most, std::min(probing_samples(plan.census), most), model)
+          ? expect_contract(scene.render, most, first_compared_samples(plan.census, most), model)
           : Expectation{fixed, model.pass_ms(fixed), rehearsal.error_of(fixed)};
   result.prediction = {
       .build_ms = build_ms,

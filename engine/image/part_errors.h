@@ -9,13 +9,16 @@
 namespace raytracer {
 
 /// For each part of each block the sum of the squared errors of its values, estimated from the
-/// samples alone: two halves of them, spread alike, differ by what both err. With p and q samples
-/// they are sigma^2 / p + sigma^2 / q apart in the mean if they err like random ones, and all p + q
-/// err by sigma^2 / (p + q): p q / (p + q)^2 of that. Halves that complete each other err less.
+/// samples alone: two halves of them, spread alike, differ by what both err. If they err like
+/// random ones, all together err by half of the halves' difference. Halves that complete each other
+/// err less together (ErrorFall).
 ///
 /// Limits: what no sample met is in no estimate.
 class PartErrors {
  public:
+  /// Of the halves' squared difference.
+  static constexpr double share = 0.25;
+
   /// Zeros, for an image of this size in pixels.
   PartErrors(int width, int height)
       : columns_(blocks_along(width)),

@@ -19,18 +19,11 @@ struct SamplePoint {
 /// passes all of them alike, and is seen by all or by none.
 struct SamplePattern {
   std::vector<SamplePoint> points;
-  /// Of the points, which are spread like the others: the two tell each other's error.
+  /// Of the points, if they are in two halves that are spread alike and tell each other's error.
   std::size_t first_half = 0;
   double stagger = 0;
 
-  /// Whether there is a half to compare with, and the share of the halves' squared difference that
-  /// all points together err by (PartErrors).
-  bool has_halves() const { return 0 < first_half && first_half < points.size(); }
-  double error2_share() const {
-    const auto all = static_cast<double>(points.size());
-    const auto first = static_cast<double>(first_half);
-    return first * (all - first) / (all * all);
-  }
+  bool has_halves() const { return first_half > 0; }
 };
 
 /// `distance` to the side of the pixel's middle on which the coordinate lies.

@@ -38,7 +38,8 @@ Plan make_plan(const Scene& scene, const Machine& machine, WorkerPool* pool) {
   plan.structures = choose_structures(plan.features, plan.census);
   plan.sampling = choose_sampling(scene.render);
   plan.instruction_set = machine.instruction_set;
-  plan.tile_side_px = choose_tile_side(scene, machine.thread_count);
+  plan.tile_side_px =
+      choose_tile_side(scene, first_samples(scene.render, plan.census), machine.thread_count);
   return plan;
 }
 

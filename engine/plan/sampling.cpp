@@ -27,12 +27,20 @@ Sampling sampling_of(const RenderSettings& settings) {
   return settings.target_rmse || settings.budget_ms ? Sampling::contract : Sampling::fixed;
 }
 
+int probing_samples(const Census& census) { return census.small_spheres > 0 ? 16 : 4; }
+
+int first_samples(const RenderSettings& settings, const Census& census) {
+  const bool is_probed = settings.target_rmse && !settings.budget_ms;
+  return is_probed ? probing_samples(census) : settings.samples.value_or(1);
+}
+
 Choice<Sampling> choose_sampling(const RenderSettings& settings) {
   if (sampling_of(settings) == Sampling::fixed) return {Sampling::fixed, why_fixed(settings)};
   const std::string how =
-      "one sample per pixel, then four, or sixteen if spheres may be smaller than a pixel, then "
-      "four "
-      "times as many in those parts of 4 x 4 pixels where the last ones changed most";
+      "four samples per pixel, or sixteen if spheres may be smaller than a pixel, under a budget "
+      "one "
+      "before them; then in each part of 4 x 4 pixels as many as the difference between two halves "
+      "of its samples asks for";
   if (settings.target_rmse && settings.budget_ms)
     return {Sampling::contract,
             fmt::format("{}, until the estimated error is at most {:g} or {:g} ms are over", how,

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "engine/plan/census.h"
 #include "engine/plan/choice.h"
 #include "engine/scene/scene.h"
 
@@ -15,7 +16,14 @@ enum class Sampling : std::uint8_t {
 
 Sampling sampling_of(const RenderSettings& settings);
 
-/// The same with its reason.
+/// The samples per pixel by which a contract tells where more are needed: few tell little of what
+/// is smaller than a pixel.
+int probing_samples(const Census& census);
+
+/// Those of a render's first pass.
+int first_samples(const RenderSettings& settings, const Census& census);
+
+/// How samples are chosen, with the reason.
 Choice<Sampling> choose_sampling(const RenderSettings& settings);
 
 }  // namespace raytracer

@@ -44,9 +44,8 @@ int tile_side_px(int width, int height, int samples, std::size_t light_count,
   return side;
 }
 
-Choice<int> choose_tile_side(const Scene& scene, std::size_t thread_count) {
+Choice<int> choose_tile_side(const Scene& scene, int samples, std::size_t thread_count) {
   const Camera& camera = scene.camera;
-  const int samples = scene.render.samples.value_or(1);
   const int side =
       tile_side_px(camera.width, camera.height, samples, scene.lights.size(), thread_count);
   if (is_one_tile(camera.width, camera.height, samples, scene.lights.size()))

@@ -21,7 +21,7 @@ bool is_one_tile(int width, int height, int samples, std::size_t light_count);
 int tile_side_px(int width, int height, int samples, std::size_t light_count,
                  std::size_t thread_count);
 
-/// Of a render's first pass, which under a contract has one sample per pixel.
-Choice<int> choose_tile_side(const Scene& scene, std::size_t thread_count);
+/// Of a render's first pass, which takes so many samples per pixel.
+Choice<int> choose_tile_side(const Scene& scene, int samples, std::size_t thread_count);
 
 }  // namespace raytracer

@@ -108,25 +108,6 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
   return first;
 }
 
-double one_sample_error2(const Image& image, const Tile& tile) {
-  constexpr double share = 1.0 / 8;
-  double sum = 0;
-  const auto add = [&](const float* a, const float* b) {
-    for (int i = 0; i < 3; ++i) {
-      const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
-      sum += difference * difference;
-    }
-  };
-  for (int y = tile.y_begin; y < tile.y_end; ++y) {
-    for (int x = tile.x_begin; x < tile.x_end; ++x) {
-      const float* const pixel = image.pixel(x, y);
-      if (x + 1 < image.width) add(pixel, image.pixel(x + 1, y));
-      if (y + 1 < image.height) add(pixel, image.pixel(x, y + 1));
-    }
-  }
-  return share * sum;
-}
-
 double coarse_error2(const Image& image, int column, int row) {
   const Pixels part = pixels_of(image, column, row, part_side);
   const Rgb mean = mean_of(image, part);

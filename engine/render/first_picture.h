@@ -22,12 +22,6 @@ struct FirstPicture {
 /// With one sample per pixel. Nothing if it was stopped before there was a picture.
 std::optional<FirstPicture> trace_first_picture(Tracing& tracing);
 
-/// The squared error of a tile that has a sample per pixel, the sum over its values: by how much
-/// each pixel differs from those to its right and below. An edge that moves a pixel's value by d
-/// errs by d^2 / 12 in the mean, and shows in one such difference; it is taken as d^2 / 8.
-/// Gradients, too, count as edges.
-double one_sample_error2(const Image& image, const Tile& tile);
-
 /// The squared error that one part for all probably leaves in a pixel of this block, its channels'
 /// sum: what varies within that part, and its difference from the blocks beside it.
 double coarse_error2(const Image& image, int column, int row);

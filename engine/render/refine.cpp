@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/image/part_errors.h"
 #include "engine/render/first_picture.h"
 #include "engine/render/refined_image.h"
 #include "engine/sample/refinement.h"
@@ -47,9 +46,10 @@ void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering
   const double allowed2 =
       settings.target_rmse ? *settings.target_rmse * *settings.target_rmse * values : 0;
   RefinedImage refined(tracing, rendering.image);
-  const int probing = probing_samples(tracing.plan.census);
-  bool is_complete = probe(std::min(probing, most_samples), tracing, refined);
-  const bool is_compared = is_complete && probing <= most_samples;
+  const int samples_everywhere = first_compared_samples(tracing.plan.census, most_samples);
+  bool is_complete = probe(samples_everywhere, tracing, refined);
+  const bool is_compared = is_complete && samples_everywhere > 1;
+  if (is_compared) refined.look_for_missable_spheres();
   while (is_complete && is_compared && refined.error2() > allowed2 && !tracing.is_over_time()) {
     const std::vector<int> samples = refined.next_samples(aim * allowed2, most_samples);
     if (std::all_of(samples.begin(), samples.end(), [](int count) { return count == 0; })) break;

@@ -1,13 +1,16 @@
 #include "engine/render/refined_image.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <optional>
 #include <utility>
 
+#include "engine/image/part_errors.h"
 #include "engine/math/block.h"
+#include "engine/measure/stopwatch.h"
+#include "engine/sample/neighbour_error.h"
+#include "engine/scene/scene_size.h"
 
 namespace raytracer {
 
@@ -20,37 +23,46 @@ RefinedImage::RefinedImage(Tracing& tracing, Image& image)
       shown_(tracing.progress.preview, image),
       image_(image),
       parts_(parts_in_block * static_cast<std::size_t>(columns_) *
-             static_cast<std::size_t>((height_ + block_side - 1) / block_side)) {
-  if (tracing.plan.census.small_spheres > 0) missable_.emplace(tracing.scene, tracing.plan.frame);
-}
+             static_cast<std::size_t>((height_ + block_side - 1) / block_side)) {}
 
 bool RefinedImage::begin(const SamplePattern& pattern) {
   PartErrors errors(width_, height_);
-  std::optional<Image> image = tracing_.pass<float>(pattern, errors);
+  std::optional<Image> image = tracing_.pass<float>(pattern, &errors);
   if (!image) return false;
+  note_first_pass(static_cast<int>(pattern.points.size()));
   shown_.change([&](Image& whole) { whole = std::move(*image); });
-  const auto samples = static_cast<int>(pattern.points.size());
   for (std::size_t i = 0; i < parts_.size(); ++i)
-    parts_[i] = {samples,
-                 pattern.has_halves() ? errors.all()[i] : one_sample_error2(image_, tile_of(i))};
+    parts_[i] = pattern.has_halves()
+                    ? ImagePart{static_cast<int>(pattern.points.size()), errors.all()[i]}
+                    : of_one_sample(i);
   expect_errors();
-  note_first_pass(samples);
   return true;
 }
 
 void RefinedImage::begin(FirstPicture first) {
+  note_first_pass(1);
   shown_.change([&](Image& whole) { whole = std::move(first.image); });
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const std::size_t block = i / parts_in_block;
-    const bool is_coarse = first.is_traced[block] == 0;
     const int column = static_cast<int>(block) % columns_;
     const int row = static_cast<int>(block) / columns_;
-    parts_[i] = {is_coarse && i % parts_in_block > 0 ? 0 : 1,
-                 is_coarse ? coarse_error2(image_, column, row) * pixel_count(i)
-                           : one_sample_error2(image_, tile_of(i))};
+    parts_[i] = first.is_traced[block] != 0
+                    ? of_one_sample(i)
+                    : ImagePart{0, coarse_error2(image_, column, row) * pixel_count(i)};
   }
-  expected_ = parts_;
-  note_first_pass(1);
+  expect_errors();
+  if (first.is_whole) return;
+  for (std::size_t i = 0; i < parts_.size(); i += parts_in_block)
+    parts_[i].samples = 1;  // it stands for its block
+}
+
+void RefinedImage::look_for_missable_spheres() {
+  constexpr double sphere_ms = 5e-5;
+  if (!(tracing_.plan.census.small_spheres > 0)) return;
+  const auto objects = static_cast<double>(count_objects(tracing_.scene));
+  if (tracing_.is_over_time(sphere_ms * objects)) return;
+  missable_.emplace(tracing_.scene, tracing_.plan.frame);
+  expect_errors();
 }
 
 double RefinedImage::mean_samples() const {
@@ -64,10 +76,10 @@ std::vector<int> RefinedImage::next_samples(double error2, int most_samples) con
   double sum = 0;
   for (const ImagePart& part : expected_) sum += part.error2;
   const double part_sample_ms = sample_ms_ * part_side * part_side;
-  return raytracer::next_samples(expected_,
-                                 {.error2 = error2 * sum / this->error2(),
-                                  .samples = std::max(tracing_.rest_ms(), 0.0) / part_sample_ms,
-                                  .most_samples = most_samples});
+  return raytracer::next_samples(
+      expected_, {.error2 = error2 * sum / this->error2(),
+                  .samples = std::max(tracing_.rest_ms() - after_ms_, 0.0) / part_sample_ms,
+                  .most_samples = most_samples});
 }
 
 bool RefinedImage::refine(const std::vector<int>& samples) {
@@ -85,6 +97,7 @@ bool RefinedImage::refine_all(const SamplePattern& pattern) {
   patterns_[samples] = pattern;
   const bool is_done = trace(tasks_for(std::vector<int>(parts_.size(), samples)));
   patterns_.erase(samples);
+  expect_errors();
   return is_done;
 }
 
@@ -108,7 +121,7 @@ bool RefinedImage::trace(std::vector<Task> tasks) {
       [&](std::size_t i) {
         const Task& task = tasks[i];
         if (tracing_.progress.stop ||
-            tracing_.is_over_time(thread_sample_ms * task.sample_count())) {
+            tracing_.is_over_time(after_ms_ + thread_sample_ms * task.sample_count())) {
           stop = true;
           return;
         }
@@ -132,7 +145,6 @@ bool RefinedImage::trace(std::vector<Task> tasks) {
   });
   ++tracing_.passes_done;
   tracing_.beyond.not_numbers += not_numbers;
-  expect_errors();
   if (samples > 0) sample_ms_ = (tracing_.watch.elapsed_ms() - begin_ms) / samples;
   return !stop;
 }
@@ -179,21 +191,29 @@ std::vector<RefinedImage::Task> RefinedImage::tasks_for(const std::vector<int>& 
   return tasks;
 }
 
+ImagePart RefinedImage::of_one_sample(std::size_t part) const {
+  // As if halves had shown it, whose excess is taken off.
+  return {1, neighbour_error2(image_, tile_of(part)) * fall_.halves_excess()};
+}
+
 void RefinedImage::expect_errors() {
+  const Stopwatch watch;
   // What is no number has no error that more samples would make less.
   for (ImagePart& part : parts_)
     if (!(part.error2 > 0)) part.error2 = 0;
-  expected_ = expected_errors(parts_, columns_, fall_.halves_excess());
-  for (std::size_t i = 0; i < parts_.size(); ++i)
-    if (pixel_count(i) == 0)
-      expected_[i].error2 = 0;  // beside the image is no detail
-    else if (missable_ && parts_[i].samples > 0)
-      expected_[i].error2 = std::max(expected_[i].error2, missable_->error2(i, parts_[i].samples));
+  expected_ = expected_errors(parts_, width_, height_, fall_.halves_excess());
+  if (missable_)
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      if (parts_[i].samples > 0)
+        expected_[i].error2 =
+            std::max(expected_[i].error2, missable_->error2(i, parts_[i].samples));
+  after_ms_ = watch.elapsed_ms();
 }
 
 void RefinedImage::note_first_pass(int samples) {
+  // A single tile keeps one thread busy and the others waiting.
   const bool is_shared = !is_one_tile(width_, height_, samples, tracing_.scene.lights.size());
-  const std::size_t threads = is_shared ? 1 : tracing_.pool.thread_count();  // that had no part
+  const std::size_t threads = is_shared ? 1 : tracing_.pool.thread_count();
   sample_ms_ = tracing_.watch.elapsed_ms() /
                (static_cast<double>(width_) * height_ * samples * static_cast<double>(threads));
 }

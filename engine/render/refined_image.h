@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "engine/image/image.h"
-#include "engine/image/part_errors.h"
 #include "engine/render/first_picture.h"
 #include "engine/render/preview.h"
 #include "engine/render/tracing.h"
@@ -28,6 +27,9 @@ class RefinedImage {
   bool begin(const SamplePattern& pattern);
   /// With a sample per pixel, or what there was time for.
   void begin(FirstPicture first);
+
+  /// Counts spheres that all samples may miss from here on, if there is time to find them.
+  void look_for_missable_spheres();
 
   /// The squared error, the sum over the values, with its uncertainty.
   double error2() const { return conservative_sum(expected_); }
@@ -56,11 +58,13 @@ class RefinedImage {
     double sample_count() const;
   };
 
+  /// False if not all were done.
   bool trace(std::vector<Task> tasks);
   std::vector<Task> tasks_for(const std::vector<int>& samples) const;
   /// Its pixels, those in the image.
   Tile tile_of(std::size_t part) const;
   int pixel_count(std::size_t part) const;
+  ImagePart of_one_sample(std::size_t part) const;
   void expect_errors();
   /// What a sample takes, from a first pass that has just ended.
   void note_first_pass(int samples);
@@ -78,6 +82,7 @@ class RefinedImage {
   std::vector<ImagePart> expected_{};
   std::map<int, SamplePattern> patterns_{};  ///< by their samples
   double sample_ms_ = 0;                     ///< that one takes all threads together
+  double after_ms_ = 0;                      ///< that a pass takes after its last sample
 };
 
 }  // namespace raytracer

@@ -13,6 +13,7 @@
 #include "engine/render/refine.h"
 #include "engine/render/tracer.h"
 #include "engine/render/tracing.h"
+#include "engine/sample/neighbour_error.h"
 #include "engine/sample/refinement.h"
 
 namespace raytracer {
@@ -40,27 +41,40 @@ BasicRendering<Channel> make_rendering(const Scene& scene, WorkerPool& pool,
   trace(tracing, rendering);
   rendering.trace_ms = tracing.watch.elapsed_ms();
   rendering.beyond = tracing.beyond;
-  if (rendering.stop != Stop::cancelled) progress.fraction = 1;
+  if (rendering.stop == Stop::cancelled) return rendering;
+  if (!rendering.estimated_error)
+    rendering.estimated_error = neighbour_error(rendering.image, scene.render.samples.value_or(1));
+  progress.fraction = 1;
   return rendering;
+}
+
+/// The rms error that the halves of an image's samples show.
+double estimated_error(const PartErrors& errors, int samples, const Tracing& tracing) {
+  const Camera& camera = tracing.scene.camera;
+  std::vector<ImagePart> parts;
+  parts.reserve(errors.all().size());
+  for (const double error2 : errors.all()) parts.push_back({samples, error2 > 0 ? error2 : 0});
+  const double halves_excess = ErrorFall(tracing.plan.census).halves_excess();
+  const double error2 =
+      conservative_sum(expected_errors(parts, camera.width, camera.height, halves_excess));
+  return std::sqrt(error2 / (3 * static_cast<double>(camera.width) * camera.height));
 }
 
 /// One pass of as many samples as the scene says.
 template <typename Channel>
 void render_fixed(Tracing& tracing, BasicRendering<Channel>& rendering) {
+  const Camera& camera = tracing.scene.camera;
   const int samples = tracing.scene.render.samples.value_or(1);
-  PartErrors errors(tracing.scene.camera.width, tracing.scene.camera.height);
   const SamplePattern pattern = sample_pattern(samples);
-  std::optional<Raster<Channel>> image = tracing.pass<Channel>(pattern, errors);
+  std::optional<PartErrors> errors;
+  if (pattern.has_halves()) errors.emplace(camera.width, camera.height);
+  std::optional<Raster<Channel>> image =
+      tracing.pass<Channel>(pattern, errors ? &*errors : nullptr);
   rendering.samples_per_pixel = samples;
   rendering.stop = image ? Stop::samples : Stop::cancelled;
   if (!image) return;
   rendering.image = std::move(*image);
-  if (pattern.has_halves()) {
-    std::vector<ImagePart> parts;
-    for (const double error2 : errors.all()) parts.push_back({samples, error2});
-    rendering.estimated_error =
-        std::sqrt(conservative_sum(parts) / static_cast<double>(rendering.image.values.size()));
-  }
+  if (errors) rendering.estimated_error = estimated_error(*errors, samples, tracing);
 }
 
 }  // namespace

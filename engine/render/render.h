@@ -20,10 +20,10 @@ enum class Stop { samples, target, budget, cancelled };
 struct RenderReport {
   std::size_t pixel_count = 0;
   double samples_per_pixel = 0;           ///< mean
-  std::optional<double> estimated_error;  ///< rms; only where passes were compared
+  std::optional<double> estimated_error;  ///< rms; nothing if it was cancelled
   Precision precision = Precision::double_precision;
-  /// Pixels of the image; under a contract `clamped` is as the first pass has it, with a sample a
-  /// pixel, and `not_numbers` counts those of every pass.
+  /// Pixels of the image; under a contract `clamped` is as the first pass has it, and `not_numbers`
+  /// counts those of every pass.
   BeyondRange beyond;
   Stop stop = Stop::samples;  ///< `cancelled`: the image is incomplete
 
@@ -45,8 +45,8 @@ using ByteRendering = BasicRendering<unsigned char>;
 Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
                  RenderProgress& progress);
 
-/// Alike, rounded to 8 bits, which is cheaper than floats where no contract compares images. There
-/// is no preview then.
+/// Alike, rounded to 8 bits, which is cheaper than floats where no contract refines the image.
+/// There is no preview then.
 ByteRendering render_bytes(const Scene& scene, const Limits& limits, WorkerPool& pool,
                            RenderProgress& progress);
 

@@ -67,13 +67,12 @@ BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, T
         beyond.clamped += seen.clamped > 0 && seen.not_numbers == 0 ? 1 : 0;
         store((half + rest) / static_cast<double>(count), transfer, image->pixel(x, y));
         if (errors != nullptr && pattern.has_halves()) {
-          const Rgb difference =
-              encoded(half / static_cast<double>(pattern.first_half), transfer) -
-              encoded(rest / static_cast<double>(count - pattern.first_half), transfer);
+          const Rgb difference = encoded(half / static_cast<double>(pattern.first_half), transfer) -
+                                 encoded(rest / static_cast<double>(pattern.first_half), transfer);
           const int to_x = (x - tile.x_begin) % block_side;
           const int to_y = (y - tile.y_begin) % block_side;
           errors->of_block(x - to_x, y - to_y)[tile.part_of(x, y)] +=
-              pattern.error2_share() * dot(difference, difference);
+              PartErrors::share * dot(difference, difference);
         }
       }
     }

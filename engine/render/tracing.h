@@ -43,10 +43,10 @@ struct Tracing {
   /// Whether the budget is spent, or would be `more_ms` from now.
   bool is_over_time(double more_ms = 0) const { return rest_ms() < more_ms; }
 
-  /// An image with these samples, and the errors of its parts if the pattern has halves; nothing if
-  /// it was stopped before it was whole.
+  /// An image with these samples, and the errors of its parts if somebody wants them and the
+  /// pattern has halves; nothing if it was stopped before it was whole.
   template <typename Channel>
-  std::optional<Raster<Channel>> pass(const SamplePattern& pattern, PartErrors& errors) {
+  std::optional<Raster<Channel>> pass(const SamplePattern& pattern, PartErrors* errors) {
     Raster<Channel> image(scene.camera.width, scene.camera.height);
     const auto samples = static_cast<int>(pattern.points.size());
     const std::vector<Tile> tiles = split_into_tiles(
@@ -63,7 +63,7 @@ struct Tracing {
         return;
       }
       beyond_in_tiles[i] =
-          render_tile(tracer, pattern, scene.render.transfer, tiles[i], &image, &errors);
+          render_tile(tracer, pattern, scene.render.transfer, tiles[i], &image, errors);
       if (preview) preview->finished(i);
       report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
     };

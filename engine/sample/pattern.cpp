@@ -9,13 +9,15 @@
 namespace raytracer {
 namespace {
 
+/// Whether the points are symmetric about the centre. For other counts they are spread more evenly
+/// if they are not.
+bool is_symmetric(std::size_t count) { return count % 4 == 0; }
+
 /// For each of `count` columns the row of its point, in the order of the golden ratio's multiples.
 std::vector<std::size_t> golden_rows(std::size_t count) {
   constexpr double golden_ratio = 1 / std::numbers::phi;
-  // Counts of fours are symmetric about the centre; for others nearer to even this way.
-  const bool is_symmetric = count % 4 == 0;
-  const double first = is_symmetric ? 0.5 * (1 - static_cast<double>(count)) : 0.5;
-  const double origin = is_symmetric ? 0.5 : 0;
+  const double first = is_symmetric(count) ? 0.5 * (1 - static_cast<double>(count)) : 0.5;
+  const double origin = is_symmetric(count) ? 0.5 : 0;
   std::vector<double> keys(count);
   for (std::size_t k = 0; k < count; ++k) {
     const double multiple = origin + (first + static_cast<double>(k)) * golden_ratio;
@@ -38,21 +40,22 @@ SamplePattern sample_pattern(int count) {
   // directions.
   const auto size = static_cast<std::size_t>(count);
   const std::vector<std::size_t> rows = golden_rows(size);
-  // A half has every second column up to the middle, and their mirror images: both halves have the
-  // pixel's middle, and do not differ where the picture is but a slope.
-  const auto is_in_first = [&](std::size_t k) {
-    return count == 2 ? k == 0 : std::min(k, size - 1 - k) % 2 == 0;
-  };
   SamplePattern pattern;
   const auto add = [&](std::size_t k) {
     pattern.points.push_back(
         {(static_cast<double>(k) + 0.5) / count, (static_cast<double>(rows[k]) + 0.5) / count});
   };
-  for (std::size_t k = 0; k < size; ++k)
-    if (is_in_first(k)) add(k);
-  pattern.first_half = pattern.points.size();
-  for (std::size_t k = 0; k < size; ++k)
-    if (!is_in_first(k)) add(k);
+  if (!is_symmetric(size)) {
+    for (std::size_t k = 0; k < size; ++k) add(k);
+    return pattern;
+  }
+  // A half has every second column up to the middle, and their mirror images: halves that had not
+  // the same middle would differ where the picture is but a slope.
+  for (const std::size_t parity : {0, 1}) {
+    for (std::size_t k = 0; k < size; ++k)
+      if (std::min(k, size - 1 - k) % 2 == parity) add(k);
+    if (parity == 0) pattern.first_half = pattern.points.size();
+  }
   return pattern;
 }
 

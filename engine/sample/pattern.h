@@ -1,15 +1,13 @@
 // Where in a pixel its samples lie.
 #pragma once
 
-#include <vector>
-
 #include "engine/kernel/sample_point.h"
 
 namespace raytracer {
 
 /// `count` places, spread evenly: every one of `count` columns and of `count` rows of the pixel
-/// has one. A single sample is at the centre. The same for every pixel. Two or more are in halves
-/// that are spread evenly too, about the same middle.
+/// has one. A single sample is at the centre. The same for every pixel. Multiples of four are in
+/// halves that are spread evenly, too, about the pixel's middle.
 SamplePattern sample_pattern(int count);
 
 /// The same, but neighbouring pixels have their samples elsewhere in the columns and rows.

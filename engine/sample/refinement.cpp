@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "engine/math/block.h"
+#include "engine/plan/sampling.h"
 #include "engine/scene/overrides.h"
 
 namespace raytracer {
@@ -18,14 +19,17 @@ constexpr int most_growth = 16;
 constexpr double slowest = 1;
 constexpr double fastest = 1.5;
 
-/// Numbers of samples: 1, 2, 4, 8, 12, 16, 24 ... From 8 on two in an octave, so that parts of a
-/// block often have the same and are traced together, and all in fours (sample_pattern()).
-constexpr int rung_count = 56;
+/// Numbers of samples: 4, 8, 12, 16, 24 ... From 8 on two in an octave, so that parts of a block
+/// often have the same and are traced together, and all in fours (sample_pattern()).
+constexpr int rung_count = 48;
 
 constexpr int samples_of_rung(int rung) {
-  if (rung < 3) return 1 << rung;
-  return rung % 2 == 1 ? 1 << (rung + 3) / 2 : 3 << rung / 2;
+  if (rung == 0) return 4;
+  return rung % 2 == 1 ? 8 << (rung - 1) / 2 : 12 << (rung - 2) / 2;
 }
+
+/// Squared errors fall as this power of a number of samples, -3/2, and details grow.
+double power(int samples) { return samples * std::sqrt(samples); }
 
 /// Numbers of samples as they are wanted, by steps of their logarithm.
 constexpr int steps_per_octave = 16;
@@ -47,8 +51,9 @@ struct Ladder {
       while (rung + 1 < rung_count && samples_of_rung(rung + 1) <= most_samples &&
              step_of(samples_of_rung(rung + 1)) <= step)
         ++rung;
-      samples[at] = samples_of_rung(rung);
-      factors[at] = std::pow(samples[at], -fastest);
+      const int highest = most_samples - most_samples % 4;
+      samples[at] = step >= step_of(highest) ? highest : samples_of_rung(rung);
+      factors[at] = 1 / power(samples[at]);
     }
   }
 };
@@ -68,12 +73,11 @@ std::vector<Candidate> candidates_of(std::span<const ImagePart> parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const ImagePart& part = parts[i];
     if (part.error2 <= 0) continue;
-    const int samples = std::max(part.samples, 1);
-    const double detail = part.error2 * std::pow(samples, fastest);
+    const double detail = part.error2 * power(part.samples);
     candidates.push_back({.part = i,
-                          .least_samples = part.samples > 0 ? least_growth * samples : 1,
-                          .most_samples = most_growth * samples,
-                          .step = step_of(std::pow(detail, 1 / (1 + fastest))),
+                          .least_samples = least_growth * part.samples,
+                          .most_samples = most_growth * part.samples,
+                          .step = step_of(detail) * 2 / 5,
                           .error2 = part.error2,
                           .detail = detail});
   }
@@ -139,10 +143,15 @@ int most_samples(const Scene& scene, const Limits& limits) {
   constexpr double share_of_last = 0.5;
   const double by_work = share_of_last * static_cast<double>(limits.work) / count_rays(scene, 1);
   return static_cast<int>(std::clamp(std::min(by_work, static_cast<double>(limits.samples)), 1.0,
-                                     static_cast<double>(1 << 30)));
+                                     static_cast<double>(1 << 26)));
 }
 
-int probing_samples(const Census& census) { return census.small_spheres > 0 ? 16 : 4; }
+int first_compared_samples(const Census& census, int most_samples) {
+  constexpr int fewest_in_halves = 4;
+  if (most_samples < fewest_in_halves) return 1;
+  const int probing = probing_samples(census);
+  return probing <= most_samples ? probing : fewest_in_halves;
+}
 
 ErrorFall::ErrorFall(const Census& census)
     : guess_(census.small_spheres > 0 ? slowest : (slowest + fastest) / 2) {}
@@ -171,38 +180,40 @@ double ErrorFall::exponent() const {
 
 double ErrorFall::halves_excess() const { return std::exp2(exponent()) - 1; }
 
-std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int columns,
+std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int width, int height,
                                        double halves_excess) {
   constexpr double share = 0.1;
-  const int width = parts_across * columns;
-  const int height = static_cast<int>(parts.size()) / parts_across / columns;
+  const int block_columns = (width + block_side - 1) / block_side;
+  const int columns = (width + part_side - 1) / part_side;
+  const int rows = (height + part_side - 1) / part_side;
   const auto index = [&](int x, int y) {
     return parts_in_block *
-               static_cast<std::size_t>(y / parts_across * columns + x / parts_across) +
+               static_cast<std::size_t>(y / parts_across * block_columns + x / parts_across) +
            static_cast<std::size_t>(y % parts_across * parts_across + x % parts_across);
   };
   // What errors have in common at all numbers of samples, with a rim of nothing.
-  const std::size_t stride = static_cast<std::size_t>(width) + 2;
-  std::vector<double> detail(stride * (static_cast<std::size_t>(height) + 2), 0.0);
+  const std::size_t stride = static_cast<std::size_t>(columns) + 2;
+  std::vector<double> detail(stride * (static_cast<std::size_t>(rows) + 2), 0.0);
   const auto place = [&](int x, int y) {
     return static_cast<std::size_t>(y + 1) * stride + static_cast<std::size_t>(x + 1);
   };
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
       const ImagePart& part = parts[index(x, y)];
-      detail[place(x, y)] = part.error2 / halves_excess * std::pow(part.samples, fastest);
+      detail[place(x, y)] = part.error2 / halves_excess * power(part.samples);
     }
-  std::vector<ImagePart> expected(parts.begin(), parts.end());
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      ImagePart& part = expected[index(x, y)];
-      if (part.samples == 0) continue;
+  std::vector<ImagePart> expected(parts.size());
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const std::size_t i = index(x, y);
+      expected[i] = parts[i];
+      if (parts[i].samples == 0) continue;
       const std::size_t at = place(x, y);
       double sum = -detail[at];
       for (const std::size_t row : {at - stride, at, at + stride})
         sum += detail[row - 1] + detail[row] + detail[row + 1];
-      part.error2 =
-          std::max(part.error2 / halves_excess, share * sum / 8 * std::pow(part.samples, -fastest));
+      expected[i].error2 =
+          std::max(parts[i].error2 / halves_excess, share * sum / 8 / power(parts[i].samples));
     }
   return expected;
 }

@@ -30,9 +30,9 @@ struct ImagePart {
 /// them, which are at most as many; at least 1.
 int most_samples(const Scene& scene, const Limits& limits);
 
-/// The samples per pixel that all parts get before any is chosen: they tell where more are needed,
-/// but few tell little of what is smaller than a pixel.
-int probing_samples(const Census& census);
+/// The samples per pixel that all parts get before any is chosen, of at most so many: as many as
+/// probing_samples() says, or fewer in two halves, or a single one.
+int first_compared_samples(const Census& census, int most_samples);
 
 /// How squared errors fall with the samples: as their power -e.
 class ErrorFall {
@@ -57,11 +57,11 @@ class ErrorFall {
   double log_range_ = 0;  ///< between the slowest and the fastest
 };
 
-/// The parts with the errors that they probably have, from those that their halves show. Where
-/// samples met detail there is more beside it that they have missed: a part counts at least as a
-/// share of its neighbours' mean does, at its own number of samples. Blocks of 4 x 4 parts, row by
-/// row, `columns` in a row.
-std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int columns,
+/// The parts of an image so many pixels wide and high with the errors that they probably have, from
+/// those that their halves show; the parts are numbered as those of PartErrors. Where samples met
+/// detail there is more beside it that they have missed: a part counts at least as a share of its
+/// neighbours' mean does, at its own number of samples.
+std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int width, int height,
                                        double halves_excess);
 
 /// The sum of these squared errors with its own uncertainty, which counts where few parts have an
@@ -73,11 +73,11 @@ double conservative_sum(std::span<const ImagePart> parts);
 struct RefinementGoal {
   double error2;     ///< to which the parts' sum is to fall; 0 for the least that can be reached
   double samples;    ///< at most so many per pixel times parts; infinite without a limit
-  int most_samples;  ///< per pixel of any part
+  int most_samples;  ///< per pixel of any part, at least 4
 };
 
-/// For each part the samples per pixel that it gets next, or 0 if it stays as it is. All stay if
-/// the goal is reached, or nothing can be done for it.
+/// For each part, of 4 samples or more, those per pixel that it gets next, or 0 if it stays as it
+/// is. All stay if the goal is reached, or nothing can be done for it.
 std::vector<int> next_samples(std::span<const ImagePart> parts, const RefinementGoal& goal);
 
 }  // namespace raytracer

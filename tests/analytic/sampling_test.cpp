@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <thread>
 
 #include "tests/analytic/expect_color.h"
@@ -115,11 +116,57 @@ Image black(const Image& like) {
   return image;
 }
 
+json two_balls_on_a_plane() {
+  return document(camera_json(200, 150, 0.9, {0, 3, -9}, {0, 0, 0}),
+                  {sphere_json({-1.5, 1, 0}, 1.5), sphere_json({1.5, 0.5, -1}, 1),
+                   plane_json({0, -1, 0}, {0, 1, 0})},
+                  {distant_json({-1, -2, 1})});
+}
+
+TEST(Render, SaysItsError) {
+  json text = two_balls_on_a_plane();
+  WorkerPool pool(2);
+  const auto with = [&](int samples) {
+    text["render"] = {{"samples", samples}};
+    RenderProgress progress;
+    return render(scene_of(text), Limits{}, pool, progress);
+  };
+  const Image exact = with(4096).image;
+  for (const int samples : {1, 2, 3, 4, 5, 6, 8, 12, 16, 32, 64}) {
+    const Rendering rendering = with(samples);
+    const double error = rmse(rendering.image, exact);
+    ASSERT_TRUE(rendering.estimated_error);
+    EXPECT_GT(*rendering.estimated_error, error / 2) << samples;
+    EXPECT_LT(*rendering.estimated_error, 2.5 * error) << samples;
+  }
+}
+
+/// With fewer samples than can be compared there is one estimate for one image, and no target that
+/// is said to be reached.
+TEST(Contract, OfFewSamplesDoesNotPretend) {
+  json text = two_balls_on_a_plane();
+  WorkerPool pool(2);
+  for (const int most : {1, 2, 3, 4, 7}) {
+    std::optional<double> estimate;
+    for (const char* bound : {"target_rmse", "budget_ms"}) {
+      text["render"] = {{bound, bound[0] == 't' ? 1e-6 : 1000}};
+      RenderProgress progress;
+      const Rendering rendering = render(scene_of(text), Limits{.samples = most}, pool, progress);
+      EXPECT_EQ(rendering.samples_per_pixel, most < 4 ? 1 : 4);
+      EXPECT_EQ(rendering.stop, bound[0] == 't' ? Stop::samples : Stop::budget);
+      ASSERT_TRUE(rendering.estimated_error);
+      EXPECT_DOUBLE_EQ(*rendering.estimated_error, estimate.value_or(*rendering.estimated_error));
+      estimate = rendering.estimated_error;
+    }
+    text["render"] = {{"target_rmse", 0.5}};
+    RenderProgress progress;
+    EXPECT_EQ(render(scene_of(text), Limits{.samples = most}, pool, progress).stop,
+              most < 4 ? Stop::samples : Stop::target);
+  }
+}
+
 TEST(Contract, OfNoTimeIsACoarsePictureAndSaysItsError) {
-  json text = document(camera_json(200, 150, 0.9, {0, 3, -9}, {0, 0, 0}),
-                       {sphere_json({-1.5, 1, 0}, 1.5), sphere_json({1.5, 0.5, -1}, 1),
-                        plane_json({0, -1, 0}, {0, 1, 0})},
-                       {distant_json({-1, -2, 1})});
+  json text = two_balls_on_a_plane();
   WorkerPool pool(2);
   RenderProgress progress;
   text["render"] = {{"samples", 64}};

@@ -85,9 +85,14 @@ TEST_F(Render, wanted_double_precision_is_used) {
   EXPECT_EQ(answer.get_header_value("Render-Precision"), "double");
 }
 
-TEST_F(Render, error_is_not_invented_for_a_single_pass) {
-  EXPECT_FALSE(post("/render?samples=1", small_scene).has_header("Render-Error"));
-  EXPECT_FALSE(post("/render", small_scene).has_header("Render-Error"));
+TEST_F(Render, error_is_told_for_every_number_of_samples) {
+  for (const char* query : {"", "?samples=1", "?samples=3", "?samples=4", "?samples=16"}) {
+    const Answer answer = post(std::string("/render") + query, small_scene);
+    ASSERT_TRUE(answer.has_header("Render-Error")) << query;
+    const double error = std::stod(answer.get_header_value("Render-Error"));
+    EXPECT_GT(error, 0) << query;
+    EXPECT_LT(error, 0.5) << query;
+  }
 }
 
 TEST_F(Render, accuracy_contract_ends_by_its_target) {

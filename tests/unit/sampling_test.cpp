@@ -9,6 +9,7 @@
 
 #include "engine/math/block.h"
 #include "engine/sample/missable_spheres.h"
+#include "engine/sample/neighbour_error.h"
 #include "engine/sample/pattern.h"
 #include "engine/sample/refinement.h"
 #include "tests/support/scenes.h"
@@ -65,7 +66,6 @@ TEST(SamplePattern, HasHalvesAboutTheSameMiddle) {
     const SamplePattern pattern = sample_pattern(count);
     ASSERT_TRUE(pattern.has_halves());
     EXPECT_EQ(pattern.first_half, pattern.points.size() / 2);
-    EXPECT_EQ(pattern.error2_share(), 0.25);
     const SamplePoint first = middle_of(pattern.points, 0, pattern.first_half);
     const SamplePoint second = middle_of(pattern.points, pattern.first_half, pattern.points.size());
     EXPECT_NEAR(first.x, 0.5, 1e-12) << count;
@@ -75,13 +75,9 @@ TEST(SamplePattern, HasHalvesAboutTheSameMiddle) {
   }
 }
 
-TEST(SamplePattern, HasHalvesFromTwoOn) {
-  EXPECT_FALSE(sample_pattern(1).has_halves());
-  for (const int count : {2, 3, 5, 6, 7, 9, 17, 31}) {
-    const SamplePattern pattern = sample_pattern(count);
-    EXPECT_TRUE(pattern.has_halves()) << count;
-    EXPECT_NEAR(static_cast<double>(pattern.first_half), count / 2.0, 1.01) << count;
-  }
+TEST(SamplePattern, HasHalvesOnlyWhereTheyCanBeAlike) {
+  for (const int count : {1, 2, 3, 5, 6, 7, 9, 17, 31})
+    EXPECT_FALSE(sample_pattern(count).has_halves()) << count;
 }
 
 TEST(SamplePattern, StaggeredMovesEachPixelsPlacesWithinTheirColumnsAndRows) {
@@ -160,6 +156,15 @@ TEST(NextSamples, NeverExceedTheLimit) {
             (std::vector<int>{0, 24}));
 }
 
+TEST(NextSamples, ReachTheLimitWhereverItIs) {
+  EXPECT_EQ(next_samples(std::vector<ImagePart>{{64, 1}}, {1e-9, infinite, 1000}),
+            std::vector<int>{1000});
+  EXPECT_EQ(next_samples(std::vector<ImagePart>{{64, 1}}, {1e-9, infinite, 999}),
+            std::vector<int>{996});
+  EXPECT_EQ(next_samples(std::vector<ImagePart>{{64, 1}}, {1e-9, infinite, 100}),
+            std::vector<int>{0});
+}
+
 TEST(NextSamples, AreWhatThereIsTimeFor) {
   std::vector<ImagePart> parts(1000, ImagePart{4, 0});
   for (std::size_t i = 0; i < parts.size(); ++i)
@@ -202,6 +207,19 @@ Census census_with(double small_spheres) {
   return census;
 }
 
+TEST(FirstComparedSamples, AreWhatTheLimitAllows) {
+  const Census large = census_with(0);
+  const Census small = census_with(1);
+  EXPECT_EQ(first_compared_samples(large, 1000), 4);
+  EXPECT_EQ(first_compared_samples(small, 1000), 16);
+  EXPECT_EQ(first_compared_samples(small, 16), 16);
+  for (const int most : {4, 5, 15}) {
+    EXPECT_EQ(first_compared_samples(large, most), 4);
+    EXPECT_EQ(first_compared_samples(small, most), 4);
+  }
+  for (const int most : {1, 2, 3}) EXPECT_EQ(first_compared_samples(large, most), 1);
+}
+
 TEST(ErrorFall, IsMeasured) {
   for (const double exponent : {1.0, 1.2, 1.5}) {
     ErrorFall fall(census_with(0));
@@ -226,11 +244,36 @@ TEST(ErrorFall, IsAGuessBefore) {
   EXPECT_GT(ErrorFall(census_with(0)).exponent(), 1);
 }
 
+Image with_edge(int width, int height) {
+  Image image(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int i = 0; i < 3; ++i) image.pixel(x, y)[i] = x < width / 2 ? 0.0F : 1.0F;
+  return image;
+}
+
+TEST(NeighbourError, IsThatOfAnEdge) {
+  const Image image = with_edge(8, 6);
+  EXPECT_DOUBLE_EQ(neighbour_error2(image, {0, 0, 8, 6}), 3 * 6 / 8.0);
+  EXPECT_DOUBLE_EQ(neighbour_error(image, 1), std::sqrt(1 / 64.0));
+  EXPECT_DOUBLE_EQ(neighbour_error(image, 4), std::sqrt(1 / 64.0 / 8));
+  ByteImage bytes(8, 6);
+  for (std::size_t i = 0; i < image.values.size(); ++i) bytes.values[i] = to_byte(image.values[i]);
+  EXPECT_DOUBLE_EQ(neighbour_error(bytes, 1), neighbour_error(image, 1));
+}
+
+TEST(NeighbourError, CountsWhatIsBesideATile) {
+  const Image image = with_edge(8, 6);
+  EXPECT_DOUBLE_EQ(neighbour_error2(image, {0, 0, 4, 4}), 3 * 4 / 8.0);
+  EXPECT_EQ(neighbour_error2(image, {4, 0, 8, 4}), 0);
+  EXPECT_EQ(neighbour_error2(Image(1, 1), {0, 0, 1, 1}), 0);
+}
+
 /// Two blocks side by side: 8 x 4 parts.
 TEST(ExpectedErrors, RiseBesideDetail) {
   std::vector<ImagePart> parts(32, ImagePart{4, 0});
   parts[3] = {16, 1};  // at (3, 0), at the second block's side
-  const std::vector<ImagePart> expected = expected_errors(parts, 2, 1);
+  const std::vector<ImagePart> expected = expected_errors(parts, 32, 16, 1);
   EXPECT_EQ(expected[3].error2, 1);
   EXPECT_GT(expected[16].error2, 0);     // at (4, 0)
   EXPECT_GT(expected[2 + 4].error2, 0);  // at (2, 1)
@@ -240,8 +283,8 @@ TEST(ExpectedErrors, RiseBesideDetail) {
 
 TEST(ExpectedErrors, AreLessWhereTheHalvesCompleteEachOther) {
   const std::vector<ImagePart> parts(16, ImagePart{4, 1});
-  EXPECT_EQ(expected_errors(parts, 1, 1)[5].error2, 1);
-  EXPECT_EQ(expected_errors(parts, 1, 2)[5].error2, 0.5);
+  EXPECT_EQ(expected_errors(parts, 16, 16, 1)[5].error2, 1);
+  EXPECT_EQ(expected_errors(parts, 16, 16, 2)[5].error2, 0.5);
   ErrorFall fall(census_with(0));
   fall.include(std::vector<ImagePart>{{4, 1}}, std::vector<ImagePart>{{64, 1.0 / 64}});
   EXPECT_NEAR(fall.halves_excess(), std::exp2(1.5) - 1, 1e-9);

@@ -182,11 +182,11 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
     const V3<V> sum = load(d, sums, first);
     if (part_errors != nullptr) {
       const V3<V> half = load(d, sums_of_half, first);
-      const V3<V> difference = sub(mean_of(half, pattern.first_half),
-                                   mean_of(sub(sum, half), count - pattern.first_half));
+      const V3<V> difference =
+          sub(mean_of(half, pattern.first_half), mean_of(sub(sum, half), pattern.first_half));
       const V squares = hn::IfThenElseZero(rays.active(d, place), dot(difference, difference));
       part_errors[place.part()] +=
-          pattern.error2_share() * static_cast<double>(hn::GetLane(hn::SumOfLanes(d, squares)));
+          PartErrors::share * static_cast<double>(hn::GetLane(hn::SumOfLanes(d, squares)));
     }
     store(d, mean_of(sum, count), first, sums);
   }
