@@ -85,13 +85,17 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
       stop);
   if (stop) return {};
 
+  // Its errors are looked at afterwards.
+  constexpr double look_at_pixel_ms = 4e-6;
+  const double look_ms = look_at_pixel_ms * camera.width * camera.height /
+                         static_cast<double>(tracing.pool.thread_count());
   const std::size_t at_once = std::min(tracing.pool.thread_count(), tiles.size());
   const double tile_ms = tracing.watch.elapsed_ms() * (parts_in_block - 1) *
                          static_cast<double>(at_once) / static_cast<double>(tiles.size());
   tracing.pool.run(
       tiles.size(),
       [&](std::size_t i) {
-        if (tracing.progress.stop || tracing.is_over_time(tile_ms)) stop = true;
+        if (tracing.progress.stop || tracing.is_over_time(tile_ms + look_ms)) stop = true;
         if (stop) return;
         trace(i, other_parts);
         const Tile& tile = tiles[i];

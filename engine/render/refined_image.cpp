@@ -8,7 +8,6 @@
 
 #include "engine/image/part_errors.h"
 #include "engine/math/block.h"
-#include "engine/measure/stopwatch.h"
 #include "engine/sample/neighbour_error.h"
 #include "engine/scene/scene_size.h"
 
@@ -42,14 +41,22 @@ bool RefinedImage::begin(const SamplePattern& pattern) {
 void RefinedImage::begin(FirstPicture first) {
   note_first_pass(1);
   shown_.change([&](Image& whole) { whole = std::move(first.image); });
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const std::size_t block = i / parts_in_block;
-    const int column = static_cast<int>(block) % columns_;
-    const int row = static_cast<int>(block) / columns_;
-    parts_[i] = first.is_traced[block] != 0
-                    ? of_one_sample(i)
-                    : ImagePart{0, coarse_error2(image_, column, row) * pixel_count(i)};
-  }
+  const auto columns = static_cast<std::size_t>(columns_);
+  const std::atomic<bool> never{false};
+  tracing_.pool.run(
+      first.is_traced.size() / columns,
+      [&](std::size_t row) {
+        for (std::size_t block = row * columns; block < (row + 1) * columns; ++block) {
+          const bool is_coarse = first.is_traced[block] == 0;
+          const double pixel_error2 =
+              is_coarse
+                  ? coarse_error2(image_, static_cast<int>(block % columns), static_cast<int>(row))
+                  : 0;
+          for (std::size_t i = parts_in_block * block; i < parts_in_block * (block + 1); ++i)
+            parts_[i] = is_coarse ? ImagePart{0, pixel_error2 * pixel_count(i)} : of_one_sample(i);
+        }
+      },
+      never);
   expect_errors();
   if (first.is_whole) return;
   for (std::size_t i = 0; i < parts_.size(); i += parts_in_block)
@@ -132,6 +139,7 @@ bool RefinedImage::trace(std::vector<Task> tasks) {
         tracing_.report(static_cast<double>(++done) / static_cast<double>(tasks.size()));
       },
       stop);
+  last_sample_ms_ = tracing_.watch.elapsed_ms();
   double samples = 0;
   shown_.change([&](Image& image) {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -145,7 +153,7 @@ bool RefinedImage::trace(std::vector<Task> tasks) {
   });
   ++tracing_.passes_done;
   tracing_.beyond.not_numbers += not_numbers;
-  if (samples > 0) sample_ms_ = (tracing_.watch.elapsed_ms() - begin_ms) / samples;
+  if (samples > 0) sample_ms_ = (last_sample_ms_ - begin_ms) / samples;
   return !stop;
 }
 
@@ -197,7 +205,6 @@ ImagePart RefinedImage::of_one_sample(std::size_t part) const {
 }
 
 void RefinedImage::expect_errors() {
-  const Stopwatch watch;
   // What is no number has no error that more samples would make less.
   for (ImagePart& part : parts_)
     if (!(part.error2 > 0)) part.error2 = 0;
@@ -207,14 +214,15 @@ void RefinedImage::expect_errors() {
       if (parts_[i].samples > 0)
         expected_[i].error2 =
             std::max(expected_[i].error2, missable_->error2(i, parts_[i].samples));
-  after_ms_ = watch.elapsed_ms();
+  after_ms_ = tracing_.watch.elapsed_ms() - last_sample_ms_;
 }
 
 void RefinedImage::note_first_pass(int samples) {
   // A single tile keeps one thread busy and the others waiting.
   const bool is_shared = !is_one_tile(width_, height_, samples, tracing_.scene.lights.size());
   const std::size_t threads = is_shared ? 1 : tracing_.pool.thread_count();
-  sample_ms_ = tracing_.watch.elapsed_ms() /
+  last_sample_ms_ = tracing_.watch.elapsed_ms();
+  sample_ms_ = last_sample_ms_ /
                (static_cast<double>(width_) * height_ * samples * static_cast<double>(threads));
 }
 

@@ -82,7 +82,8 @@ class RefinedImage {
   std::vector<ImagePart> expected_{};
   std::map<int, SamplePattern> patterns_{};  ///< by their samples
   double sample_ms_ = 0;                     ///< that one takes all threads together
-  double after_ms_ = 0;                      ///< that a pass takes after its last sample
+  double last_sample_ms_ = 0;                ///< when the last pass ended
+  double after_ms_ = 0;                      ///< that it took to look at it
 };
 
 }  // namespace raytracer

@@ -1,6 +1,7 @@
 #include "engine/sample/neighbour_error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -10,14 +11,16 @@ namespace {
 
 constexpr double share = 1.0 / 8;
 
-/// The sum of squared differences of `count` values.
+/// The sum of squared differences of `count` values, three for a pixel.
 double squares_between(const float* a, const float* b, std::size_t count) {
-  double sum = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
-    sum += difference * difference;
-  }
-  return sum;
+  // The channels' sums do not wait for each other.
+  std::array<double, 3> sums{};
+  for (std::size_t i = 0; i < count; i += sums.size())
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      const double difference = static_cast<double>(a[i + k]) - static_cast<double>(b[i + k]);
+      sums[k] += difference * difference;
+    }
+  return sums[0] + sums[1] + sums[2];
 }
 
 double squares_between(const unsigned char* a, const unsigned char* b, std::size_t count) {
@@ -52,8 +55,16 @@ double error2(const Raster<Channel>& image, const Tile& tile) {
 
 template <typename Channel>
 double error_of(const Raster<Channel>& image, int samples) {
-  const double sum = error2(image, {0, 0, image.width, image.height});
-  return std::sqrt(sum / (samples * std::sqrt(samples)) / static_cast<double>(image.values.size()));
+  // All rows would take as long as to trace a simple picture.
+  constexpr int most_rows = 32;
+  const int rows = std::min(image.height, most_rows);
+  double sum = 0;
+  for (int i = 0; i < rows; ++i) {
+    const auto y = static_cast<int>(std::int64_t{i} * image.height / rows);
+    sum += error2(image, {0, y, image.width, y + 1});
+  }
+  const double values = 3 * static_cast<double>(image.width) * rows;
+  return std::sqrt(sum / values / (samples * std::sqrt(samples)));
 }
 
 }  // namespace

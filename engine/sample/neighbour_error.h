@@ -15,7 +15,7 @@ namespace raytracer {
 /// The squared error of a tile's values, of one sample per pixel, their sum.
 double neighbour_error2(const Image& image, const Tile& tile);
 
-/// The rms error of an image of so many samples per pixel.
+/// The rms error of an image of so many samples per pixel, from some of its rows.
 double neighbour_error(const Image& image, int samples);
 double neighbour_error(const ByteImage& image, int samples);
 

@@ -130,10 +130,31 @@ HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
   if (reflected.count > 0) trace_reflections(scene, reflected, colours);
 }
 
+/// Adds to each part's error what the means of the two halves of its samples differ by.
+template <class D, typename T, class Mean>
+HWY_NOINLINE void add_part_errors(D d, const Block& block, const EyeRays<D>& rays,
+                                  const BlockColours<T>& sums_of_half, const BlockColours<T>& sums,
+                                  std::size_t half, const Mean& mean_of, double* part_errors) {
+  using V = hn::Vec<D>;
+  using Shape = PacketShape<D>;
+  const V share = hn::Set(d, static_cast<T>(1 / static_cast<double>(half)));
+  for (int i = 0; i < Shape::packets; ++i) {
+    const PacketPlace<D> place(i);
+    if (!place.is_in(block)) continue;
+    const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
+    const V3<V> one = load(d, sums_of_half, first);
+    const V3<V> other = sub(load(d, sums, first), one);
+    const V3<V> difference = sub(mean_of(one, share), mean_of(other, share));
+    const V squares = hn::IfThenElseZero(rays.active(d, place), dot(difference, difference));
+    part_errors[place.part()] +=
+        PartErrors::share * static_cast<double>(hn::GetLane(hn::SumOfLanes(d, squares)));
+  }
+}
+
 template <typename T>
 void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
                   const Block& block, const Canvas& canvas, double* part_errors,
-                  BeyondRange& beyond) {
+                  BlockColours<T>& sums_of_half, BeyondRange& beyond) {
   using D = hn::ScalableTag<T>;
   const D d;
   using V = hn::Vec<D>;
@@ -150,11 +171,10 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
 
   const EyeRays<D> rays(d, scene, block, pattern.stagger);
   BlockColours<T> sums;
-  BlockColours<T> sums_of_half;
   BlockColours<T> colours;
   BlockBeyondRange<D> block_beyond;
   for (std::size_t sample = 0; sample < pattern.points.size(); ++sample) {
-    if (sample == pattern.first_half && sample > 0) sums_of_half = sums;
+    if (sample > 0 && sample == pattern.first_half) sums_of_half = sums;
     trace_sample(d, scene, block, contents, rays, pattern.points[sample], colours);
     Highest<D> highest(d);
     for (int packet = 0; packet < Shape::packets; ++packet) {
@@ -170,25 +190,15 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
                         [&](const auto& place) HWY_ATTR { return rays.active(d, place); });
   }
   // A mean of singles may exceed 1 by a rounding.
-  const auto mean_of = [&](const V3<V>& sum, std::size_t count) HWY_ATTR {
-    const V share = hn::Set(d, static_cast<T>(1 / static_cast<double>(count)));
-    return resolved(clamped(d, scale(sum, share)));
-  };
-  const std::size_t count = pattern.points.size();
+  const auto mean_of = [&](const V3<V>& sum, V share)
+                           HWY_ATTR { return resolved(clamped(d, scale(sum, share))); };
+  if (part_errors != nullptr)
+    add_part_errors(d, block, rays, sums_of_half, sums, pattern.first_half, mean_of, part_errors);
+  const V share = hn::Set(d, static_cast<T>(1 / static_cast<double>(pattern.points.size())));
   for (int i = 0; i < Shape::packets; ++i) {
-    const PacketPlace<D> place(i);
-    if (!place.is_in(block)) continue;
+    if (!PacketPlace<D>(i).is_in(block)) continue;
     const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
-    const V3<V> sum = load(d, sums, first);
-    if (part_errors != nullptr) {
-      const V3<V> half = load(d, sums_of_half, first);
-      const V3<V> difference =
-          sub(mean_of(half, pattern.first_half), mean_of(sub(sum, half), pattern.first_half));
-      const V squares = hn::IfThenElseZero(rays.active(d, place), dot(difference, difference));
-      part_errors[place.part()] +=
-          PartErrors::share * static_cast<double>(hn::GetLane(hn::SumOfLanes(d, squares)));
-    }
-    store(d, mean_of(sum, count), first, sums);
+    store(d, mean_of(load(d, sums, first), share), first, sums);
   }
   store_block(d, sums, block, canvas);
   block_beyond.add_to(beyond);
@@ -198,13 +208,15 @@ template <typename T>
 TracedTile render_blocks(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
                          const Tile& tile, const Canvas& canvas, PartErrors* errors) {
   TracedTile traced{HWY_TARGET, {}};
+  BlockColours<T> sums_of_half;
   const bool tells_errors = errors != nullptr && pattern.has_halves();
   for (int y = tile.y_begin; y < tile.y_end; y += block_side)
     for (int x = tile.x_begin; x < tile.x_end; x += block_side)
       render_block(scene, pattern, transfer,
                    {x, y, std::min(block_side, tile.x_end - x),
                     std::min(block_side, tile.y_end - y), tile.parts},
-                   canvas, tells_errors ? errors->of_block(x, y) : nullptr, traced.beyond);
+                   canvas, tells_errors ? errors->of_block(x, y) : nullptr, sums_of_half,
+                   traced.beyond);
   return traced;
 }
 
