@@ -4,6 +4,7 @@
 // DIRECTORY/DATE-COMMIT.md and .json.
 
 #include <fmt/format.h>
+#include <hwy/targets.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -28,6 +29,7 @@ struct Options {
   bool is_quick = false;
   bool without_embree = false;
   bool without_povray = false;
+  bool is_avx2 = false;
   Effort effort;
   std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   std::string commit = "unknown";
@@ -45,6 +47,7 @@ std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
   app.add_flag("--quick", options.is_quick, "Only small scenes at 700 x 500 with one sample");
   app.add_flag("--no-embree", options.without_embree, "Leave Embree out");
   app.add_flag("--no-povray", options.without_povray, "Leave POV-Ray out");
+  app.add_flag("--avx2", options.is_avx2, "Let the project use no more than AVX2; Embree may");
   app.add_option("--rounds", options.effort.rounds, "Rounds of each case")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -113,6 +116,8 @@ void write_report(const Report& report, const std::filesystem::path& directory) 
 
 /// Measures every case that is wanted. Writes the report after each: a run takes long.
 Report measure_all(const Options& options, const std::string& command) {
+  // Before the engine asks what there is.
+  if (options.is_avx2) hwy::SetSupportedTargetsForTest(HWY_AVX2 | HWY_SSE4 | HWY_SSSE3);
   WorkerPool pool(options.threads);
   const MachineCosts costs = measure_machine_costs(pool);
   std::optional<EmbreePeer> embree;
