@@ -1,7 +1,5 @@
 #include "server/metrics.h"
 
-#include <fmt/format.h>
-
 namespace raytracer {
 namespace {
 

@@ -37,6 +37,7 @@ class Making {
 
   WorkerPool& pool;
   std::exception_ptr failure;
+  unsigned char* stream = nullptr;  ///< which stb loses if there is no memory for the file
 
  private:
   std::size_t taken_ = 0;
@@ -51,6 +52,7 @@ unsigned char* compress(unsigned char* bytes, int size, int* compressed_size) {
   if (stream == nullptr) return nullptr;
   try {
     *compressed_size = static_cast<int>(compress_zlib(rows, stream, making->pool));
+    making->stream = stream;
     return stream;
   } catch (...) {
     making->give_back(stream);
@@ -94,7 +96,10 @@ std::string encode_png(int width, int height, std::span<const unsigned char> rgb
       stbi_write_png_to_mem(rgb.data(), no_gap_between_rows, width, height, 3, &size), give_back);
   making = nullptr;
   if (own.failure) std::rethrow_exception(own.failure);
-  if (!file) throw std::bad_alloc();
+  if (!file) {
+    own.give_back(own.stream);
+    throw std::bad_alloc();
+  }
   return {reinterpret_cast<const char*>(file.get()), static_cast<std::size_t>(size)};
 }
 

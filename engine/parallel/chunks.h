@@ -1,4 +1,4 @@
-// A range of items cut into as many chunks as there are threads.
+// A range of items cut into chunks.
 #pragma once
 
 #include <atomic>

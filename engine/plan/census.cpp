@@ -72,11 +72,14 @@ class Counter {
         block_columns_(1 + static_cast<double>(camera.width) / block_side),
         block_rows_(1 + static_cast<double>(camera.height) / block_side) {}
 
-  void operator()(const Sphere& s) {
-    SphereTally tally;
-    count(s.center, s.radius, tally);
-    add(tally);
+  /// All objects, once.
+  void count_all(const SharedArray<Object>& objects) {
+    for (const Object& object : objects)
+      std::visit([&](const auto& shape) { (*this)(shape); }, object.shape);
+    add(single_spheres_);
   }
+
+  void operator()(const Sphere& s) { count(s.center, s.radius, single_spheres_); }
 
   void operator()(const Spheres& s) {
     // In as many parts whatever the number of threads: the sums are the same.
@@ -199,6 +202,7 @@ class Counter {
   double blocks_per_radian_;
   double block_columns_;
   double block_rows_;
+  SphereTally single_spheres_{};
   double farthest_but_squares_ = 0;
 };
 
@@ -254,8 +258,7 @@ Census take_census(const Scene& scene, const Frame& frame, const Features& featu
                    WorkerPool* pool) {
   Census census;
   Counter counter(frame, scene.camera, pool, census);
-  for (const Object& object : scene.objects)
-    std::visit([&](const auto& shape) { counter(shape); }, object.shape);
+  counter.count_all(scene.objects);
   for (const Light& light : scene.lights) {
     const auto* point = std::get_if<PointLight>(&light.source);
     if (point == nullptr) continue;
@@ -272,8 +275,7 @@ Census take_census(const Scene& scene, const Frame& frame, const Features& featu
     Census around_light;
     const Frame light_frame(point->position, frame.exponent());
     Counter light_counter(light_frame, scene.camera, pool, around_light);
-    for (const Object& object : scene.objects)
-      std::visit([&](const auto& shape) { light_counter(shape); }, object.shape);
+    light_counter.count_all(scene.objects);
     census.light_clearance =
         std::min(census.light_clearance, around_light.clearance / census.farthest);
     const double clearance = std::ldexp(around_light.clearance, frame.exponent());

@@ -170,6 +170,21 @@ TEST(Picture, DoesNotDependOnTheNumberOfThreads) {
   }
 }
 
+/// So many spheres that every structure is built in several pieces, and under a contract.
+TEST(Picture, OfThousandsOfSpheresDoesNotDependOnTheNumberOfThreads) {
+  json text = varied_scene();
+  json centers = json::array();
+  for (int i = 0; i < 6000; ++i)
+    centers.push_back({std::sin(i * 1.7) * 4, std::sin(i * 2.3) * 2 + 2, std::sin(i * 0.9) * 4});
+  text["objects"].push_back({{"type", "spheres"}, {"centers", centers}, {"radius", 0.04}});
+  for (const json& render : {json{{"samples", 1}}, json{{"target_rmse", 0.02}}}) {
+    text["render"] = render;
+    const Image image = image_of(text, 1);
+    for (const std::size_t threads : {2U, 3U, 7U})
+      expect_same_bytes(image, image_of(text, threads));
+  }
+}
+
 TEST(Picture, OfSeveralCallersAtOnceIsThatOfEachAlone) {
   const std::vector<json> all = scenes();
   WorkerPool pool(3);

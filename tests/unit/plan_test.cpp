@@ -44,6 +44,15 @@ std::string way_of(const nlohmann::json& plan, const std::string& objects,
   return "no such way";
 }
 
+TEST(Plan, DoesNotDependOnThePool) {
+  const Scene scene = scene_with({{many_spheres(6000), 0}});
+  const std::string alone = explain(scene, make_plan(scene, machine), {});
+  for (const std::size_t threads : {1U, 2U, 7U}) {
+    WorkerPool pool(threads);
+    EXPECT_EQ(explain(scene, make_plan(scene, machine, &pool), {}), alone) << threads;
+  }
+}
+
 TEST(Plan, IsTheSameForTheSameSceneAndMachine) {
   const Scene scene = scene_with({{many_spheres(300), 1}, {Plane{{0, -9, 0}, {0, 1, 0}}, 0}});
   EXPECT_EQ(explained(scene), explained(scene));

@@ -68,24 +68,10 @@ void expect_read_back(int width, int height, const Bytes& rgb) {
 
 TEST(Png, HasEveryByteOfAPictureOfAnySize) {
   // The last have exactly one strip's bytes, then two strips', then a byte or so beside them.
-  for (const auto& [width, height] : {std::pair{1, 1},
-                                      {1, 2},
-                                      {2, 1},
-                                      {1, 300},
-                                      {300, 1},
-                                      {257, 3},
-                                      {3, 257},
-                                      {37, 61},
-                                      {64, 48},
-                                      {699, 501},
-                                      {701, 499},
-                                      {20'011, 7},
-                                      {7, 20'011},
-                                      {341, 128},
-                                      {341, 256},
-                                      {341, 129},
-                                      {340, 128},
-                                      {342, 256}}) {
+  for (const auto& [width, height] :
+       {std::pair{1, 1}, {1, 2},      {2, 1},     {1, 300},   {300, 1},   {257, 3},   {3, 257},
+        {37, 61},        {64, 48},    {160, 100}, {150, 120}, {146, 149}, {699, 501}, {701, 499},
+        {20'011, 7},     {7, 20'011}, {341, 128}, {341, 256}, {341, 129}, {340, 128}, {342, 256}}) {
     expect_read_back(width, height, flat(width, height));
     expect_read_back(width, height, gradient(width, height));
     expect_read_back(width, height, noise(width, height));
