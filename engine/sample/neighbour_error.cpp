@@ -56,7 +56,7 @@ double error2(const Raster<Channel>& image, const Tile& tile) {
 template <typename Channel>
 double error_of(const Raster<Channel>& image, int samples) {
   // All rows would take as long as to trace a simple picture.
-  constexpr int most_rows = 32;
+  constexpr int most_rows = 16;
   const int rows = std::min(image.height, most_rows);
   double sum = 0;
   for (int i = 0; i < rows; ++i) {
