@@ -53,14 +53,16 @@ Expectation expect_contract(const RenderSettings& settings, int most, int probin
   if (settings.target_rmse)
     even = std::max(even, std::pow(overestimate * rehearsal.error / *settings.target_rmse,
                                    1 / rehearsal.error_exponent));
-  double samples = std::max(static_cast<double>(probing), share * even);  // on average
+  // On average: the parts that are not refined keep theirs.
+  double samples = even > probing ? probing + share * even : probing;
   double affordable = most;
   if (settings.budget_ms && sample_ms > 0)
     affordable =
         std::min(affordable, probing + std::max(*settings.budget_ms - probed_ms, 0.0) / sample_ms);
   if (samples > affordable || !settings.target_rmse) {
     samples = affordable;
-    even = samples > probing ? samples / share : samples;
+    even = samples > probing ? std::max(static_cast<double>(probing), (samples - probing) / share)
+                             : samples;
   }
   const double trace_ms = std::min(probed_ms + std::max(samples - probing, 0.0) * sample_ms,
                                    settings.budget_ms.value_or(infinity));
