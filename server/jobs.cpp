@@ -12,7 +12,7 @@
 namespace raytracer {
 namespace {
 
-constexpr std::size_t most_finished = 10'000;           // a few kB each without their images
+constexpr std::size_t most_finished = 1'000;            // a few kB each without their images
 constexpr std::size_t most_finished_bytes = 512 << 20;  // two and a half images of 4096 x 4096
 
 /// 128 random bits: an id cannot be guessed, and none comes twice.
