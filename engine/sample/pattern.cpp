@@ -51,7 +51,7 @@ SamplePattern sample_pattern(int count) {
   }
   // A half has every second column up to the middle, and their mirror images: halves that had not
   // the same middle would differ where the picture is but a slope.
-  for (const std::size_t parity : {0, 1}) {
+  for (const std::size_t parity : {std::size_t{0}, std::size_t{1}}) {
     for (std::size_t k = 0; k < size; ++k)
       if (std::min(k, size - 1 - k) % 2 == parity) add(k);
     if (parity == 0) pattern.first_half = pattern.points.size();
