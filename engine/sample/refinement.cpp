@@ -31,6 +31,22 @@ constexpr int samples_of_rung(int rung) {
 /// Squared errors fall as this power of a number of samples, -3/2, and details grow.
 double power(int samples) { return samples * std::sqrt(samples); }
 
+/// power() of parts one after another, most of which have the samples of the one before.
+class PowerOfParts {
+ public:
+  double operator()(int samples) {
+    if (samples != samples_) {
+      samples_ = samples;
+      power_ = power(samples);
+    }
+    return power_;
+  }
+
+ private:
+  int samples_ = 0;
+  double power_ = 0;
+};
+
 /// Numbers of samples as they are wanted, by steps of their logarithm.
 constexpr int steps_per_octave = 16;
 constexpr int step_count = 30 * steps_per_octave;
@@ -197,10 +213,12 @@ std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int wid
   const auto place = [&](int x, int y) {
     return static_cast<std::size_t>(y + 1) * stride + static_cast<std::size_t>(x + 1);
   };
+  PowerOfParts power_of;
+  const double excess_share = 1 / halves_excess;
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) {
       const ImagePart& part = parts[index(x, y)];
-      detail[place(x, y)] = part.error2 / halves_excess * power(part.samples);
+      detail[place(x, y)] = part.error2 * excess_share * power_of(part.samples);
     }
   std::vector<ImagePart> expected(parts.size());
   for (int y = 0; y < rows; ++y)
@@ -213,7 +231,7 @@ std::vector<ImagePart> expected_errors(std::span<const ImagePart> parts, int wid
       for (const std::size_t row : {at - stride, at, at + stride})
         sum += detail[row - 1] + detail[row] + detail[row + 1];
       expected[i].error2 =
-          std::max(parts[i].error2 / halves_excess, share * sum / 8 / power(parts[i].samples));
+          std::max(parts[i].error2 * excess_share, share * sum / 8 / power_of(parts[i].samples));
     }
   return expected;
 }
