@@ -120,6 +120,7 @@ std::size_t deflate_strip(std::span<const unsigned char> bytes, bool is_last, un
   isal_hufftables codes = is_small ? small_pictures_codes : codes_of_a_sample(bytes);
   isal_zstream stream;
   isal_deflate_stateless_init(&stream);
+  stream.hist_bits = 0;  // as far back as DEFLATE can; the function above leaves it as it was
   stream.hufftables = &codes;
   stream.end_of_stream = is_last ? 1 : 0;
   stream.flush = is_last ? NO_FLUSH : FULL_FLUSH;

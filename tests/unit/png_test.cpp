@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <random>
@@ -89,6 +90,23 @@ TEST(Png, IsTheSameFileOnAnyNumberOfThreads) {
   for (const std::size_t thread_count : {2U, 3U, 7U}) {
     WorkerPool pool(thread_count);
     EXPECT_TRUE(encode_png(1501, 777, rgb, pool) == file) << thread_count << " threads";
+  }
+}
+
+/// Leaves a value in all 16-bit words of the stack that the next function gets.
+[[gnu::noinline]] void fill_the_stack(std::uint16_t value) {
+  std::array<volatile std::uint16_t, std::size_t{1} << 18> words;
+  for (volatile std::uint16_t& word : words) word = value;
+}
+
+/// ISA-L 2.30 leaves how far back matches may be to what the memory held.
+TEST(Png, IsTheSameFileWhateverTheStackHeld) {
+  const Bytes rgb = gradient(20, 8);
+  WorkerPool pool(1);
+  const std::string file = encode_png(20, 8, rgb, pool);
+  for (std::uint16_t value = 0; value < 32; ++value) {
+    fill_the_stack(value);
+    EXPECT_TRUE(encode_png(20, 8, rgb, pool) == file) << value;
   }
 }
 
