@@ -84,5 +84,16 @@ TEST(Constant, ValuesAboveOneAreClamped) {
   expect_exact_color(text, {1, 1, 1});
 }
 
+/// Two lights' ambient parts overflow, and the dark channel is 0 of it.
+TEST(Constant, SumOfHugeAmbientPartsLeavesADarkChannelDark) {
+  const json plane = plane_json({0, 0, 5}, {0, 0, 1}, {{"color", {1, 0, 0.5}}});
+  json text =
+      document(camera_json(8, 8), {plane}, {distant_json({0, 0, 1}), distant_json({0, 0.1, 1})});
+  for (const double ambient : {1e37, 1.7e38, 3e38, 1e300, 1.7e308}) {
+    text["ambient"] = ambient;
+    expect_exact_color(text, {1, 0, 1});
+  }
+}
+
 }  // namespace
 }  // namespace raytracer::test

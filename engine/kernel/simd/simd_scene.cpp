@@ -19,10 +19,13 @@ Triple<T> narrowed(const Vec3& v) {
 
 /// So small that the sum over all lights, times any share, stays finite.
 template <typename T>
-Triple<T> saturated(const Rgb& emission) {
+T saturated(double channel) {
   constexpr double most = std::numeric_limits<T>::max() / 1e6;
-  return {static_cast<T>(std::min(emission.x, most)), static_cast<T>(std::min(emission.y, most)),
-          static_cast<T>(std::min(emission.z, most))};
+  return static_cast<T>(std::min(channel, most));
+}
+template <typename T>
+Triple<T> saturated(const Rgb& emission) {
+  return {saturated<T>(emission.x), saturated<T>(emission.y), saturated<T>(emission.z)};
 }
 
 template <typename T>
@@ -97,7 +100,7 @@ MaterialTable<T> pack_materials(const PackedScene& scene) {
     push(table.red, m.color.x);
     push(table.green, m.color.y);
     push(table.blue, m.color.z);
-    push(table.ambient, m.ka * scene.ambient);
+    table.ambient.push_back(saturated<T>(m.ka * scene.ambient));
     push(table.kd, m.kd);
     push(table.ks, m.ks);
     push(table.shininess, m.shininess);
