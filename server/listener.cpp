@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 #include <thread>
 
 #include "server/answer.h"
@@ -23,10 +25,21 @@ constexpr const char* content_security_policy =
     "default-src 'self'; img-src 'self' blob: data:; object-src 'none'; base-uri 'none'; "
     "form-action 'self'; frame-ancestors 'none'";
 
+// httplib's handlers see a request as const, but the object is not.
+
 /// RFC 9110 lets a server ignore Range, and httplib 0.11.4 would build every one of any number of
-/// overlapping ranges in memory. Its handlers see the request as const, but the object is not.
+/// overlapping ranges in memory.
 void ignore_ranges(const httplib::Request& request) {
   const_cast<httplib::Request&>(request).ranges.clear();
+}
+
+/// Makes "/path" of "http://host/path", which every server must understand (RFC 9112, 3.2.2).
+void drop_authority(const httplib::Request& request) {
+  constexpr std::string_view scheme = "http://";
+  std::string& path = const_cast<httplib::Request&>(request).path;
+  if (path.rfind(scheme, 0) != 0) return;
+  path.erase(0, std::min(path.find('/', scheme.size()), path.size()));
+  if (path.empty()) path = "/";
 }
 
 Afterwards after_refusal(const httplib::Request& request) {
@@ -139,6 +152,7 @@ bool Listener::refuse_at_gate(const httplib::Request& request, httplib::Response
   try {
     log_.begin(request);
     ignore_ranges(request);
+    drop_authority(request);
     pass_gate(request, routes_, config_);
     return false;
   } catch (const Refusal& refusal) {

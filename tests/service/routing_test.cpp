@@ -7,6 +7,7 @@
 #include <chrono>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/process/patience.h"
@@ -53,6 +54,19 @@ TEST_F(Routing, unknown_method_is_an_error_not_a_crash) {
   const std::string answer = raw("BREW /render HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n");
   EXPECT_EQ(answer.rfind("HTTP/1.1 4", 0), 0U) << answer;
   EXPECT_EQ(get("/healthz").status, 200);
+}
+
+TEST_F(Routing, target_with_scheme_and_host_is_its_path) {
+  for (const auto& [target, status] : {std::pair{"http://x/healthz", 200},
+                                       {"http://x:80/render?scene=demo&width=8&height=8", 200},
+                                       {"http://x", 200},
+                                       {"http://x/nothing", 404},
+                                       {"http:/healthz", 404},
+                                       {"ftp://x/healthz", 404}}) {
+    const std::string answer =
+        raw(fmt::format("GET {} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n", target));
+    EXPECT_EQ(answer.rfind(fmt::format("HTTP/1.1 {}", status), 0), 0U) << target << ": " << answer;
+  }
 }
 
 TEST_F(Routing, endless_path_is_414) {
