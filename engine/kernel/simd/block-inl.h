@@ -226,20 +226,38 @@ HWY_INLINE void store_block(D d, const BlockColours<T>& colours, const Block& bl
   }
 }
 
+/// As many rows of a part or of a block, begun at (x, y) of it and cut off at its end, as `row`.
+template <typename Channel>
+HWY_INLINE void fill_rows(const Channel* row, const Block& block, int x, int y, int side,
+                          Raster<Channel>& image) {
+  const int columns = std::min(side, block.width - x);
+  const int rows = std::min(side, block.height - y);
+  if (columns <= 0) return;
+  const std::ptrdiff_t stride = 3 * static_cast<std::ptrdiff_t>(image.width);
+  Channel* to = image.pixel(block.x_begin + x, block.y_begin + y);
+  for (int i = 0; i < rows; ++i, to += stride) {
+    if (columns == side)
+      std::memcpy(to, row, 3 * static_cast<std::size_t>(side) * sizeof(Channel));
+    else
+      std::memcpy(to, row, 3 * static_cast<std::size_t>(columns) * sizeof(Channel));
+  }
+}
+
 template <class D, typename Channel>
-HWY_INLINE void fill_block(D d, const V3<hn::Vec<D>>& colour, const Block& block,
-                           Raster<Channel>& image) {
+HWY_INLINE void fill_parts(D d, const V3<hn::Vec<D>>& colour, const Block& block,
+                           std::uint32_t parts, Raster<Channel>& image) {
   HWY_ALIGN Channel row[std::size_t{3} * block_side + HWY_MAX_BYTES / sizeof(Channel)];
   for (int x = 0; x < block_side; x += PacketShape<D>::lanes)
     store_interleaved(d, colour, row + std::ptrdiff_t{3} * x);
-  const std::ptrdiff_t stride = 3 * static_cast<std::ptrdiff_t>(image.width);
-  Channel* to = image.pixel(block.x_begin, block.y_begin);
-  if (block.width == block_side)
-    for (int y = 0; y < block.height; ++y, to += stride)
-      std::memcpy(to, row, sizeof(Channel) * 3 * block_side);  // known to the compiler
-  else
-    for (int y = 0; y < block.height; ++y, to += stride)
-      std::memcpy(to, row, 3 * static_cast<std::size_t>(block.width) * sizeof(Channel));
+  // Lengths that the compiler knows.
+  if (parts == Tile::all_parts) {
+    fill_rows(row, block, 0, 0, block_side, image);
+    return;
+  }
+  for (int part = 0; part < parts_across * parts_across; ++part)
+    if ((parts >> part & 1U) != 0)
+      fill_rows(row, block, part % parts_across * part_side, part / parts_across * part_side,
+                part_side, image);
 }
 
 /// Stores a block's finished pixels.
@@ -252,14 +270,14 @@ HWY_INLINE void store_block(D d, const BlockColours<T>& colours, const Block& bl
     store_block(d, colours, block, *std::get<ByteImage*>(canvas));
 }
 
-/// Stores one colour in all of a block's pixels.
+/// Stores one colour in all pixels of some of a block's parts.
 template <class D>
-HWY_INLINE void fill_block(D d, const V3<hn::Vec<D>>& colour, const Block& block,
-                           const Canvas& canvas) {
+HWY_INLINE void fill_parts(D d, const V3<hn::Vec<D>>& colour, const Block& block,
+                           std::uint32_t parts, const Canvas& canvas) {
   if (Image* const* image = std::get_if<Image*>(&canvas))
-    fill_block(d, colour, block, **image);
+    fill_parts(d, colour, block, parts, **image);
   else
-    fill_block(d, colour, block, *std::get<ByteImage*>(canvas));
+    fill_parts(d, colour, block, parts, *std::get<ByteImage*>(canvas));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -106,25 +106,22 @@ HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
     if (!place.is_in(block)) continue;
     const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
     V3<V> colour = broadcast(d, scene.background);
-    if ((contents.parts >> place.part() & 1U) != 0) {
-      const V3<V> direction = rays.direction(d, place, sample);
-      const auto active = rays.active(d, place);
-      Nearest<V> nearest{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
-      if (scene.has_sphere_bins)
-        show_spheres_to_eye(d, scene, contents.spheres, place.part(), direction, active, nearest);
-      else if (!scene.spheres.empty())
-        show_tree(d, scene.sphere_tree, eye, direction, active, nearest);
-      if (scene.has_triangle_bins)
-        show_triangles_to_eye(d, scene, contents.triangles, place.part(), direction, active,
-                              nearest);
-      else if (scene.has_triangles)
-        show_tree(d, scene.triangle_tree, eye, direction, active, nearest);
-      show_planes(d, scene, eye, direction, active, nearest);
-      if ((contents.square_parts >> place.part() & 1U) != 0)
-        show_squares<false>(d, scene, eye, direction, active, nearest);
-      const Packet<V> packet{eye, direction, hn::Set(d, T(1)), hn::Iota(d, static_cast<T>(first))};
-      shade_packet(d, scene, packet, nearest, active, scene.reflects, reflected, colour);
-    }
+    const V3<V> direction = rays.direction(d, place, sample);
+    const auto active = rays.active(d, place);
+    Nearest<V> nearest{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
+    if (scene.has_sphere_bins)
+      show_spheres_to_eye(d, scene, contents.spheres, place.part(), direction, active, nearest);
+    else if (!scene.spheres.empty())
+      show_tree(d, scene.sphere_tree, eye, direction, active, nearest);
+    if (scene.has_triangle_bins)
+      show_triangles_to_eye(d, scene, contents.triangles, place.part(), direction, active, nearest);
+    else if (scene.has_triangles)
+      show_tree(d, scene.triangle_tree, eye, direction, active, nearest);
+    show_planes(d, scene, eye, direction, active, nearest);
+    if ((contents.square_parts >> place.part() & 1U) != 0)
+      show_squares<false>(d, scene, eye, direction, active, nearest);
+    const Packet<V> packet{eye, direction, hn::Set(d, T(1)), hn::Iota(d, static_cast<T>(first))};
+    shade_packet(d, scene, packet, nearest, active, scene.reflects, reflected, colour);
     store(d, colour, first, colours);
   }
   if (reflected.count > 0) trace_reflections(scene, reflected, colours);
@@ -153,7 +150,7 @@ HWY_NOINLINE void add_part_errors(D d, const Block& block, const EyeRays<D>& ray
 
 template <typename T>
 void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
-                  const Block& block, const Canvas& canvas, double* part_errors,
+                  const Block& whole, const Canvas& canvas, double* part_errors,
                   BlockColours<T>& sums_of_half, BeyondRange& beyond) {
   using D = hn::ScalableTag<T>;
   const D d;
@@ -163,11 +160,14 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
     return V3<V>{encoded(d, transfer, mean.x), encoded(d, transfer, mean.y),
                  encoded(d, transfer, mean.z)};
   };
-  const BlockContents contents(scene, block.x_begin / block_side, block.y_begin / block_side);
-  if (contents.parts == 0 && block.parts == Tile::all_parts) {
-    fill_block(d, resolved(clamped(d, broadcast(d, scene.background))), block, canvas);
-    return;
+  const BlockContents contents(scene, whole.x_begin / block_side, whole.y_begin / block_side);
+  Block block = whole;
+  block.parts &= contents.parts;
+  if (block.parts != whole.parts) {
+    const V3<V> background = resolved(clamped(d, broadcast(d, scene.background)));
+    fill_parts(d, background, whole, whole.parts & ~contents.parts, canvas);
   }
+  if (block.parts == 0) return;
 
   const EyeRays<D> rays(d, scene, block, pattern.stagger);
   BlockColours<T> sums;
