@@ -1,6 +1,7 @@
 // /jobs: images and curves that are asked for now and fetched later.
 #include <fmt/format.h>
 
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -37,7 +38,7 @@ nlohmann::ordered_json to_json(const Job& job) {
   return json;
 }
 
-/// Why a job of the right task has no image or no curve, as `product` calls it.
+/// Why a job of the right task has no image, or no curve yet, as `product` calls it.
 [[noreturn]] void refuse_without(std::string_view product, const Job& job) {
   const JobState state = job.state();
   if (state.status == JobStatus::queued || state.status == JobStatus::running)
@@ -51,11 +52,22 @@ nlohmann::ordered_json to_json(const Job& job) {
                                   state.detail)});
 }
 
+/// The picture as far as it has come, black before anything is traced; nothing once the job has
+/// ended.
+std::optional<Image> image_so_far(const Job& job) {
+  constexpr std::chrono::milliseconds moment{1};  // between passes there is nothing to see for one
+  while (true) {
+    if (std::optional<Image> image = job.image_so_far()) return image;
+    const JobState state = job.state();
+    if (has_ended(state.status)) return {};
+    if (state.progress == 0) return Image(job.width, job.height);
+    job.wait_for_end(moment);
+  }
+}
+
 /// It will never be the same again, so it has no tag and is not to be stored.
-void answer_image_so_far(Services& services, Call& call, const Job& job, ImageFormat format) {
-  const std::optional<Image> image = job.image_so_far();
-  if (!image) refuse_without("image", job);
-  answer_bytes(call.response, encode(*image, format, services.pool),
+void answer_image_so_far(Services& services, Call& call, const Image& image, ImageFormat format) {
+  answer_bytes(call.response, encode(image, format, services.pool),
                std::string(media_type(format)));
   call.response.set_header("Vary", "Accept");
   call.response.set_header("Cache-Control", "no-store");
@@ -94,8 +106,10 @@ void get_job_image(Services& services, Call& call) {
   if (job->task != JobTask::render)
     throw Refusal({404, fmt::format("The job is a {}: it has no image, but GET /jobs/{}/result",
                                     name_of(job->task), job->id)});
+  if (const std::optional<Image> image = image_so_far(*job))
+    return answer_image_so_far(services, call, *image, format);
   const Rendering* const rendering = job->rendering();
-  if (!rendering) return answer_image_so_far(services, call, *job, format);
+  if (!rendering) refuse_without("image", *job);
   const Representation wanted = represent(job->digest, format, services.maker);
   if (answer_not_modified(call, wanted)) return;
   if (call.is_head()) return answer_image_head(call, wanted);

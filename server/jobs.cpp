@@ -56,6 +56,8 @@ Job::Job(std::string job_id, JobTask job_task, SceneRequest request)
       task(job_task),
       digest(reproducible_digest(request)),
       parse_ms(request.parse_ms),
+      width(request.scene.camera.width),
+      height(request.scene.camera.height),
       request_(std::move(request)) {}
 
 JobState Job::state() const {

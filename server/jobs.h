@@ -65,6 +65,8 @@ class Job {
   const JobTask task;
   const Reproducible digest;
   const double parse_ms;
+  const int width;
+  const int height;
 
   JobState state() const;
 

@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -40,6 +41,16 @@ void drop_authority(const httplib::Request& request) {
   if (path.rfind(scheme, 0) != 0) return;
   path.erase(0, std::min(path.find('/', scheme.size()), path.size()));
   if (path.empty()) path = "/";
+}
+
+/// Whether it is the name of a method, but of none that httplib reads on after.
+bool is_unknown(std::string_view method) {
+  constexpr std::array<std::string_view, 10> known{"GET",     "HEAD",    "POST",  "PUT",   "DELETE",
+                                                   "CONNECT", "OPTIONS", "TRACE", "PATCH", "PRI"};
+  const bool is_name = !method.empty() && std::all_of(method.begin(), method.end(), [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-';
+  });
+  return is_name && std::find(known.begin(), known.end(), method) == known.end();
 }
 
 Afterwards after_refusal(const httplib::Request& request) {
@@ -193,6 +204,14 @@ void Listener::answer_unrouted(const httplib::Request& request, httplib::Respons
   if (response.has_header("Content-Type")) return;
   ignore_ranges(request);
   const int status = response.status;
+  if (status == 400 && is_unknown(request.method)) {
+    // It has read no more than the first line.
+    try {
+      routes_.match(request.method, request.target.substr(0, request.target.find('?')));
+    } catch (const Refusal& refusal) {
+      return answer_problem(response, refusal.problem(), Afterwards::close);
+    }
+  }
   const std::string detail = status == 414   ? "The request's target is too long"
                              : status == 416 ? "The Range field cannot be read; leave it out"
                              : status < 500  ? "This is not a request that HTTP/1.1 knows"

@@ -9,6 +9,17 @@
 namespace raytracer {
 namespace {
 
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// Its start, without capitals: a longer word is no slip of the finger, a capital is less of one
+/// than another letter.
+std::string start_of(std::string_view word) {
+  constexpr std::size_t longest = 64;
+  std::string start(word.substr(0, longest));
+  std::transform(start.begin(), start.end(), start.begin(), lower);
+  return start;
+}
+
 /// Optimal string alignment distance, by dynamic programming over three rows.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
@@ -31,12 +42,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string_view nearest_key(std::string_view word, std::span<const std::string_view> known) {
-  constexpr std::size_t longest = 64;  // a longer word is no slip of the finger: compare its start
   std::string_view nearest;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const std::string_view candidate : known) {
-    const std::size_t distance =
-        edit_distance(word.substr(0, longest), candidate.substr(0, longest));
+    const std::size_t distance = edit_distance(start_of(word), start_of(candidate));
     if (distance < least) {
       least = distance;
       nearest = candidate;

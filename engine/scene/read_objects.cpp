@@ -150,7 +150,7 @@ std::vector<Object> read_objects(const Field& field, MaterialReader& materials) 
   objects.reserve(field.value.node_count() / fewest_nodes);
   read_elements(field, [&](const Field& element) {
     std::optional<Shape> shape = read_typed(element, readers);
-    if (!shape) return;
+    if (element.value.kind() != JsonKind::object) return;
     MaterialIndex material = 0;
     if (const auto use = element.value.member("material")) {
       const Path path = element.path.child("material");
@@ -158,7 +158,7 @@ std::vector<Object> read_objects(const Field& field, MaterialReader& materials) 
     } else {
       material = materials.use_default();
     }
-    objects.push_back({std::move(*shape), material});
+    if (shape) objects.push_back({std::move(*shape), material});
   });
   return objects;
 }

@@ -90,13 +90,23 @@ Light read_point_light(const Field& field) {
   return light;
 }
 
+/// For the errors in what lights of all types have.
+void read_light_of_no_type(const Field& field) {
+  const ObjectReader object(field, {"type", "direction", "position", "color", "intensity"});
+  Light light;
+  read_emission(object, light);
+}
+
 std::vector<Light> read_lights(const Field& field) {
   static constexpr TypedReaders<Light, 2> readers{
       {{"distant", read_distant_light}, {"point", read_point_light}}};
   std::vector<Light> lights;
   if (!expect_array(field)) return lights;
   read_elements(field, [&](const Field& element) {
-    if (auto light = read_typed(element, readers)) lights.push_back(*light);
+    if (auto light = read_typed(element, readers))
+      lights.push_back(*light);
+    else if (element.value.kind() == JsonKind::object)
+      read_light_of_no_type(element);
   });
   return lights;
 }

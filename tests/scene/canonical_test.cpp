@@ -102,6 +102,7 @@ TEST(NearestKey, IsThatOfTheLeastEditDistanceAndTheFirstOfEquals) {
   EXPECT_EQ(nearest_key("raduis", words), "radius");
   EXPECT_EQ(nearest_key("radius", words), "radius");
   EXPECT_EQ(nearest_key("centre", words), "center");
+  EXPECT_EQ(nearest_key("RADIUS", words), "radius");
   EXPECT_EQ(nearest_key("centerss", words), "centers");
   EXPECT_EQ(nearest_key("m", words), "n");
   EXPECT_EQ(nearest_key("", words), "n");

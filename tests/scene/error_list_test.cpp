@@ -29,6 +29,24 @@ TEST(Validation, ReportsAllErrorsOfADocumentTogether) {
       << describe(errors);
 }
 
+TEST(Validation, AnUnknownTypeHidesNoErrorInWhatAllTypesHave) {
+  json wrong = full_document();
+  wrong["objects"][0]["type"] = "cube";
+  wrong["objects"][0]["material"] = "rde";
+  wrong["lights"][1].erase("type");
+  wrong["lights"][1]["color"] = "x";
+  wrong["lights"][1]["intensitty"] = 1;
+  const std::vector<Error> errors = errors_of(wrong);
+  std::vector<std::string> pointers;
+  pointers.reserve(errors.size());
+  for (const Error& error : errors) pointers.push_back(error.pointer);
+  std::sort(pointers.begin(), pointers.end());
+  EXPECT_EQ(pointers,
+            (std::vector<std::string>{"/lights/1/color", "/lights/1/intensitty", "/lights/1/type",
+                                      "/objects/0/material", "/objects/0/type"}))
+      << describe(errors);
+}
+
 TEST(Validation, RefusesADocumentThatIsNoObject) {
   for (const char* text : {"5", "null", "[]", "\"scene\"", "true"}) {
     const std::vector<Error> errors = errors_of_text(text);

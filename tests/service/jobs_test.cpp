@@ -138,6 +138,24 @@ TEST_F(Jobs, queued_job_can_be_deleted) {
   EXPECT_EQ(test::post(busy, "/jobs", small_scene).status, 202);
 }
 
+TEST_F(Jobs, image_of_a_queued_job_is_black) {
+  const ServerProcess busy({"--threads", "1"});
+  for (int i = 0; i < 4; ++i) test::post(busy, "/jobs", endless_scene());
+  const std::string queued =
+      test::post(busy, "/jobs?width=5&height=3", small_scene).get_header_value("Location");
+  const Answer image = test::get(busy, queued + "/image", {{"Accept", std::string(ppm_type)}});
+  ASSERT_EQ(image.status, 200) << image.body;
+  EXPECT_EQ(image.body, "P6\n5 3\n255\n" + std::string(5 * 3 * 3, '\0'));
+  EXPECT_FALSE(image.has_header("ETag"));
+}
+
+TEST_F(Jobs, image_can_be_asked_for_at_any_moment) {
+  for (int i = 0; i < 100; ++i) {
+    const std::string path = start(small_scene, fmt::format("?width=20&max_depth={}", i % 50));
+    EXPECT_EQ(get(path + "/image").status, 200);
+  }
+}
+
 TEST_F(Jobs, unknown_job_is_404) {
   for (const char* const path : {"/jobs/1", "/jobs/1/image", "/jobs/%00"})
     expect_problem(get(path), 404, "job");

@@ -52,7 +52,10 @@ TEST_F(Routing, other_methods_are_405_with_those_that_are_allowed) {
 
 TEST_F(Routing, unknown_method_is_an_error_not_a_crash) {
   const std::string answer = raw("BREW /render HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n");
-  EXPECT_EQ(answer.rfind("HTTP/1.1 4", 0), 0U) << answer;
+  EXPECT_EQ(answer.rfind("HTTP/1.1 405", 0), 0U) << answer;
+  EXPECT_NE(answer.find("Allow: POST, GET, HEAD\r\n"), std::string::npos) << answer;
+  EXPECT_EQ(raw("BREW /nothing?a=b HTTP/1.1\r\n\r\n").rfind("HTTP/1.1 404", 0), 0U);
+  EXPECT_EQ(raw("BREW? /render HTTP/1.1\r\n\r\n").rfind("HTTP/1.1 400", 0), 0U);
   EXPECT_EQ(get("/healthz").status, 200);
 }
 

@@ -59,22 +59,23 @@ HWY_INLINE auto compressing_order(D d, M mask) {
   return hn::SetTableIndices(d, order);
 }
 
-/// Adds what a packet sees to the block's colours and keeps what it mirrors for `reflected`.
+/// The colours that a packet sees; what it mirrors is kept for `reflected`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void shade_packet(D d, const SimdScene<T>& scene, const Packet<V>& packet,
-                             const Nearest<V>& nearest, M active, bool reflects,
-                             RayBlock<T>& reflected, V3<V>& colour) {
+HWY_INLINE V3<V> shade_packet(D d, const SimdScene<T>& scene, const Packet<V>& packet,
+                              const Nearest<V>& nearest, M active, bool reflects,
+                              RayBlock<T>& reflected) {
   const V zero = hn::Zero(d);
   const M hit = hn::And(active, hn::Ge(nearest.id, zero));
-  colour = broadcast(d, scene.background);
-  if (hn::AllFalse(d, hit)) return;
+  const V3<V> background = broadcast(d, scene.background);
+  if (hn::AllFalse(d, hit)) return background;
   const Surface<D> surface = surface_at(d, scene, packet.from, packet.direction, nearest, hit);
-  colour = select(hit, shade(d, scene, surface, negate(packet.direction), hit), colour);
-  if (!reflects) return;
+  const V3<V> colour =
+      select(hit, shade(d, scene, surface, negate(packet.direction), hit), background);
+  if (!reflects) return colour;
 
   const V weight = hn::Mul(packet.weight, surface.material(d, scene.materials.reflectivity));
   const M mirrors = hn::And(hit, hn::Gt(weight, zero));
-  if (hn::AllFalse(d, mirrors)) return;
+  if (hn::AllFalse(d, mirrors)) return colour;
   const V twice = hn::Mul(hn::Set(d, T(-2)), dot(packet.direction, surface.at.normal));
   const V3<V> direction = unit(d, mul_add(surface.at.normal, twice, packet.direction));
   const auto first_mirrors = compressing_order(d, mirrors);
@@ -96,6 +97,7 @@ HWY_INLINE void shade_packet(D d, const SimdScene<T>& scene, const Packet<V>& pa
   keep(weight, reflected.weight);
   keep(packet.pixel, reflected.pixel);
   reflected.count += static_cast<int>(count_true(d, mirrors));
+  return colour;
 }
 
 /// One bounce of a block of reflected rays: adds what they see, returns what they mirror.
@@ -132,8 +134,7 @@ void trace_reflected(const SimdScene<T>& scene, const RayBlock<T>& rays, bool re
     show_planes(d, scene, packet.from, packet.direction, active, nearest);
     show_squares<true>(d, scene, packet.from, packet.direction, active, nearest);
 
-    V3<V> colour;
-    shade_packet(d, scene, packet, nearest, active, reflects, reflected, colour);
+    const V3<V> colour = shade_packet(d, scene, packet, nearest, active, reflects, reflected);
     alignas(64) T weighted[3][HWY_MAX_BYTES / sizeof(T)];
     hn::Store(hn::Mul(colour.x, packet.weight), d, weighted[0]);
     hn::Store(hn::Mul(colour.y, packet.weight), d, weighted[1]);

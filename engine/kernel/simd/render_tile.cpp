@@ -105,7 +105,6 @@ HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
     const PacketPlace<D> place(i);
     if (!place.is_in(block)) continue;
     const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
-    V3<V> colour = broadcast(d, scene.background);
     const V3<V> direction = rays.direction(d, place, sample);
     const auto active = rays.active(d, place);
     Nearest<V> nearest{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
@@ -121,8 +120,8 @@ HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
     if ((contents.square_parts >> place.part() & 1U) != 0)
       show_squares<false>(d, scene, eye, direction, active, nearest);
     const Packet<V> packet{eye, direction, hn::Set(d, T(1)), hn::Iota(d, static_cast<T>(first))};
-    shade_packet(d, scene, packet, nearest, active, scene.reflects, reflected, colour);
-    store(d, colour, first, colours);
+    store(d, shade_packet(d, scene, packet, nearest, active, scene.reflects, reflected), first,
+          colours);
   }
   if (reflected.count > 0) trace_reflections(scene, reflected, colours);
 }
