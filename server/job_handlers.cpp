@@ -1,6 +1,7 @@
 // /jobs: images and curves that are asked for now and fetched later.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -52,6 +53,12 @@ nlohmann::ordered_json to_json(const Job& job) {
                                   state.detail)});
 }
 
+Image black_image(int width, int height) {
+  Image image(width, height);
+  std::fill(image.values.begin(), image.values.end(), 0.0F);
+  return image;
+}
+
 /// The picture as far as it has come, black before anything is traced; nothing once the job has
 /// ended.
 std::optional<Image> image_so_far(const Job& job) {
@@ -60,7 +67,7 @@ std::optional<Image> image_so_far(const Job& job) {
     if (std::optional<Image> image = job.image_so_far()) return image;
     const JobState state = job.state();
     if (has_ended(state.status)) return {};
-    if (state.progress == 0) return Image(job.width, job.height);
+    if (state.progress == 0) return black_image(job.width, job.height);
     job.wait_for_end(moment);
   }
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -34,21 +35,32 @@ void ignore_ranges(const httplib::Request& request) {
   const_cast<httplib::Request&>(request).ranges.clear();
 }
 
-/// Makes "/path" of "http://host/path", which every server must understand (RFC 9112, 3.2.2).
-void drop_authority(const httplib::Request& request) {
+/// "/path" of "http://host/path", which every server must understand (RFC 9112, 3.2.2).
+std::string without_authority(const std::string& target) {
   constexpr std::string_view scheme = "http://";
-  std::string& path = const_cast<httplib::Request&>(request).path;
-  if (path.rfind(scheme, 0) != 0) return;
-  path.erase(0, std::min(path.find('/', scheme.size()), path.size()));
-  if (path.empty()) path = "/";
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  const bool has_scheme = target.size() >= scheme.size() &&
+                          std::equal(scheme.begin(), scheme.end(), target.begin(),
+                                     [&](char expected, char c) { return expected == lower(c); });
+  if (!has_scheme) return target;
+  const std::size_t end = target.find_first_of("/?", scheme.size());
+  if (end == std::string::npos || target[end] == '?') return "/";
+  return target.substr(end);
 }
 
-/// Whether it is the name of a method, but of none that httplib reads on after.
+void drop_authority(const httplib::Request& request) {
+  if (without_authority(request.target) == request.target) return;
+  std::string& path = const_cast<httplib::Request&>(request).path;
+  path = without_authority(path);
+}
+
+/// Whether it is a method's name (RFC 9110, 5.6.2), but of none that httplib reads on after.
 bool is_unknown(std::string_view method) {
   constexpr std::array<std::string_view, 10> known{"GET",     "HEAD",    "POST",  "PUT",   "DELETE",
                                                    "CONNECT", "OPTIONS", "TRACE", "PATCH", "PRI"};
   const bool is_name = !method.empty() && std::all_of(method.begin(), method.end(), [](char c) {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-';
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
   });
   return is_name && std::find(known.begin(), known.end(), method) == known.end();
 }
@@ -204,10 +216,12 @@ void Listener::answer_unrouted(const httplib::Request& request, httplib::Respons
   if (response.has_header("Content-Type")) return;
   ignore_ranges(request);
   const int status = response.status;
-  if (status == 400 && is_unknown(request.method)) {
-    // It has read no more than the first line.
+  // Of a method that httplib does not know it has read the first line alone, and so no token.
+  if (status == 400 && is_unknown(request.method) && request.version == "HTTP/1.1" &&
+      config_.token.empty()) {
     try {
-      routes_.match(request.method, request.target.substr(0, request.target.find('?')));
+      const std::string target = without_authority(request.target);
+      routes_.match(request.method, target.substr(0, target.find('?')));
     } catch (const Refusal& refusal) {
       return answer_problem(response, refusal.problem(), Afterwards::close);
     }

@@ -21,8 +21,8 @@ Problem scene_problem(std::vector<Error> errors) {
   std::string detail = errors.front().detail;
   if (status != 400 && errors.size() > 1) {
     const bool is_cut_off = errors.back().pointer.empty();  // by a last one that counts the rest
-    detail = fmt::format("The scene has {}{} errors; the first, at {}: {}",
-                         is_cut_off ? "more than " : "", errors.size() - (is_cut_off ? 1 : 0),
+    detail = fmt::format("The scene has {} errors; the first, at {}: {}",
+                         is_cut_off ? "many" : std::to_string(errors.size()),
                          errors.front().pointer, detail);
   } else if (status != 400) {
     detail = fmt::format("{}: {}", errors.front().pointer, detail);

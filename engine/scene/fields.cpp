@@ -140,8 +140,10 @@ std::optional<std::size_t> read_choice(const Field& field,
   if (!word) return {};
   const auto found = std::find(words.begin(), words.end(), *word);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  field.refuse(fmt::format("\"{}\" is not one of \"{}\"; did you mean \"{}\"?", *word,
-                           fmt::join(words, "\", \""), nearest_key(*word, words)));
+  field.refuse_by([&] {
+    return fmt::format("\"{}\" is not one of \"{}\"; did you mean \"{}\"?", *word,
+                       fmt::join(words, "\", \""), nearest_key(*word, words));
+  });
   return {};
 }
 
@@ -150,11 +152,13 @@ bool expect_array(const Field& field) { return expect(field, JsonKind::array, "a
 ObjectReader::ObjectReader(const Field& field, std::initializer_list<std::string_view> known)
     : field_(field), is_object_(expect(field, JsonKind::object, "an object")) {
   if (!is_object_) return;
-  field.value.for_each_member([&](std::string_view key, JsonValue) {
+  field.value.for_each_member([&](std::string_view key, JsonValue value) {
     if (std::find(known.begin(), known.end(), key) != known.end()) return;
-    field.errors.add(ErrorKind::invalid, field.path.child(key),
-                     fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key,
-                                 nearest_key(key, std::span(known.begin(), known.size()))));
+    const Path path = field.path.child(key);
+    Field{value, path, field.errors}.refuse_by([&] {
+      return fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key,
+                         nearest_key(key, std::span(known.begin(), known.size())));
+    });
   });
 }
 

@@ -29,6 +29,14 @@ struct Field {
   ErrorList& errors;
 
   void refuse(std::string detail) const { errors.add(ErrorKind::invalid, path, std::move(detail)); }
+  /// The same where `describe()` takes long: it is not called for errors that are only counted.
+  template <typename Describe>
+  void refuse_by(const Describe& describe) const {
+    if (errors.is_full())
+      errors.add_unlisted();
+    else
+      refuse(describe());
+  }
 };
 
 /// An interval of doubles, with the words for it.
@@ -89,6 +97,9 @@ void read_elements(const Field& field, Read read) {
 class ObjectReader {
  public:
   ObjectReader(const Field& field, std::initializer_list<std::string_view> known);
+  /// Of whatever keys, and of a value that has none if it is no object.
+  explicit ObjectReader(const Field& field)
+      : field_(field), is_object_(field.value.kind() == JsonKind::object) {}
 
   /// Sets `out` to what read(Field) returns for the member `key`, if it is there and right.
   template <typename T, typename Read>

@@ -1,5 +1,7 @@
 #include "engine/scene/materials.h"
 
+#include <algorithm>
+#include <span>
 #include <tuple>
 
 #include "engine/scene/nearest_key.h"
@@ -55,10 +57,14 @@ std::optional<MaterialIndex> MaterialReader::read_use(const Field& field) {
   const std::string_view name = field.value.string();
   const auto found = named_.find(name);
   if (found == named_.end()) {
-    field.refuse(names_.empty()
-                     ? fmt::format("there is no material \"{}\": \"materials\" has none", name)
-                     : fmt::format("there is no material \"{}\"; did you mean \"{}\"?", name,
-                                   nearest_key(name, names_)));
+    field.refuse_by([&] {
+      if (names_.empty())
+        return fmt::format("there is no material \"{}\": \"materials\" has none", name);
+      constexpr std::size_t most_compared = 256;  // a document may have a thousand wrong names
+      const std::span<const std::string_view> names(names_);
+      return fmt::format("there is no material \"{}\"; did you mean \"{}\"?", name,
+                         nearest_key(name, names.first(std::min(names.size(), most_compared))));
+    });
     return {};
   }
   Named& named = found->second;

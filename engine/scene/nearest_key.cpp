@@ -42,10 +42,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string_view nearest_key(std::string_view word, std::span<const std::string_view> known) {
+  const std::string start = start_of(word);
   std::string_view nearest;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const std::string_view candidate : known) {
-    const std::size_t distance = edit_distance(start_of(word), start_of(candidate));
+    const std::size_t distance = edit_distance(start, start_of(candidate));
     if (distance < least) {
       least = distance;
       nearest = candidate;

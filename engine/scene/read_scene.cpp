@@ -90,11 +90,10 @@ Light read_point_light(const Field& field) {
   return light;
 }
 
-/// For the errors in what lights of all types have.
+/// For the errors in what lights of all types have; which other keys it may have is not known.
 void read_light_of_no_type(const Field& field) {
-  const ObjectReader object(field, {"type", "direction", "position", "color", "intensity"});
   Light light;
-  read_emission(object, light);
+  read_emission(ObjectReader(field), light);
 }
 
 std::vector<Light> read_lights(const Field& field) {
@@ -105,7 +104,7 @@ std::vector<Light> read_lights(const Field& field) {
   read_elements(field, [&](const Field& element) {
     if (auto light = read_typed(element, readers))
       lights.push_back(*light);
-    else if (element.value.kind() == JsonKind::object)
+    else
       read_light_of_no_type(element);
   });
   return lights;

@@ -63,6 +63,23 @@ TEST(Constant, NothingIsTheBackground) {
   expect_color(text, {0.1, 0.55, 1});
 }
 
+/// Where rays are traced and where it is known that they meet nothing, at every number of samples.
+TEST(Constant, BackgroundHasNoSeams) {
+  json text = document(camera_json(67, 45), {sphere_json({0.1, 0.2, 9}, 0.4)});
+  text["background"] = {0.3, 0.1, 0.7};
+  for (const int samples : {1, 3, 4, 9, 13, 25, 36, 100}) {
+    text["render"]["samples"] = samples;
+    const Image image = image_of(text);
+    const Vec3 plain = color_at(image, 0, 0);
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const double difference = distance(color_at(image, x, y), plain);
+        EXPECT_TRUE(difference == 0 || difference > 1e-3)
+            << samples << " samples, pixel " << x << ' ' << y << ": " << difference;
+      }
+  }
+}
+
 TEST(Constant, TheBackgroundIsEncodedOnceUnderSrgb) {
   json text = document(camera_json(3, 3));
   text["background"] = {0.5, 0.18, 1};

@@ -35,14 +35,15 @@ TEST(Validation, AnUnknownTypeHidesNoErrorInWhatAllTypesHave) {
   wrong["objects"][0]["material"] = "rde";
   wrong["lights"][1].erase("type");
   wrong["lights"][1]["color"] = "x";
-  wrong["lights"][1]["intensitty"] = 1;
+  wrong["lights"][1]["intensity"] = -1;
+  wrong["lights"][1]["angle"] = 1;
   const std::vector<Error> errors = errors_of(wrong);
   std::vector<std::string> pointers;
   pointers.reserve(errors.size());
   for (const Error& error : errors) pointers.push_back(error.pointer);
   std::sort(pointers.begin(), pointers.end());
   EXPECT_EQ(pointers,
-            (std::vector<std::string>{"/lights/1/color", "/lights/1/intensitty", "/lights/1/type",
+            (std::vector<std::string>{"/lights/1/color", "/lights/1/intensity", "/lights/1/type",
                                       "/objects/0/material", "/objects/0/type"}))
       << describe(errors);
 }

@@ -55,14 +55,19 @@ TEST_F(Routing, unknown_method_is_an_error_not_a_crash) {
   EXPECT_EQ(answer.rfind("HTTP/1.1 405", 0), 0U) << answer;
   EXPECT_NE(answer.find("Allow: POST, GET, HEAD\r\n"), std::string::npos) << answer;
   EXPECT_EQ(raw("BREW /nothing?a=b HTTP/1.1\r\n\r\n").rfind("HTTP/1.1 404", 0), 0U);
-  EXPECT_EQ(raw("BREW? /render HTTP/1.1\r\n\r\n").rfind("HTTP/1.1 400", 0), 0U);
+  EXPECT_EQ(raw("BREW2 http://x/render HTTP/1.1\r\n\r\n").rfind("HTTP/1.1 405", 0), 0U);
+  for (const char* const line : {"BREW? /render HTTP/1.1\r\n\r\n", "hello world\r\n\r\n",
+                                 "BREW /render\r\n\r\n", "BREW /render HTTP/9\r\n\r\n"})
+    EXPECT_EQ(raw(line).rfind("HTTP/1.1 400", 0), 0U) << line;
   EXPECT_EQ(get("/healthz").status, 200);
 }
 
 TEST_F(Routing, target_with_scheme_and_host_is_its_path) {
   for (const auto& [target, status] : {std::pair{"http://x/healthz", 200},
                                        {"http://x:80/render?scene=demo&width=8&height=8", 200},
+                                       {"HTTP://x/healthz", 200},
                                        {"http://x", 200},
+                                       {"http://x?a=b", 200},
                                        {"http://x/nothing", 404},
                                        {"http:/healthz", 404},
                                        {"ftp://x/healthz", 404}}) {

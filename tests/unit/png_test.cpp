@@ -80,9 +80,7 @@ TEST(Png, HasEveryByteOfAPictureOfAnySize) {
   }
 }
 
-/// ISA-L 2.30 itself, on one thread and with all of its memory zeroed, takes other matches now and
-/// then, several times in a row: the picture must be the same always, the file within some tries.
-/// Strips that depended on the threads would never give the same.
+/// Strips that depended on the threads would not give the same file.
 TEST(Png, IsTheSameFileOnAnyNumberOfThreads) {
   const Bytes rgb = mixture(1501, 777);
   WorkerPool one(1);

@@ -232,7 +232,7 @@ HWY_INLINE void fill_rows(const Channel* row, const Block& block, int x, int y, 
                           Raster<Channel>& image) {
   const int columns = std::min(side, block.width - x);
   const int rows = std::min(side, block.height - y);
-  if (columns <= 0) return;
+  if (columns <= 0 || rows <= 0) return;
   const std::ptrdiff_t stride = 3 * static_cast<std::ptrdiff_t>(image.width);
   Channel* to = image.pixel(block.x_begin + x, block.y_begin + y);
   for (int i = 0; i < rows; ++i, to += stride) {

@@ -126,46 +126,65 @@ HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
   if (reflected.count > 0) trace_reflections(scene, reflected, colours);
 }
 
+/// 1 / count.
+template <class D, typename T = hn::TFromD<D>>
+HWY_INLINE hn::Vec<D> share_of(D d, std::size_t count) {
+  return hn::Set(d, static_cast<T>(1 / static_cast<double>(count)));
+}
+
+/// A pixel's colour of the sum of its clamped samples.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V3<V> resolved(D d, const V3<V>& sum, V share, Transfer transfer) {
+  const V3<V> mean = clamped(d, scale(sum, share));  // of singles it may exceed 1 by a rounding
+  return {encoded(d, transfer, mean.x), encoded(d, transfer, mean.y), encoded(d, transfer, mean.z)};
+}
+
 /// Adds to each part's error what the means of the two halves of its samples differ by.
-template <class D, typename T, class Mean>
+template <class D, typename T>
 HWY_NOINLINE void add_part_errors(D d, const Block& block, const EyeRays<D>& rays,
                                   const BlockColours<T>& sums_of_half, const BlockColours<T>& sums,
-                                  std::size_t half, const Mean& mean_of, double* part_errors) {
+                                  std::size_t half, Transfer transfer, double* part_errors) {
   using V = hn::Vec<D>;
   using Shape = PacketShape<D>;
-  const V share = hn::Set(d, static_cast<T>(1 / static_cast<double>(half)));
+  const V share = share_of(d, half);
   for (int i = 0; i < Shape::packets; ++i) {
     const PacketPlace<D> place(i);
     if (!place.is_in(block)) continue;
     const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
     const V3<V> one = load(d, sums_of_half, first);
     const V3<V> other = sub(load(d, sums, first), one);
-    const V3<V> difference = sub(mean_of(one, share), mean_of(other, share));
+    const V3<V> difference =
+        sub(resolved(d, one, share, transfer), resolved(d, other, share, transfer));
     const V squares = hn::IfThenElseZero(rays.active(d, place), dot(difference, difference));
     part_errors[place.part()] +=
         PartErrors::share * static_cast<double>(hn::GetLane(hn::SumOfLanes(d, squares)));
   }
 }
 
+/// The colour of a pixel that shows nothing, with the roundings of one whose rays were traced.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V3<V> resolved_background(D d, const SimdScene<T>& scene, std::size_t sample_count,
+                                     Transfer transfer) {
+  const V3<V> sample = clamped(d, broadcast(d, scene.background));
+  V3<V> sum = sample;
+  for (std::size_t i = 1; i < sample_count; ++i) sum = add(sample, sum);
+  return resolved(d, sum, share_of(d, sample_count), transfer);
+}
+
 template <typename T>
 void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
-                  const Block& whole, const Canvas& canvas, double* part_errors,
-                  BlockColours<T>& sums_of_half, BeyondRange& beyond) {
+                  const Block& whole, const V3<hn::Vec<hn::ScalableTag<T>>>& background,
+                  const Canvas& canvas, double* part_errors, BlockColours<T>& sums_of_half,
+                  BeyondRange& beyond) {
   using D = hn::ScalableTag<T>;
   const D d;
   using V = hn::Vec<D>;
   using Shape = PacketShape<D>;
-  const auto resolved = [&](const V3<V>& mean) HWY_ATTR {
-    return V3<V>{encoded(d, transfer, mean.x), encoded(d, transfer, mean.y),
-                 encoded(d, transfer, mean.z)};
-  };
   const BlockContents contents(scene, whole.x_begin / block_side, whole.y_begin / block_side);
   Block block = whole;
   block.parts &= contents.parts;
-  if (block.parts != whole.parts) {
-    const V3<V> background = resolved(clamped(d, broadcast(d, scene.background)));
+  if (block.parts != whole.parts)
     fill_parts(d, background, whole, whole.parts & ~contents.parts, canvas);
-  }
   if (block.parts == 0) return;
 
   const EyeRays<D> rays(d, scene, block, pattern.stagger);
@@ -188,16 +207,13 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
       block_beyond.note(d, block, colours,
                         [&](const auto& place) HWY_ATTR { return rays.active(d, place); });
   }
-  // A mean of singles may exceed 1 by a rounding.
-  const auto mean_of = [&](const V3<V>& sum, V share)
-                           HWY_ATTR { return resolved(clamped(d, scale(sum, share))); };
   if (part_errors != nullptr)
-    add_part_errors(d, block, rays, sums_of_half, sums, pattern.first_half, mean_of, part_errors);
-  const V share = hn::Set(d, static_cast<T>(1 / static_cast<double>(pattern.points.size())));
+    add_part_errors(d, block, rays, sums_of_half, sums, pattern.first_half, transfer, part_errors);
+  const V share = share_of(d, pattern.points.size());
   for (int i = 0; i < Shape::packets; ++i) {
     if (!PacketPlace<D>(i).is_in(block)) continue;
     const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
-    store(d, mean_of(load(d, sums, first), share), first, sums);
+    store(d, resolved(d, load(d, sums, first), share, transfer), first, sums);
   }
   store_block(d, sums, block, canvas);
   block_beyond.add_to(beyond);
@@ -207,6 +223,8 @@ template <typename T>
 TracedTile render_blocks(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
                          const Tile& tile, const Canvas& canvas, PartErrors* errors) {
   TracedTile traced{HWY_TARGET, {}};
+  const hn::ScalableTag<T> d;
+  const auto background = resolved_background(d, scene, pattern.points.size(), transfer);
   BlockColours<T> sums_of_half;
   const bool tells_errors = errors != nullptr && pattern.has_halves();
   for (int y = tile.y_begin; y < tile.y_end; y += block_side)
@@ -214,8 +232,8 @@ TracedTile render_blocks(const SimdScene<T>& scene, const SamplePattern& pattern
       render_block(scene, pattern, transfer,
                    {x, y, std::min(block_side, tile.x_end - x),
                     std::min(block_side, tile.y_end - y), tile.parts},
-                   canvas, tells_errors ? errors->of_block(x, y) : nullptr, sums_of_half,
-                   traced.beyond);
+                   background, canvas, tells_errors ? errors->of_block(x, y) : nullptr,
+                   sums_of_half, traced.beyond);
   return traced;
 }
 
