@@ -150,7 +150,8 @@ TEST_F(Jobs, image_of_a_queued_job_is_black) {
   for (int i = 0; i < 10; ++i) {
     const Answer image = test::get(busy, queued + "/image", {{"Accept", std::string(pfm_type)}});
     ASSERT_EQ(image.status, 200) << image.body;
-    EXPECT_TRUE(image.body == "PF\n200 150\n-1.0\n" + std::string(200 * 150 * 12, '\0'));
+    EXPECT_TRUE(image.body ==
+                "PF\n200 150\n-1.0\n" + std::string(std::size_t{200} * 150 * 12, '\0'));
     EXPECT_FALSE(image.has_header("ETag"));
   }
 }
