@@ -1,6 +1,7 @@
 #include "server/listener.h"
 
 #include <fmt/format.h>
+#include <strings.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -38,11 +39,7 @@ void ignore_ranges(const httplib::Request& request) {
 /// "/path" of "http://host/path", which every server must understand (RFC 9112, 3.2.2).
 std::string without_authority(const std::string& target) {
   constexpr std::string_view scheme = "http://";
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  const bool has_scheme = target.size() >= scheme.size() &&
-                          std::equal(scheme.begin(), scheme.end(), target.begin(),
-                                     [&](char expected, char c) { return expected == lower(c); });
-  if (!has_scheme) return target;
+  if (strncasecmp(target.c_str(), scheme.data(), scheme.size()) != 0) return target;
   const std::size_t end = target.find_first_of("/?", scheme.size());
   if (end == std::string::npos || target[end] == '?') return "/";
   return target.substr(end);

@@ -31,8 +31,8 @@ std::size_t strip_size_of(std::size_t size) { return std::min(strip_size, size);
 constexpr std::array<unsigned char, 2> header{0x78, 0x01};  // deflate, 32 KiB back, fastest
 constexpr std::size_t checksum_size = 4;
 
-/// Incompressible bytes are stored, in blocks of at least 32 KiB: 5 bytes for each, and 5 and a
-/// small block for each flush; 28 bytes at most were seen.
+/// Incompressible bytes are stored, in some blocks of 5 bytes more: 28 were the most that any of
+/// thousands of strips grew by. One that does not fit is an error.
 constexpr std::size_t largest_compressed(std::size_t size) { return size + 128; }
 
 /// To be called behind every function of ISA-L's: 2.30 returns with the upper halves of registers

@@ -11,6 +11,14 @@
 namespace raytracer::test {
 namespace {
 
+std::vector<std::string> sorted_pointers(const std::vector<Error>& errors) {
+  std::vector<std::string> pointers;
+  pointers.reserve(errors.size());
+  for (const Error& error : errors) pointers.push_back(error.pointer);
+  std::sort(pointers.begin(), pointers.end());
+  return pointers;
+}
+
 TEST(Validation, ReportsAllErrorsOfADocumentTogether) {
   json wrong = full_document();
   wrong["camera"]["fvo"] = 1;
@@ -19,11 +27,7 @@ TEST(Validation, ReportsAllErrorsOfADocumentTogether) {
   wrong["lights"][1].erase("position");
   wrong["render"]["samples"] = 0;
   const std::vector<Error> errors = errors_of(wrong);
-  std::vector<std::string> pointers;
-  pointers.reserve(errors.size());
-  for (const Error& error : errors) pointers.push_back(error.pointer);
-  std::sort(pointers.begin(), pointers.end());
-  EXPECT_EQ(pointers,
+  EXPECT_EQ(sorted_pointers(errors),
             (std::vector<std::string>{"/camera/fvo", "/lights/1/position", "/objects/0/radius",
                                       "/objects/1/material", "/render/samples"}))
       << describe(errors);
@@ -38,11 +42,7 @@ TEST(Validation, AnUnknownTypeHidesNoErrorInWhatAllTypesHave) {
   wrong["lights"][1]["intensity"] = -1;
   wrong["lights"][1]["angle"] = 1;
   const std::vector<Error> errors = errors_of(wrong);
-  std::vector<std::string> pointers;
-  pointers.reserve(errors.size());
-  for (const Error& error : errors) pointers.push_back(error.pointer);
-  std::sort(pointers.begin(), pointers.end());
-  EXPECT_EQ(pointers,
+  EXPECT_EQ(sorted_pointers(errors),
             (std::vector<std::string>{"/lights/1/color", "/lights/1/intensity", "/lights/1/type",
                                       "/objects/0/material", "/objects/0/type"}))
       << describe(errors);
