@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/image/pixel_spreads.h"
 #include "engine/math/block.h"
 
 namespace raytracer {
@@ -11,7 +12,7 @@ namespace raytracer {
 /// For each part of each block the sum of the squared errors of its values, estimated from the
 /// samples alone: two halves of them, spread alike, differ by what both err. If they err like
 /// random ones, all together err by half of the halves' difference. Halves that complete each other
-/// err less together (ErrorFall).
+/// err less together (PixelErrors).
 ///
 /// Limits: what no sample met is in no estimate.
 class PartErrors {
@@ -41,6 +42,14 @@ class PartErrors {
 
   std::size_t columns_;
   std::vector<double> error2_;
+};
+
+/// Where a tile's samples tell its errors: what somebody wants.
+struct TileErrors {
+  PartErrors* parts = nullptr;
+  PixelSpreads* pixels = nullptr;
+
+  bool are_wanted() const { return parts != nullptr || pixels != nullptr; }
 };
 
 }  // namespace raytracer

@@ -1,4 +1,5 @@
-// How an image's pixels are grouped: blocks are traced and culled together, parts of them refined.
+// How an image's pixels are grouped: blocks are traced and culled together, parts of them looked at
+// together.
 #pragma once
 
 #include <cstddef>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -9,9 +10,11 @@
 #include "engine/accel/bvh.h"
 #include "engine/image/image.h"
 #include "engine/image/part_errors.h"
+#include "engine/image/sampled_pixel.h"
 #include "engine/image/tile.h"
 #include "engine/kernel/beyond_range.h"
 #include "engine/kernel/simd/render_tile.h"
+#include "engine/kernel/simd/sample_pixels.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/plan/plan.h"
 #include "engine/sample/pattern.h"
@@ -37,9 +40,14 @@ using Tracer = std::variant<ReferenceTracer, SimdTracer<float>, SimdTracer<doubl
 Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool);
 
 /// Traces the tile's pixels with one sample at each place of `pattern` and stores their encoded
-/// means, and adds the errors of its parts to `errors` if the pattern has halves. Touches no other
-/// pixel and no other part.
+/// means, and adds what they tell of its errors to `errors` if the pattern has halves. Touches no
+/// other pixel and no other part.
 BeyondRange render_tile(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
-                        const Tile& tile, const Canvas& canvas, PartErrors* errors = nullptr);
+                        const Tile& tile, const Canvas& canvas, const TileErrors& errors = {});
+
+/// Samples single pixels of a block, side by side, at the places of a pattern that has halves and
+/// is not staggered; `results` has one for each.
+void sample_pixels(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
+                   const BlockPixels& pixels, std::span<SampledPixel> results);
 
 }  // namespace raytracer

@@ -13,6 +13,7 @@
 #include "engine/accel/bvh.h"
 #include "engine/image/encode.h"
 #include "engine/kernel/radiance.h"
+#include "engine/kernel/simd/instruction_sets.h"
 #include "engine/plan/plan.h"
 #include "engine/render/tracer.h"
 #include "engine/scene/read_scene.h"

@@ -15,6 +15,7 @@
 #include <variant>
 
 #include "engine/image/image.h"
+#include "engine/image/tile.h"
 #include "engine/kernel/sample_point.h"
 #include "engine/kernel/simd/packet-inl.h"
 #include "engine/math/block.h"

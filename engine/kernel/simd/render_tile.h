@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
 #include "engine/image/image.h"
 #include "engine/image/part_errors.h"
@@ -12,12 +10,8 @@
 #include "engine/kernel/beyond_range.h"
 #include "engine/kernel/sample_point.h"
 #include "engine/kernel/simd/simd_scene.h"
-#include "engine/plan/machine.h"
 
 namespace raytracer {
-
-/// What this machine can run of what was compiled, best first.
-std::vector<InstructionSet> supported_instruction_sets();
 
 struct TracedTile {
   std::int64_t target;  ///< of the code that ran, which is the one asked for if that is supported
@@ -25,13 +19,14 @@ struct TracedTile {
 };
 
 /// Traces one sample at each place of `pattern` in each of the tile's pixels, and stores the means
-/// of their clamped colours after `transfer`; and the errors of the parts that it traced, if the
-/// pattern has halves and somebody wants them. The tile begins at multiples of `block_side`.
+/// of their clamped colours after `transfer`; and what they tell of the errors of the parts that it
+/// traced, if the pattern has halves and somebody wants them. The tile begins at multiples of
+/// `block_side`.
 TracedTile render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas, PartErrors* errors = nullptr);
+                       const Canvas& canvas, const TileErrors& errors = {});
 TracedTile render_tile(const SimdScene<double>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas, PartErrors* errors = nullptr);
+                       const Canvas& canvas, const TileErrors& errors = {});
 
 }  // namespace raytracer

@@ -1,0 +1,48 @@
+// What the samples of each pixel tell of its error: how their halves differ, and how they vary.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/math/block.h"
+
+namespace raytracer {
+
+/// What a pixel's samples tell of its error; nothing, zeros, if they are no numbers.
+struct PixelSpread {
+  float error2 = 0;    ///< by its halves alone, as PartErrors says
+  float variance = 0;  ///< of its samples, the sum over the channels
+};
+
+/// The same of all pixels of an image, row by row, the rows and columns filled up to whole blocks
+/// by pixels that tell nothing.
+struct PixelSpreads {
+  int stride;  ///< from row to row, a multiple of block_side
+  std::vector<float> error2;
+  std::vector<float> variance;
+
+  PixelSpreads(int width, int height)
+      : stride(whole_blocks(width)), error2(count(width, height)), variance(count(width, height)) {}
+
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride) +
+           static_cast<std::size_t>(x);
+  }
+  void set(std::size_t pixel, const PixelSpread& spread) {
+    error2[pixel] = spread.error2;
+    variance[pixel] = spread.variance;
+  }
+
+  /// Filled up.
+  static int whole_blocks(int pixels) {
+    return (pixels + block_side - 1) / block_side * block_side;
+  }
+
+ private:
+  static std::size_t count(int width, int height) {
+    return static_cast<std::size_t>(whole_blocks(width)) *
+           static_cast<std::size_t>(whole_blocks(height));
+  }
+};
+
+}  // namespace raytracer

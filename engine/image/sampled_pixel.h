@@ -1,0 +1,26 @@
+// Pixels that are sampled by themselves.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "engine/image/pixel_spreads.h"
+
+namespace raytracer {
+
+/// Some pixels of the block that begins at pixel (x_begin, y_begin), at most all of it, each once.
+struct BlockPixels {
+  int x_begin;
+  int y_begin;
+  std::span<const std::uint8_t> places;  ///< row by row: column + block_side * row
+};
+
+/// What a pixel's samples came to.
+struct SampledPixel {
+  std::array<float, 3> color{};  ///< encoded
+  PixelSpread spread{};
+  bool is_number = true;  ///< none of its samples was not
+};
+
+}  // namespace raytracer

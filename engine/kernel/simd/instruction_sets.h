@@ -1,0 +1,18 @@
+// Which instruction sets the SIMD kernels are compiled for, and what this machine can run of them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/plan/machine.h"
+
+namespace raytracer {
+
+/// What this machine can run of what was compiled, best first.
+std::vector<InstructionSet> supported_instruction_sets();
+
+/// The place of a target's functions in Highway's tables.
+std::size_t dispatch_index(std::int64_t target);
+
+}  // namespace raytracer

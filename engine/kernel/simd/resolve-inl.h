@@ -1,0 +1,78 @@
+// What becomes of the sum of a pixel's samples: its colour, and what they tell of its error.
+
+#if defined(RAYTRACER_KERNEL_SIMD_RESOLVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_KERNEL_SIMD_RESOLVE_INL_H_
+#undef RAYTRACER_KERNEL_SIMD_RESOLVE_INL_H_
+#else
+#define RAYTRACER_KERNEL_SIMD_RESOLVE_INL_H_
+#endif
+
+#include <cstddef>
+
+#include "engine/image/part_errors.h"
+#include "engine/kernel/simd/block-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// 1 / count.
+template <class D, typename T = hn::TFromD<D>>
+HWY_INLINE hn::Vec<D> share_of(D d, std::size_t count) {
+  return hn::Set(d, static_cast<T>(1 / static_cast<double>(count)));
+}
+
+/// A pixel's colour of the sum of its clamped samples.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V3<V> resolved(D d, const V3<V>& sum, V share, Transfer transfer) {
+  const V3<V> mean = clamped(d, scale(sum, share));  // of singles it may exceed 1 by a rounding
+  return {encoded(d, transfer, mean.x), encoded(d, transfer, mean.y), encoded(d, transfer, mean.z)};
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V3<V> max_zero(D d, const V3<V>& a) {
+  const V zero = hn::Zero(d);
+  return {hn::Max(a.x, zero), hn::Max(a.y, zero), hn::Max(a.z, zero)};
+}
+
+/// PixelSpread of the lanes' pixels.
+template <class V>
+struct Spread {
+  V error2;
+  V variance;
+};
+
+/// What the sums of a pixel's samples tell: of one half's, of all's, and of their squares.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE Spread<V> spread_of(D d, const V3<V>& half_sum, const V3<V>& all, V squares,
+                               std::size_t count, Transfer transfer) {
+  const V half = share_of(d, count / 2);
+  const V whole = share_of(d, count);
+  const V3<V> difference =
+      sub(resolved(d, half_sum, half, transfer), resolved(d, sub(all, half_sum), half, transfer));
+  const V error2 = hn::Mul(dot(difference, difference), hn::Set(d, T(PartErrors::share)));
+  const V zero = hn::Zero(d);
+  const V3<V> mean = scale(all, whole);
+  const V square_of_mean = dot(mean, mean);
+  // What is left of equal colours is rounding.
+  const V rounding = hn::Mul(square_of_mean, hn::Set(d, T(1e-6)));
+  V variance = hn::Sub(hn::MulSub(squares, whole, square_of_mean), rounding);
+  if (transfer != Transfer::linear) {
+    // By what the channels' deviation from the mean, taken as equal, comes to after the transfer.
+    const V deviation = hn::Sqrt(hn::Mul(hn::Max(variance, zero), hn::Set(d, T(1.0 / 3))));
+    const V3<V> deviations{deviation, deviation, deviation};
+    const V one = hn::Set(d, T(1));
+    const V3<V> range = sub(resolved(d, add(mean, deviations), one, transfer),
+                            resolved(d, max_zero(d, sub(mean, deviations)), one, transfer));
+    variance = hn::Mul(dot(range, range), hn::Set(d, T(0.25)));
+  }
+  // Not hn::Max: what is no number comes to nothing, too.
+  return {hn::IfThenElseZero(hn::Gt(error2, zero), error2),
+          hn::IfThenElseZero(hn::Gt(variance, zero), variance)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

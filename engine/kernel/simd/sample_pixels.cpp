@@ -1,0 +1,168 @@
+#include "engine/kernel/simd/sample_pixels.h"
+
+#include "engine/kernel/simd/instruction_sets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/kernel/simd/sample_pixels.cpp"  // this file, once per target
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "engine/kernel/simd/eye-inl.h"
+#include "engine/kernel/simd/resolve-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// Places of samples, as many as a block has colours.
+template <typename T>
+struct SampleLanes {
+  std::size_t count = 0;
+  alignas(64) T right[block_pixels] = {};
+  alignas(64) T up[block_pixels] = {};
+  alignas(64) T is_of_half[block_pixels] = {};  ///< 1 for the first half's, 0 for the others
+
+  HWY_INLINE SampleLanes(const SamplePattern& pattern, std::size_t begin)
+      : count(std::min<std::size_t>(block_pixels, pattern.points.size() - begin)) {
+    for (std::size_t i = 0; i < count; ++i) {
+      right[i] = static_cast<T>(pattern.points[begin + i].x);
+      up[i] = static_cast<T>(pattern.points[begin + i].y);
+      is_of_half[i] = T(begin + i < pattern.first_half ? 1 : 0);
+    }
+  }
+};
+
+/// Sums over each pixel's samples, the pixels side by side.
+template <typename T>
+struct PixelSums {
+  BlockColours<T> all = {};
+  BlockColours<T> half = {};
+  alignas(64) T squares[block_pixels] = {};
+  bool is_number[block_pixels];
+};
+
+template <class D, typename T = hn::TFromD<D>>
+HWY_INLINE void add_lanes(D d, const V3<hn::Vec<D>>& colour, std::size_t pixel,
+                          BlockColours<T>& sums) {
+  sums.red[pixel] += hn::GetLane(hn::SumOfLanes(d, colour.x));
+  sums.green[pixel] += hn::GetLane(hn::SumOfLanes(d, colour.y));
+  sums.blue[pixel] += hn::GetLane(hn::SumOfLanes(d, colour.z));
+}
+
+/// Traces a pixel's samples and adds them to its sums.
+template <class D, typename T = hn::TFromD<D>>
+HWY_INLINE void sample_pixel(D d, const SimdScene<T>& scene, const BlockContents& contents,
+                             const EyeRays<D>& eye, double x, double y, int part,
+                             const SampleLanes<T>& samples, std::size_t pixel, PixelSums<T>& sums) {
+  using V = hn::Vec<D>;
+  const std::size_t lanes = hn::Lanes(d);
+  BlockColours<T> colours;
+  RayBlock<T> reflected;
+  for (std::size_t i = 0; i < samples.count; i += lanes) {
+    const auto active = hn::FirstN(d, samples.count - i);
+    const V3<V> direction = eye.direction(d, x, y, hn::Load(d, samples.right + i),
+                                          hn::Neg(hn::Load(d, samples.up + i)));
+    store(d, eye.trace(d, contents, part, direction, active, i, reflected), i, colours);
+  }
+  if (reflected.count > 0) trace_reflections(scene, reflected, colours);
+
+  const V zero = hn::Zero(d);
+  V3<V> all{zero, zero, zero};
+  V3<V> half = all;
+  V squares = zero;
+  V numbers = zero;  // one that is none makes all none
+  for (std::size_t i = 0; i < samples.count; i += lanes) {
+    const auto active = hn::FirstN(d, samples.count - i);
+    const V3<V> colour = load(d, colours, i);
+    numbers = hn::Add(numbers,
+                      hn::IfThenElseZero(active, hn::Add(hn::Add(colour.x, colour.y), colour.z)));
+    const V3<V> seen = select(active, clamped(d, colour), V3<V>{zero, zero, zero});
+    all = add(all, seen);
+    half = mul_add(seen, hn::Load(d, samples.is_of_half + i), half);
+    squares = hn::Add(squares, dot(seen, seen));
+  }
+  add_lanes(d, all, pixel, sums.all);
+  add_lanes(d, half, pixel, sums.half);
+  sums.squares[pixel] += hn::GetLane(hn::SumOfLanes(d, squares));
+  sums.is_number[pixel] &= hn::AllFalse(d, hn::IsNaN(numbers));
+}
+
+template <typename T>
+void sample_block(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
+                  const BlockPixels& pixels, SampledPixel* results) {
+  using D = hn::ScalableTag<T>;
+  const D d;
+  using V = hn::Vec<D>;
+  constexpr std::size_t lanes = PacketShape<D>::lanes;
+  const BlockContents contents(scene, pixels.x_begin / block_side, pixels.y_begin / block_side);
+  const EyeRays<D> eye(d, scene);
+  PixelSums<T> sums;
+  std::fill_n(sums.is_number, block_pixels, true);
+  for (std::size_t begin = 0; begin < pattern.points.size(); begin += block_pixels) {
+    const SampleLanes<T> samples(pattern, begin);
+    for (std::size_t i = 0; i < pixels.places.size(); ++i) {
+      const int x = pixels.places[i] % block_side;
+      const int y = pixels.places[i] / block_side;
+      sample_pixel(d, scene, contents, eye, pixels.x_begin + x,
+                   scene.view.height - 1 - pixels.y_begin - y,
+                   y / part_side * parts_across + x / part_side, samples, i, sums);
+    }
+  }
+  const std::size_t count = pattern.points.size();
+  for (std::size_t first = 0; first < pixels.places.size(); first += lanes) {
+    const V3<V> all = load(d, sums.all, first);
+    const Spread<V> spread = spread_of(d, load(d, sums.half, first), all,
+                                       hn::Load(d, sums.squares + first), count, transfer);
+    store(d, resolved(d, all, share_of(d, count), transfer), first, sums.all);
+    hn::Store(spread.error2, d, sums.half.red + first);
+    hn::Store(spread.variance, d, sums.squares + first);
+  }
+  for (std::size_t i = 0; i < pixels.places.size(); ++i)
+    results[i] = {{static_cast<float>(sums.all.red[i]), static_cast<float>(sums.all.green[i]),
+                   static_cast<float>(sums.all.blue[i])},
+                  {static_cast<float>(sums.half.red[i]), static_cast<float>(sums.squares[i])},
+                  sums.is_number[i]};
+}
+
+void sample_single(const SimdScene<float>& scene, const SamplePattern& pattern, Transfer transfer,
+                   const BlockPixels& pixels, SampledPixel* results) {
+  sample_block(scene, pattern, transfer, pixels, results);
+}
+
+void sample_double(const SimdScene<double>& scene, const SamplePattern& pattern, Transfer transfer,
+                   const BlockPixels& pixels, SampledPixel* results) {
+  sample_block(scene, pattern, transfer, pixels, results);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace raytracer {
+namespace {
+
+HWY_EXPORT(sample_single);
+HWY_EXPORT(sample_double);
+
+}  // namespace
+
+void sample_pixels(const SimdScene<float>& scene, const SamplePattern& pattern, Transfer transfer,
+                   const BlockPixels& pixels, std::int64_t target,
+                   std::span<SampledPixel> results) {
+  HWY_DISPATCH_TABLE(sample_single)
+  [dispatch_index(target)](scene, pattern, transfer, pixels, results.data());
+}
+
+void sample_pixels(const SimdScene<double>& scene, const SamplePattern& pattern, Transfer transfer,
+                   const BlockPixels& pixels, std::int64_t target,
+                   std::span<SampledPixel> results) {
+  HWY_DISPATCH_TABLE(sample_double)
+  [dispatch_index(target)](scene, pattern, transfer, pixels, results.data());
+}
+
+}  // namespace raytracer
+#endif  // HWY_ONCE

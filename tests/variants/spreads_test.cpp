@@ -1,0 +1,164 @@
+// Every kernel tells the same of its samples, and samples single pixels as all together.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/engine.h"
+#include "engine/kernel/simd/instruction_sets.h"
+#include "engine/plan/plan.h"
+#include "engine/render/tracer.h"
+#include "engine/sample/pattern.h"
+#include "tests/support/scenes.h"
+
+namespace raytracer::test {
+namespace {
+
+/// Of a width and a height that no packet divides.
+Scene balls() {
+  return scene_of(document(camera_json(37, 23, 1, {0, 0, -5}, {}),
+                           {sphere_json({}, 1.5), sphere_json({1, 1, -1}, 0.3)},
+                           {distant_json({1, 0, 1}), distant_json({0, 1, 1})}));
+}
+
+std::vector<double> errors_of(const Plan& plan, const Scene& scene, const Tile& tile) {
+  WorkerPool pool(1);
+  const Tracer tracer = make_tracer(plan, scene, pool);
+  Image image(scene.camera.width, scene.camera.height);
+  PartErrors errors(image.width, image.height);
+  render_tile(tracer, sample_pattern(8), scene.render.transfer, tile, &image, {.parts = &errors});
+  return errors.all();
+}
+
+/// The errors of a tile by the reference kernel and by every instruction set in either precision.
+void expect_alike(Scene scene, const Tile& tile) {
+  Plan plain = make_plan(scene, this_machine(1));
+  plain.kernel.value = Kernel::brute_force;
+  const std::vector<double> expected = errors_of(plain, scene, tile);
+  double sum = 0;
+  for (const double error2 : expected) sum += error2;
+  ASSERT_GT(sum, 0.01);
+  for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
+    scene.render.precision = precision;
+    for (const InstructionSet& set : supported_instruction_sets()) {
+      const std::vector<double> errors = errors_of(make_plan(scene, {set}), scene, tile);
+      for (std::size_t i = 0; i < errors.size(); ++i)
+        EXPECT_NEAR(errors[i], expected[i], 1e-5 + 1e-3 * expected[i]) << set.name << ", " << i;
+    }
+  }
+}
+
+TEST(PartErrors, areTheReferencesInAllKernels) { expect_alike(balls(), {0, 0, 37, 23}); }
+
+TEST(PartErrors, areOfEncodedColours) {
+  Scene scene = balls();
+  scene.render.transfer = Transfer::srgb;
+  expect_alike(scene, {0, 0, 37, 23});
+}
+
+TEST(PartErrors, areOfTheTracedPartsAlone) {
+  const Scene scene = balls();
+  constexpr std::uint16_t some = 0b0110'0010'0100'0001;
+  const Tile block{16, 0, 32, 16, some};
+  expect_alike(scene, block);
+  const std::vector<double> errors = errors_of(make_plan(scene, this_machine(1)), scene, block);
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const bool is_traced = i / parts_in_block == 1 && (some >> i % parts_in_block & 1) != 0;
+    EXPECT_EQ(errors[i] > 0 && !is_traced, false) << i;
+  }
+}
+
+TEST(PartErrors, areNoneWithoutHalves) {
+  const Scene scene = balls();
+  WorkerPool pool(1);
+  const Tracer tracer = make_tracer(make_plan(scene, this_machine(1)), scene, pool);
+  Image image(37, 23);
+  PartErrors errors(37, 23);
+  render_tile(tracer, sample_pattern(7), Transfer::linear, {0, 0, 37, 23}, &image,
+              {.parts = &errors});
+  for (const double error2 : errors.all()) EXPECT_EQ(error2, 0);
+}
+
+/// What sampling the pixels of a block at the image's corner leaves, by whom.
+struct Sampled {
+  std::vector<SampledPixel> pixels;
+  Image whole;  ///< the same samples, all pixels together
+  PixelSpreads spreads;
+};
+
+Sampled sample(const Plan& plan, const Scene& scene, const std::vector<std::uint8_t>& places,
+               int samples) {
+  WorkerPool pool(1);
+  const Tracer tracer = make_tracer(plan, scene, pool);
+  const int width = scene.camera.width;
+  const int height = scene.camera.height;
+  Sampled sampled{std::vector<SampledPixel>(places.size()), Image(width, height),
+                  PixelSpreads(width, height)};
+  const SamplePattern pattern = sample_pattern(samples);
+  sample_pixels(tracer, pattern, scene.render.transfer, {32, 16, places}, sampled.pixels);
+  render_tile(tracer, pattern, scene.render.transfer, {0, 0, width, height}, &sampled.whole,
+              {.pixels = &sampled.spreads});
+  return sampled;
+}
+
+/// 5 x 7 pixels are in the block, which is cut off by the image's corner.
+std::vector<std::uint8_t> some_places() {
+  std::vector<std::uint8_t> places;
+  for (int y = 0; y < 7; ++y)
+    for (int x = 0; x < 5; ++x)
+      if ((x + y) % 4 != 0) places.push_back(static_cast<std::uint8_t>(x + 16 * y));
+  return places;
+}
+
+void expect_as_together(const Sampled& sampled, const std::vector<std::uint8_t>& places,
+                        const PixelSpreads& spreads, const std::string& by) {
+  double varied = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const int x = 32 + places[i] % 16;
+    const int y = 16 + places[i] / 16;
+    const SampledPixel& pixel = sampled.pixels[i];
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(pixel.color[static_cast<std::size_t>(k)], sampled.whole.pixel(x, y)[k], 2e-6)
+          << by << " at " << x << ", " << y;
+    const std::size_t at = spreads.index(x, y);
+    EXPECT_NEAR(pixel.spread.error2, spreads.error2[at], 1e-5 + 1e-3 * spreads.error2[at]) << by;
+    EXPECT_NEAR(pixel.spread.variance, spreads.variance[at], 1e-5 + 1e-3 * spreads.variance[at])
+        << by;
+    EXPECT_TRUE(pixel.is_number);
+    varied += pixel.spread.variance;
+  }
+  EXPECT_GT(varied, 0.01) << by;
+}
+
+/// Edges, shadows and mirrors in that corner.
+Scene corner() {
+  const json mirror = {{"color", {0.8, 0.8, 0.8}}, {"reflectivity", 0.7}};
+  return scene_of(document(camera_json(37, 23, 1, {0, 0, -5}, {}),
+                           {sphere_json({1.5, -1, 0}, 1, mirror), sphere_json({2.4, -0.7, -1}, 0.3),
+                            plane_json({0, 0, 2}, {0.3, -0.4, -1})},
+                           {distant_json({1, 0, 1}), distant_json({0, 1, 1})}));
+}
+
+TEST(SampledPixels, AreAsThoseOfAWholeImageInAllKernels) {
+  const std::vector<std::uint8_t> places = some_places();
+  for (const Transfer transfer : {Transfer::linear, Transfer::srgb})
+    for (const int samples : {8, 12, 16, 48, 260, 1024}) {
+      Scene scene = corner();
+      scene.render.transfer = transfer;
+      Plan plain = make_plan(scene, this_machine(1));
+      plain.kernel.value = Kernel::brute_force;
+      const Sampled reference = sample(plain, scene, places, samples);
+      expect_as_together(reference, places, reference.spreads, "reference");
+      for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
+        scene.render.precision = precision;
+        for (const InstructionSet& set : supported_instruction_sets())
+          expect_as_together(sample(make_plan(scene, {set}), scene, places, samples), places,
+                             reference.spreads, set.name);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace raytracer::test
