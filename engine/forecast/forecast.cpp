@@ -40,8 +40,9 @@ Expectation expect_contract(const RenderSettings& settings, int most, int probin
                             const PassModel& model) {
   constexpr double overestimate = 1.3;     // of the error, mostly
   constexpr double all_refinements = 0.1;  // against the last one's samples
+  constexpr double ignorance = 3;          // of what each pixel needs, which only samples tell
   const Rehearsal& rehearsal = model.rehearsal;
-  const double share = std::min(rehearsal.refined_share, 1.0);
+  const double share = std::min(ignorance * rehearsal.refined_share, 1.0);
   constexpr int few = 4;
   double probed_ms = model.pass_ms(probing);
   if (settings.budget_ms) probed_ms += model.pass_ms(1);
@@ -53,7 +54,7 @@ Expectation expect_contract(const RenderSettings& settings, int most, int probin
   if (settings.target_rmse)
     even = std::max(even, std::pow(overestimate * rehearsal.error / *settings.target_rmse,
                                    1 / rehearsal.error_exponent));
-  // On average: the parts that are not refined keep theirs.
+  // On average: the pixels that are not refined keep theirs.
   double samples = even > probing ? probing + share * even : probing;
   double affordable = most;
   if (settings.budget_ms && sample_ms > 0)

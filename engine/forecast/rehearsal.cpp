@@ -51,25 +51,21 @@ TileValues values_of(const Tile& tile, Image& image) {
   return values;
 }
 
-/// Of n samples where errors fall as n^-3/4, the squared error c n^-3/2 of parts sums up to a bound
+/// Of n samples where errors fall as n^-3/4, the squared error c n^-3/2 of pixels sums up to a bound
 /// with the fewest samples if n grows as c^(2/5) (engine/sample/refinement.h).
 constexpr double refinement_exponent = 0.4;
 
-/// The sum of c^(2/5) over the parts of 4 x 4 pixels of a tile `width` pixels wide.
-double refinement_sum(const TileValues& one, const TileValues& many, int width) {
-  const int height = static_cast<int>(one.size()) / 3 / width;
+/// The sum of c^(2/5) over the pixels of a tile.
+double refinement_sum(const TileValues& one, const TileValues& many) {
   double sum = 0;
-  for (int y = 0; y < height; y += 4)
-    for (int x = 0; x < width; x += 4) {
-      double part = 0;
-      for (int row = y; row < std::min(y + 4, height); ++row)
-        for (int i = 3 * (row * width + x); i < 3 * (row * width + std::min(x + 4, width)); ++i) {
-          const auto at = static_cast<std::size_t>(i);
-          const double difference = static_cast<double>(one[at]) - static_cast<double>(many[at]);
-          part += difference * difference;
-        }
-      sum += std::pow(part, refinement_exponent);
+  for (std::size_t i = 0; i < one.size(); i += 3) {
+    double error2 = 0;
+    for (std::size_t k = i; k < i + 3; ++k) {
+      const double difference = static_cast<double>(one[k]) - static_cast<double>(many[k]);
+      error2 += difference * difference;
     }
+    if (error2 > 0) sum += std::pow(error2, refinement_exponent);
+  }
   return sum;
 }
 
@@ -149,9 +145,9 @@ Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_cou
   rehearsal.sample_ms = rehearsal.tile_ms * (growth - 1) / (many_samples - 1);
 
   if (refinement > 0) {
-    const double part_count = value_count / (3 * 4 * 4);
+    const double pixel_count = value_count / 3;
     rehearsal.refined_share =
-        std::pow(refinement, 5.0 / 3) / (part_count * std::pow(one_error2, 2.0 / 3));
+        std::pow(refinement, 5.0 / 3) / (pixel_count * std::pow(one_error2, 2.0 / 3));
     rehearsal.refined_sample_ms = refining_ms / refinement / (many_samples - 1);
   }
 
@@ -215,7 +211,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
         report.one_error2 = squared_difference(with_one, with_many);
         report.few_error2 = squared_difference(with_few, with_many);
         report.value_count = with_many.size();
-        report.refinement = refinement_sum(with_one, with_many, tiles[i].x_end - tiles[i].x_begin);
+        report.refinement = refinement_sum(with_one, with_many);
       },
       progress.stop);
   return summarize(reports, all.size());

@@ -27,7 +27,7 @@ struct Rehearsal {
   double sample_ms = 0;        ///< and for each sample beyond the first
   double error = 0;            ///< rms, of one sample per pixel
   double error_exponent = 0;   ///< the error of n samples is that of one, times n^-exponent
-  /// Refined part by part, the image needs this share of the samples that it needs with as many
+  /// Refined pixel by pixel, the image needs this share of the samples that it needs with as many
   /// everywhere, for the same error.
   double refined_share = 1;
   double refined_sample_ms = 0;  ///< of a tile's pixels, each one sample, where it is refined

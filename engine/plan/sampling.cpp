@@ -38,9 +38,8 @@ Choice<Sampling> choose_sampling(const RenderSettings& settings) {
   if (sampling_of(settings) == Sampling::fixed) return {Sampling::fixed, why_fixed(settings)};
   const std::string how =
       "four samples per pixel, or sixteen if spheres may be smaller than a pixel, under a budget "
-      "one "
-      "before them; then in each part of 4 x 4 pixels as many as the difference between two halves "
-      "of its samples asks for";
+      "one before them; then in each pixel as many as their variance and the difference between "
+      "their halves ask for";
   if (settings.target_rmse && settings.budget_ms)
     return {Sampling::contract,
             fmt::format("{}, until the estimated error is at most {:g} or {:g} ms are over", how,

@@ -17,8 +17,8 @@ namespace {
 /// pass.
 constexpr double aim = 0.9;
 
-/// Before any part is chosen, an edge along a row of pixels must be found, too, which passes all of
-/// their samples alike if they have the same places.
+/// Before any pixel is chosen, an edge along a row of pixels must be found, too, which passes all
+/// of their samples alike if they have the same places.
 SamplePattern probing_pattern(int samples) {
   return samples > 1 ? staggered_pattern(samples) : sample_pattern(samples);
 }
@@ -51,9 +51,9 @@ void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering
   const bool is_compared = is_complete && samples_everywhere > 1;
   if (is_compared) refined.look_for_missable_spheres();
   while (is_complete && is_compared && refined.error2() > allowed2 && !tracing.is_over_time()) {
-    const std::vector<int> samples = refined.next_samples(aim * allowed2, most_samples);
-    if (std::all_of(samples.begin(), samples.end(), [](int count) { return count == 0; })) break;
-    is_complete = refined.refine(samples);
+    std::vector<PixelSamples> pixels = refined.next_samples(aim * allowed2, most_samples);
+    if (pixels.empty()) break;
+    is_complete = refined.refine(std::move(pixels));
   }
   rendering.samples_per_pixel = refined.mean_samples();
   const double error2 = refined.error2();

@@ -1,19 +1,21 @@
-// An image that is refined part by part, pass by pass.
+// An image that is refined pixel by pixel, pass by pass.
 //
-// Each part shows the best that was made of it: the image is always whole, and a pass that was
+// Each pixel shows the best that was made of it: the image is always whole, and a pass that was
 // begun is not lost.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/image/image.h"
+#include "engine/image/sampled_pixel.h"
 #include "engine/render/first_picture.h"
 #include "engine/render/preview.h"
 #include "engine/render/tracing.h"
-#include "engine/sample/missable_spheres.h"
+#include "engine/sample/pixel_errors.h"
 #include "engine/sample/refinement.h"
 
 namespace raytracer {
@@ -32,39 +34,48 @@ class RefinedImage {
   void look_for_missable_spheres();
 
   /// The squared error, the sum over the values, with its uncertainty.
-  double error2() const { return conservative_sum(expected_); }
+  double error2() const { return errors_.error2(); }
 
   /// The mean over the pixels.
   double mean_samples() const;
 
-  /// The samples per pixel of each part for a goal in terms of error2(), within the time that is
+  /// Which pixels get how many samples for a goal in terms of error2(), within the time that is
   /// left; as next_samples().
-  std::vector<int> next_samples(double error2, int most_samples) const;
+  std::vector<PixelSamples> next_samples(double error2, int most_samples) const;
 
-  /// Gives each part so many samples, none where it is 0. False if not all were done: time was
-  /// over, or it was stopped.
-  bool refine(const std::vector<int>& samples);
-  /// Gives all parts these samples.
+  /// Gives the pixels their samples. False if not all were done: time was over, or it was stopped.
+  bool refine(std::vector<PixelSamples> pixels);
+  /// Gives all pixels these samples.
   bool refine_all(const SamplePattern& pattern);
 
  private:
-  /// Parts of one block that get as many samples as each other.
+  /// What a thread does at once.
   struct Task {
-    Tile tile;
-    int samples;
-    std::vector<std::size_t> parts{};
-    double error2 = 0;  ///< of the parts, as expected
-
-    double sample_count() const;
+    std::size_t block;
+    double samples;           ///< in all
+    double error2 = 0;        ///< of its pixels, as expected
+    std::size_t begin = 0;    ///< of its pixels
+    std::size_t end = 0;      ///< of them
+    int samples_per_pixel{};  ///< of each
   };
 
-  /// False if not all were done.
-  bool trace(std::vector<Task> tasks);
-  std::vector<Task> tasks_for(const std::vector<int>& samples) const;
-  /// Its pixels, those in the image.
-  Tile tile_of(std::size_t part) const;
-  int pixel_count(std::size_t part) const;
-  ImagePart of_one_sample(std::size_t part) const;
+  /// Has run(i) do each of the tasks, in an order that suits them, while there is time. Says which
+  /// were done.
+  template <typename Run>
+  std::vector<char> run_tasks(const std::vector<Task>& tasks, const Run& run);
+  bool is_all_done(const std::vector<char>& is_done) const;
+  /// Pixels of a block that get as many samples, side by side.
+  void sort_into_tasks(std::vector<PixelSamples>& pixels) const;
+  /// Those for pixels that are sorted so.
+  std::vector<Task> tasks_for(std::span<const PixelSamples> pixels) const;
+  /// The pixels of a block.
+  Tile tile_of(std::size_t block) const;
+  std::size_t block_count() const;
+  std::size_t block_of(std::size_t pixel) const;
+  /// Of pixels with one sample each, in blocks that were traced, or one part for all.
+  void guess_errors(const std::vector<char>& is_traced);
+  void guess_errors(std::size_t block, bool is_traced);
+  /// Has the errors be expected, and notes how long it took to look at the last pass.
   void expect_errors();
   /// What a sample takes, from a first pass that has just ended.
   void note_first_pass(int samples);
@@ -73,13 +84,11 @@ class RefinedImage {
   int width_;
   int height_;
   int columns_;  ///< of blocks
-  ErrorFall fall_;
+  PixelErrors errors_;
+  std::int64_t stand_ins_ =
+      0;  ///< pixels that were not traced, but one part of their block for all
   Preview::Whole shown_;
   Image& image_;
-  Image finer_{};
-  std::optional<MissableSpheres> missable_{};
-  std::vector<ImagePart> parts_;  ///< a block's one after another, the blocks row by row
-  std::vector<ImagePart> expected_{};
   std::map<int, SamplePattern> patterns_{};  ///< by their samples
   double sample_ms_ = 0;                     ///< that one takes all threads together
   double last_sample_ms_ = 0;                ///< when the last pass ended

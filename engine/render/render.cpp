@@ -14,6 +14,7 @@
 #include "engine/render/tracer.h"
 #include "engine/render/tracing.h"
 #include "engine/sample/neighbour_error.h"
+#include "engine/sample/pixel_errors.h"
 #include "engine/sample/refinement.h"
 
 namespace raytracer {
@@ -48,18 +49,6 @@ BasicRendering<Channel> make_rendering(const Scene& scene, WorkerPool& pool,
   return rendering;
 }
 
-/// The rms error that the halves of an image's samples show.
-double estimated_error(const PartErrors& errors, int samples, const Tracing& tracing) {
-  const Camera& camera = tracing.scene.camera;
-  std::vector<ImagePart> parts;
-  parts.reserve(errors.all().size());
-  for (const double error2 : errors.all()) parts.push_back({samples, error2 > 0 ? error2 : 0});
-  const double halves_excess = ErrorFall(tracing.plan.census).halves_excess();
-  const double error2 =
-      conservative_sum(expected_errors(parts, camera.width, camera.height, halves_excess));
-  return std::sqrt(error2 / (3 * static_cast<double>(camera.width) * camera.height));
-}
-
 /// One pass of as many samples as the scene says.
 template <typename Channel>
 void render_fixed(Tracing& tracing, BasicRendering<Channel>& rendering) {
@@ -69,12 +58,15 @@ void render_fixed(Tracing& tracing, BasicRendering<Channel>& rendering) {
   std::optional<PartErrors> errors;
   if (pattern.has_halves()) errors.emplace(camera.width, camera.height);
   std::optional<Raster<Channel>> image =
-      tracing.pass<Channel>(pattern, errors ? &*errors : nullptr);
+      tracing.pass<Channel>(pattern, {.parts = errors ? &*errors : nullptr});
   rendering.samples_per_pixel = samples;
   rendering.stop = image ? Stop::samples : Stop::cancelled;
   if (!image) return;
   rendering.image = std::move(*image);
-  if (errors) rendering.estimated_error = estimated_error(*errors, samples, tracing);
+  if (!errors) return;
+  const double error2 = error2_of_halves(*errors, first_scale(tracing.plan.census));
+  rendering.estimated_error =
+      std::sqrt(error2 / (3 * static_cast<double>(camera.width) * camera.height));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct Tracing {
   /// An image with these samples, and the errors of its parts if somebody wants them and the
   /// pattern has halves; nothing if it was stopped before it was whole.
   template <typename Channel>
-  std::optional<Raster<Channel>> pass(const SamplePattern& pattern, PartErrors* errors) {
+  std::optional<Raster<Channel>> pass(const SamplePattern& pattern, const TileErrors& errors) {
     Raster<Channel> image(scene.camera.width, scene.camera.height);
     const auto samples = static_cast<int>(pattern.points.size());
     const std::vector<Tile> tiles = split_into_tiles(

@@ -1,9 +1,8 @@
-// Where samples lie, and how many a contract takes.
+// Where samples lie, how many a contract takes first, and errors that samples do not tell.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <set>
 #include <vector>
 
@@ -125,82 +124,6 @@ TEST(SamplePattern, NeighboursAreStaggeredAcrossTheirRowOrColumn) {
   }
 }
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double usual = 1.5;
-constexpr int plenty = 1 << 20;
-
-std::vector<int> samples_for(const std::vector<ImagePart>& parts, double error2) {
-  return next_samples(parts, {error2, infinite, plenty});
-}
-
-TEST(NextSamples, AreNoneWhenTheGoalIsReached) {
-  EXPECT_EQ(samples_for({{4, 1}, {4, 2}}, 3), (std::vector<int>{0, 0}));
-  EXPECT_EQ(samples_for({{4, 0}}, 0), std::vector<int>{0});
-}
-
-TEST(NextSamples, AreForTheLargestErrorPerSample) {
-  const std::vector<int> samples = samples_for({{4, 0.1}, {4, 8}, {64, 8}, {4, 0}}, 10);
-  EXPECT_EQ(samples[0], 0);
-  EXPECT_GE(samples[1], 8);
-  EXPECT_EQ(samples[2], 0);
-  EXPECT_EQ(samples[3], 0);
-}
-
-TEST(NextSamples, AreForAllWithAnErrorWhenNothingIsAllowed) {
-  const std::vector<int> samples = samples_for({{4, 0.1}, {4, 8}, {64, 1e-30}, {4, 0}}, 0);
-  EXPECT_EQ(samples, (std::vector<int>{64, 64, 1024, 0})) << "sixteen times as many at once";
-}
-
-TEST(NextSamples, NeverExceedTheLimit) {
-  EXPECT_EQ(next_samples(std::vector<ImagePart>{{16, 1}, {4, 0.5}}, {1e-9, infinite, 24}),
-            (std::vector<int>{0, 24}));
-}
-
-TEST(NextSamples, ReachTheLimitWhereverItIs) {
-  EXPECT_EQ(next_samples(std::vector<ImagePart>{{64, 1}}, {1e-9, infinite, 1000}),
-            std::vector<int>{1000});
-  EXPECT_EQ(next_samples(std::vector<ImagePart>{{64, 1}}, {1e-9, infinite, 999}),
-            std::vector<int>{996});
-  EXPECT_EQ(next_samples(std::vector<ImagePart>{{64, 1}}, {1e-9, infinite, 100}),
-            std::vector<int>{0});
-}
-
-TEST(NextSamples, AreWhatThereIsTimeFor) {
-  std::vector<ImagePart> parts(1000, ImagePart{4, 0});
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    parts[i].error2 = std::pow(1.02, static_cast<double>(i % 300));
-  for (const double affordable : {1e2, 1e3, 1e4, 5e4}) {
-    double sum = 0;
-    for (const int samples : next_samples(parts, {0, affordable, plenty})) sum += samples;
-    EXPECT_LE(sum, affordable);
-    EXPECT_GT(sum, affordable / 2 - 4 * 64) << "parts of one error get theirs together";
-  }
-  EXPECT_EQ(next_samples(parts, {0, 0, plenty}), std::vector<int>(parts.size(), 0));
-}
-
-TEST(NextSamples, ReachTheGoalAtOnceIfErrorsFallAsExpected) {
-  std::vector<ImagePart> parts(1000, ImagePart{4, 0});
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    parts[i].error2 = std::pow(1.02, static_cast<double>(i % 300));
-  const double goal = 6000;
-  const std::vector<int> samples = samples_for(parts, goal);
-  double sum = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    sum += parts[i].error2 * (samples[i] > 0 ? std::pow(4.0 / samples[i], usual) : 1);
-  EXPECT_LE(sum, goal);
-  EXPECT_GT(sum, 0.8 * goal) << "more than was asked for";
-}
-
-/// The fewest samples for a sum of errors have equal errors per sample in all parts.
-TEST(NextSamples, LevelTheErrorsPerSample) {
-  const std::vector<int> samples = samples_for({{4, 1}, {4, 2}, {4, 4}, {4, 8}}, 1);
-  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-    const double ratio = static_cast<double>(samples[i + 1]) / samples[i];
-    EXPECT_GE(ratio, 1);
-    EXPECT_LE(ratio, 2) << "2^(1 / 2.5), to the next number that is used";
-  }
-}
-
 Census census_with(double small_spheres) {
   Census census;
   census.small_spheres = small_spheres;
@@ -218,30 +141,6 @@ TEST(FirstComparedSamples, AreWhatTheLimitAllows) {
     EXPECT_EQ(first_compared_samples(small, most), 4);
   }
   for (const int most : {1, 2, 3}) EXPECT_EQ(first_compared_samples(large, most), 1);
-}
-
-TEST(ErrorFall, IsMeasured) {
-  for (const double exponent : {1.0, 1.2, 1.5}) {
-    ErrorFall fall(census_with(0));
-    fall.include(std::vector<ImagePart>{{4, 1}, {4, 2}, {16, 5}},
-                 std::vector<ImagePart>{
-                     {64, std::pow(16, -exponent)}, {64, 2 * std::pow(16, -exponent)}, {16, 5}});
-    EXPECT_NEAR(fall.exponent(), exponent, 1e-9);
-  }
-}
-
-TEST(ErrorFall, IsWithinWhatSamplesCanDo) {
-  ErrorFall none(census_with(0));
-  none.include(std::vector<ImagePart>{{4, 1}}, std::vector<ImagePart>{{64, 1}});
-  EXPECT_EQ(none.exponent(), 1);
-  ErrorFall all(census_with(0));
-  all.include(std::vector<ImagePart>{{4, 1}}, std::vector<ImagePart>{{64, 1e-9}});
-  EXPECT_EQ(all.exponent(), 1.5);
-}
-
-TEST(ErrorFall, IsAGuessBefore) {
-  EXPECT_EQ(ErrorFall(census_with(1)).exponent(), 1);
-  EXPECT_GT(ErrorFall(census_with(0)).exponent(), 1);
 }
 
 Image with_edge(int width, int height) {
@@ -267,27 +166,6 @@ TEST(NeighbourError, CountsWhatIsBesideATile) {
   EXPECT_DOUBLE_EQ(neighbour_error2(image, {0, 0, 4, 4}), 3 * 4 / 8.0);
   EXPECT_EQ(neighbour_error2(image, {4, 0, 8, 4}), 0);
   EXPECT_EQ(neighbour_error2(Image(1, 1), {0, 0, 1, 1}), 0);
-}
-
-/// Two blocks side by side: 8 x 4 parts.
-TEST(ExpectedErrors, RiseBesideDetail) {
-  std::vector<ImagePart> parts(32, ImagePart{4, 0});
-  parts[3] = {16, 1};  // at (3, 0), at the second block's side
-  const std::vector<ImagePart> expected = expected_errors(parts, 32, 16, 1);
-  EXPECT_EQ(expected[3].error2, 1);
-  EXPECT_GT(expected[16].error2, 0);     // at (4, 0)
-  EXPECT_GT(expected[2 + 4].error2, 0);  // at (2, 1)
-  EXPECT_EQ(expected[1].error2, 0);
-  EXPECT_LT(expected[16].error2, 0.5);
-}
-
-TEST(ExpectedErrors, AreLessWhereTheHalvesCompleteEachOther) {
-  const std::vector<ImagePart> parts(16, ImagePart{4, 1});
-  EXPECT_EQ(expected_errors(parts, 16, 16, 1)[5].error2, 1);
-  EXPECT_EQ(expected_errors(parts, 16, 16, 2)[5].error2, 0.5);
-  ErrorFall fall(census_with(0));
-  fall.include(std::vector<ImagePart>{{4, 1}}, std::vector<ImagePart>{{64, 1.0 / 64}});
-  EXPECT_NEAR(fall.halves_excess(), std::exp2(1.5) - 1, 1e-9);
 }
 
 TEST(MissableSpheres, AreThoseSmallerThanAPixelUntilSamplesMustMeetThem) {

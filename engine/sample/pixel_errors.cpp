@@ -1,0 +1,252 @@
+#include "engine/sample/pixel_errors.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "engine/math/block.h"
+
+namespace raytracer {
+namespace {
+
+/// Where samples met detail there is more beside it that they have missed: a pixel's variance
+/// counts as at least this share of its neighbours' greatest, ...
+constexpr float pixels_share = 0.2F;
+/// ... and a part's error as at least this share of the mean of those beside it.
+constexpr float parts_share = 0.1F;
+
+}  // namespace
+
+double error_power(int samples) { return samples * std::sqrt(samples); }
+
+double first_scale(const Census& census) {
+  return census.small_spheres > 0 ? 1 : 1 / (std::exp2(1.25) - 1);
+}
+
+double conservative_sum(std::span<const double> errors2) {
+  double sum = 0;
+  double squares = 0;
+  for (const double error2 : errors2) {
+    sum += error2;
+    squares += error2 * error2;
+  }
+  return sum + 2 * std::sqrt(2 * squares);
+}
+
+double error2_of_halves(const PartErrors& errors, double scale) {
+  std::vector<double> scaled;
+  scaled.reserve(errors.all().size());
+  for (const double error2 : errors.all()) scaled.push_back(scale * error2);
+  return conservative_sum(scaled);
+}
+
+PixelErrors::PixelErrors(int width, int height, double scale, WorkerPool& pool)
+    : pool_(pool),
+      width_(width),
+      height_(height),
+      columns_(static_cast<std::size_t>(PixelSpreads::whole_blocks(width) / block_side)),
+      rows_(static_cast<std::size_t>(PixelSpreads::whole_blocks(height) / block_side)),
+      stride_(parts_across * columns_ + 2),
+      scale_(scale),
+      spreads_(width, height),
+      samples_(spreads_.error2.size()),
+      parts_(parts_in_block * columns_ * rows_),
+      rates_(parts_.size()),
+      sums_(stride_ * (parts_across * rows_ + 2)),
+      details_(sums_.size()) {}
+
+void PixelErrors::set_all(int samples) {
+  for (int y = 0; y < height_; ++y) std::fill_n(&samples_[index(0, y)], width_, samples);
+}
+
+void PixelErrors::set(std::size_t pixel, int samples, const PixelSpread& spread) {
+  samples_[pixel] = samples;
+  spreads_.set(pixel, spread);
+}
+
+void PixelErrors::set_guess(std::size_t pixel, double error2) {
+  const auto as_of_halves = static_cast<float>(error2 / scale_);
+  set(pixel, 1, {as_of_halves, as_of_halves});
+}
+
+void PixelErrors::set_missable(MissableSpheres spheres) { missable_ = std::move(spheres); }
+
+int PixelErrors::x_of(std::size_t pixel) const { return static_cast<int>(pixel) % spreads_.stride; }
+
+int PixelErrors::y_of(std::size_t pixel) const { return static_cast<int>(pixel) / spreads_.stride; }
+
+std::size_t PixelErrors::part_of(std::size_t pixel) const {
+  const auto x = static_cast<std::size_t>(x_of(pixel));
+  const auto y = static_cast<std::size_t>(y_of(pixel));
+  const std::size_t block = y / block_side * columns_ + x / block_side;
+  return parts_in_block * block + y % block_side / part_side * parts_across +
+         x % block_side / part_side;
+}
+
+template <typename Visit>
+void PixelErrors::for_each_row(const Visit& visit) const {
+  // To wake the others takes longer than to look at few.
+  constexpr std::size_t few_parts = 4096;
+  if (parts_.size() < few_parts) {
+    for (std::size_t row = 0; row < rows_; ++row) visit(row);
+    return;
+  }
+  const std::atomic<bool> never{false};
+  pool_.run(rows_, visit, never);
+}
+
+std::vector<float> PixelErrors::variances_of_row(std::size_t row) const {
+  const auto stride = static_cast<std::size_t>(spreads_.stride);
+  std::vector<float> variances(block_side * stride);
+  std::vector<float> highest(stride + 2, 0.0F);  // of three rows, with a rim
+  for (std::size_t i = 0; i < block_side; ++i) {
+    const std::size_t y = block_side * row + i;
+    const float* const here = &spreads_.variance[y * stride];
+    const float* const above = y > 0 ? here - stride : here;
+    const float* const below = y + 1 < block_side * rows_ ? here + stride : here;
+    for (std::size_t x = 0; x < stride; ++x)
+      highest[x + 1] = std::max(std::max(above[x], below[x]), here[x]);
+    float* const to = &variances[i * stride];
+    for (std::size_t x = 0; x < stride; ++x)
+      to[x] = std::max(
+          here[x], pixels_share * std::max(std::max(highest[x], highest[x + 1]), highest[x + 2]));
+  }
+  return variances;
+}
+
+float PixelErrors::variance_at(std::size_t pixel) const {
+  const int x = x_of(pixel);
+  const int y = y_of(pixel);
+  float highest = 0;
+  for (int to_y = std::max(y - 1, 0); to_y < std::min(y + 2, height_); ++to_y)
+    for (int to_x = std::max(x - 1, 0); to_x < std::min(x + 2, width_); ++to_x)
+      highest = std::max(highest, spreads_.variance[index(to_x, to_y)]);
+  return std::max(spreads_.variance[pixel], pixels_share * highest);
+}
+
+PixelErrors::Sums PixelErrors::sums_of(std::size_t first, const float* variances) const {
+  // Column by column, which do not wait for each other.
+  std::array<Sums, part_side> columns{};
+  InversePower inverse_power;
+  for (int y = 0; y < part_side; ++y)
+    for (int x = 0; x < part_side; ++x) {
+      const std::size_t at = index(x, y);
+      Sums& sums = columns[static_cast<std::size_t>(x)];
+      sums.error2 += spreads_.error2[first + at];
+      sums.variance += variances[at] * inverse_power(samples_[first + at]);
+      sums.detail += variances[at];
+    }
+  Sums sums;
+  for (const Sums& column : columns) {
+    sums.error2 += column.error2;
+    sums.variance += column.variance;
+    sums.detail += column.detail;
+  }
+  return sums;
+}
+
+float PixelErrors::rate_at(std::size_t place) const {
+  float error2 = 0;
+  float variance = 0;
+  for (const std::size_t row : {place - stride_, place, place + stride_})
+    for (const std::size_t at : {row - 1, row, row + 1}) {
+      error2 += sums_[at].error2;
+      variance += sums_[at].variance;
+    }
+  return variance > 0 ? error2 / variance : 0;
+}
+
+float PixelErrors::least_at(std::size_t place) const {
+  constexpr float parts_beside = 8;
+  constexpr float pixels_in_part = part_side * part_side;
+  float beside = 0;
+  for (const std::size_t at :
+       {place - stride_ - 1, place - stride_, place - stride_ + 1, place - 1, place + 1,
+        place + stride_ - 1, place + stride_, place + stride_ + 1})
+    beside += details_[at];
+  return parts_share / (parts_beside * pixels_in_part) * beside;
+}
+
+void PixelErrors::expect() {
+  for_each_row([this](std::size_t row) {
+    const std::vector<float> variances = variances_of_row(row);
+    const std::size_t first_of_row = index(0, static_cast<int>(block_side * row));
+    for_each_part_in(row, [&](std::size_t, std::size_t place, std::size_t first) {
+      sums_[place] = sums_of(first, &variances[first - first_of_row]);
+    });
+  });
+  for_each_row([this](std::size_t row) {
+    for_each_part_in(row, [this](std::size_t part, std::size_t place, std::size_t) {
+      rates_[part].of_variance = rate_at(place);
+      details_[place] = rates_[part].of_variance * sums_[place].detail;
+    });
+  });
+  for_each_row([this](std::size_t row) {
+    for_each_part_in(row, [this](std::size_t part, std::size_t place, std::size_t) {
+      rates_[part].least = least_at(place);
+    });
+  });
+  expect_parts();
+}
+
+void PixelErrors::expect_parts() {
+  for_each_row([this](std::size_t row) {
+    const std::size_t parts_in_row = parts_in_block * columns_;
+    std::fill_n(&parts_[parts_in_row * row], parts_in_row, 0.0);
+    for_each_error_in(
+        row, [this](std::size_t part, std::size_t, double error2) { parts_[part] += error2; });
+  });
+}
+
+void PixelErrors::calibrate(std::span<const std::uint32_t> pixels, std::span<const float> before,
+                            double change2) {
+  constexpr double pixels_of_doubt = 100;  // a refinement of fewer says little
+  constexpr double least = 0.4;
+  constexpr double most = 4;
+  constexpr double least_fall = 0.6;
+  double sum = 0;
+  double squares = 0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const double expected =
+        static_cast<double>(before[i]) + static_cast<double>(unscaled(pixels[i]));
+    sum += expected;
+    squares += expected * expected;
+  }
+  if (!(squares > 0)) return;
+  const double weight = sum * sum / squares;  // as many pixels of equal errors would say as much
+  const double seen =
+      (change2 * weight / sum + scale_ * pixels_of_doubt) / (weight + pixels_of_doubt);
+  scale_ = std::clamp(std::max(seen, least_fall * scale_), least, most);
+  expect_parts();
+}
+
+float PixelErrors::unscaled(std::size_t pixel) const {
+  const Rate& rate = rates_[part_of(pixel)];
+  InversePower inverse_power;
+  return std::max(rate.of_variance * variance_at(pixel), rate.least) *
+         inverse_power(samples_[pixel]);
+}
+
+double PixelErrors::of_pixel(std::size_t pixel) const {
+  return scaled(unscaled(pixel), part_of(pixel), samples_[pixel]);
+}
+
+double PixelErrors::scaled(float unscaled, std::size_t part, int samples) const {
+  const double seen = scale_ * static_cast<double>(unscaled);
+  if (!missable_ || samples < 1) return seen;
+  constexpr double share = 1.0 / (part_side * part_side);
+  return std::max(seen, share * missable_->error2(part, samples));
+}
+
+double PixelErrors::expected_error2() const {
+  return std::accumulate(parts_.begin(), parts_.end(), 0.0);
+}
+
+std::int64_t PixelErrors::sample_count() const {
+  return std::accumulate(samples_.begin(), samples_.end(), std::int64_t{0});
+}
+
+}  // namespace raytracer

@@ -1,0 +1,197 @@
+// The errors that an image's pixels probably have, from what their samples tell.
+//
+// A pixel's squared error is taken to fall as n^-3/2 with its n samples, as where edges cross
+// pixels, and to grow with their variance. What a variance comes to is told by the halves of the
+// samples (PixelSpread): for each part by those of the parts about it, because one pixel's halves
+// agree or differ by chance.
+//
+// How much the halves overstate, nobody knows beforehand: if errors fall as n^-e, by 2^e - 1. But a
+// refinement shows it: what it changes is what the pixels before it and after it erred.
+//
+// Limits: what no sample met is in no difference; spheres smaller than pixels are counted
+// (MissableSpheres).
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/image/part_errors.h"
+#include "engine/image/pixel_spreads.h"
+#include "engine/math/block.h"
+#include "engine/parallel/worker_pool.h"
+#include "engine/plan/census.h"
+#include "engine/sample/missable_spheres.h"
+
+namespace raytracer {
+
+/// Squared errors fall as this power of a number of samples, -3/2.
+double error_power(int samples);
+
+/// Of the halves' squared differences, before any refinement: of random samples all, where spheres
+/// are small; otherwise between those and where edges cross pixels.
+double first_scale(const Census& census);
+
+/// The sum of these squared errors with its own uncertainty, which counts where few have an error:
+/// that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself, of which
+/// two are added.
+double conservative_sum(std::span<const double> errors2);
+
+/// The squared error of an image all of whose pixels have as many samples as each other, the sum
+/// over its values.
+double error2_of_halves(const PartErrors& errors, double scale);
+
+/// 1 / error_power() of pixels one after another, most of which have the samples of the one before.
+/// Those without samples, beyond the rim, have no error.
+class InversePower {
+ public:
+  float operator()(int samples) {
+    if (samples != samples_) {
+      samples_ = samples;
+      inverse_ = samples > 0 ? static_cast<float>(1 / error_power(samples)) : 0;
+    }
+    return inverse_;
+  }
+
+ private:
+  int samples_ = 0;
+  float inverse_ = 0;
+};
+
+/// Pixels are numbered as those of PixelSpreads, parts as those of PartErrors; those beyond the
+/// image's rim have no error.
+class PixelErrors {
+ public:
+  /// Of an image so many pixels wide and high, none of which has samples yet.
+  PixelErrors(int width, int height, double scale, WorkerPool& pool);
+
+  /// For whoever gives all pixels as many samples, and says so by set_all().
+  PixelSpreads& spreads() { return spreads_; }
+  void set_all(int samples);
+  /// A pixel has so many samples, at least 1, which tell this.
+  void set(std::size_t pixel, int samples, const PixelSpread& spread);
+  /// A pixel has one sample, or another's, and probably this squared error.
+  void set_guess(std::size_t pixel, double error2);
+  /// These spheres may be missed.
+  void set_missable(MissableSpheres spheres);
+
+  /// Takes all in. To be called before anything is asked.
+  void expect();
+
+  /// Takes in what a refinement of these pixels has changed: the sum of the squared differences of
+  /// their values. `before` are their unscaled() errors before it; expect() was called after it.
+  void calibrate(std::span<const std::uint32_t> pixels, std::span<const float> before,
+                 double change2);
+
+  std::size_t index(int x, int y) const { return spreads_.index(x, y); }
+  int x_of(std::size_t pixel) const;
+  int y_of(std::size_t pixel) const;
+
+  /// 0 beyond the image's rim.
+  int samples(std::size_t pixel) const { return samples_[pixel]; }
+  /// Of all pixels.
+  std::int64_t sample_count() const;
+
+  /// The squared error of a pixel, the sum of its channels', without what calibrate() and spheres
+  /// add.
+  float unscaled(std::size_t pixel) const;
+  /// With them.
+  double of_pixel(std::size_t pixel) const;
+  /// That of the image, the sum over its values.
+  double expected_error2() const;
+  /// With its uncertainty.
+  double error2() const { return conservative_sum(parts_); }
+
+  /// Calls visit(pixel, error2) for the pixels that have an error, part by part.
+  template <typename Visit>
+  void for_each_rough(const Visit& visit) const {
+    for (std::size_t row = 0; row < rows_; ++row)
+      for_each_error_in(row, [&](std::size_t, std::size_t pixel, double error2) {
+        if (error2 > 0) visit(pixel, error2);
+      });
+  }
+
+ private:
+  /// What the pixels of a part come to.
+  struct Sums {
+    float error2 = 0;    ///< by halves
+    float variance = 0;  ///< over error_power()
+    float detail = 0;    ///< the variance alone
+  };
+
+  /// What makes a part's pixels err.
+  struct Rate {
+    float of_variance = 0;
+    float least = 0;  ///< squared error of one sample
+  };
+
+  std::size_t part_of(std::size_t pixel) const;
+  /// The variance that counts.
+  float variance_at(std::size_t pixel) const;
+  /// Of the pixels of a row of blocks, row by row.
+  std::vector<float> variances_of_row(std::size_t row) const;
+  double scaled(float unscaled, std::size_t part, int samples) const;
+
+  /// Calls visit(row) for all rows of blocks, on the pool's threads.
+  template <typename Visit>
+  void for_each_row(const Visit& visit) const;
+  /// Calls visit(part, place, first pixel) for the parts of a row of blocks with their places among
+  /// `sums_`.
+  template <typename Visit>
+  void for_each_part_in(std::size_t row, const Visit& visit) const {
+    std::size_t part = parts_in_block * columns_ * row;
+    for (std::size_t column = 0; column < columns_; ++column)
+      for (std::size_t i = 0; i < parts_in_block; ++i, ++part) {
+        const std::size_t x = parts_across * column + i % parts_across;
+        const std::size_t y = parts_across * row + i / parts_across;
+        visit(part, (y + 1) * stride_ + x + 1,
+              index(static_cast<int>(part_side * x), static_cast<int>(part_side * y)));
+      }
+  }
+  /// Calls visit(part, pixel, error2) for the pixels of those parts of a row of blocks that have an
+  /// error.
+  template <typename Visit>
+  void for_each_error_in(std::size_t row, const Visit& visit) const {
+    const std::vector<float> variances = variances_of_row(row);
+    const std::size_t first_of_row = index(0, static_cast<int>(block_side * row));
+    InversePower inverse_power;
+    for_each_part_in(row, [&](std::size_t part, std::size_t, std::size_t first) {
+      const Rate& rate = rates_[part];
+      if (!(rate.of_variance > 0) && !(rate.least > 0) && !missable_) return;
+      for (int y = 0; y < part_side; ++y)
+        for (int x = 0; x < part_side; ++x) {
+          const std::size_t pixel = first + index(x, y);
+          const float detail =
+              std::max(rate.of_variance * variances[pixel - first_of_row], rate.least);
+          const int samples = samples_[pixel];
+          visit(part, pixel, scaled(detail * inverse_power(samples), part, samples));
+        }
+    });
+  }
+
+  Sums sums_of(std::size_t first, const float* variances) const;
+  /// From the sums of the parts around a place.
+  float rate_at(std::size_t place) const;
+  float least_at(std::size_t place) const;
+  void expect_parts();
+
+  WorkerPool& pool_;
+  int width_;
+  int height_;
+  std::size_t columns_;  ///< of blocks
+  std::size_t rows_;
+  std::size_t stride_;  ///< of a row of `sums_`
+  double scale_;
+  PixelSpreads spreads_;
+  std::vector<int> samples_;
+  std::vector<double> parts_;  ///< their squared errors
+  std::vector<Rate> rates_;
+  std::vector<Sums> sums_;      ///< of the parts, row by row, with a rim of nothing
+  std::vector<float> details_;  ///< likewise: the squared error of one sample
+  std::optional<MissableSpheres> missable_{};
+};
+
+}  // namespace raytracer

@@ -1,0 +1,144 @@
+// What pixels' samples come to as errors.
+
+#include "engine/sample/pixel_errors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace raytracer::test {
+namespace {
+
+constexpr int width = 37;  // no multiple of a block
+constexpr int height = 21;
+
+/// An image whose pixels all have 4 samples, which tell nothing but in some.
+class PixelErrorsTest : public testing::Test {
+ protected:
+  void tell(int x, int y, double error2, double variance) {
+    spreads_.set(spreads_.index(x, y), {static_cast<float>(error2), static_cast<float>(variance)});
+  }
+
+  PixelErrors& errors() {
+    errors_.spreads() = spreads_;
+    errors_.set_all(4);
+    errors_.expect();
+    return errors_;
+  }
+
+  WorkerPool pool_{1};
+  PixelSpreads spreads_{width, height};
+  PixelErrors errors_{width, height, 1, pool_};
+};
+
+TEST_F(PixelErrorsTest, AreNoneWhereSamplesAreEqual) {
+  EXPECT_EQ(errors().error2(), 0);
+  errors_.for_each_rough([](std::size_t pixel, double) { ADD_FAILURE() << pixel; });
+}
+
+TEST_F(PixelErrorsTest, AreTheHalvesInAll) {
+  for (int x = 8; x < 28; ++x) tell(x, 9, 0.01, 0.2);
+  double sum = 0;
+  errors().for_each_rough([&](std::size_t, double error2) { sum += error2; });
+  EXPECT_NEAR(sum, 20 * 0.01, 0.3 * 20 * 0.01) << "and a little for what is beside them";
+  EXPECT_GT(errors_.error2(), sum) << "for its uncertainty";
+}
+
+/// One pixel's halves agree by chance: its variance says that it has an error as the others.
+TEST_F(PixelErrorsTest, AreSharedByVariance) {
+  for (int x = 8; x < 28; ++x) tell(x, 9, x % 2 == 0 ? 0.02 : 0, 0.2);
+  tell(15, 9, 0, 0.4);
+  const double common = errors().of_pixel(errors_.index(16, 9));
+  EXPECT_GT(common, 0);
+  EXPECT_DOUBLE_EQ(errors_.of_pixel(errors_.index(17, 9)), common);
+  EXPECT_NEAR(errors_.of_pixel(errors_.index(15, 9)), 2 * common, 0.2 * common);
+}
+
+TEST_F(PixelErrorsTest, RiseBesideDetail) {
+  tell(15, 9, 0.01, 0.2);
+  const double detailed = errors().of_pixel(errors_.index(15, 9));
+  EXPECT_NEAR(errors_.of_pixel(errors_.index(16, 10)), detailed / 5, detailed / 50)
+      << "in the part and block beside it";
+  EXPECT_GT(errors_.of_pixel(errors_.index(18, 9)), 0);
+  EXPECT_EQ(errors_.of_pixel(errors_.index(30, 9)), 0);
+}
+
+TEST_F(PixelErrorsTest, AreLessWithMoreSamples) {
+  for (int x = 8; x < 28; ++x) tell(x, 9, 0.01, 0.2);
+  const std::size_t pixel = errors().index(16, 9);
+  const double before = errors_.of_pixel(pixel);
+  errors_.set(pixel, 64, {static_cast<float>(0.01 / 64), 0.2F});
+  errors_.expect();
+  EXPECT_EQ(errors_.samples(pixel), 64);
+  EXPECT_NEAR(errors_.of_pixel(pixel), before / 64, 0.3 * before / 64);
+  EXPECT_EQ(errors_.sample_count(), 4 * width * height + 60);
+}
+
+TEST_F(PixelErrorsTest, AreNoneBeyondTheRim) {
+  for (int y = 0; y < height; ++y) tell(width - 1, y, 0.01, 0.2);
+  for (int x = 0; x < width; ++x) tell(x, height - 1, 0.01, 0.2);
+  int count = 0;
+  errors().for_each_rough([&](std::size_t pixel, double error2) {
+    ++count;
+    EXPECT_LT(errors_.x_of(pixel), width);
+    EXPECT_LT(errors_.y_of(pixel), height);
+    EXPECT_TRUE(std::isfinite(error2));
+  });
+  EXPECT_GE(count, width + height - 1);
+}
+
+TEST_F(PixelErrorsTest, AreWhatARefinementChanged) {
+  std::vector<std::uint32_t> pixels;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      tell(x, y, 0.01, 0.2);
+      pixels.push_back(static_cast<std::uint32_t>(spreads_.index(x, y)));
+    }
+  const auto refined_with_change = [&](double share) {
+    PixelErrors refined(width, height, 1, pool_);
+    refined.spreads() = spreads_;
+    refined.set_all(4);
+    refined.expect();
+    const double expected_before = refined.of_pixel(pixels[0]);
+    EXPECT_NEAR(expected_before, 0.01, 1e-4);
+    const std::vector<float> before(pixels.size(), 0.01F);
+    for (const std::uint32_t pixel : pixels) refined.set(pixel, 16, {0.00125F, 0.2F});
+    refined.expect();
+    const double unscaled = refined.unscaled(pixels[0]);
+    const double count = static_cast<double>(pixels.size());
+    refined.calibrate(pixels, before, share * count * (0.01 + unscaled));
+    return refined.of_pixel(pixels[0]) / unscaled;
+  };
+  EXPECT_NEAR(refined_with_change(1), 1, 0.01);
+  EXPECT_NEAR(refined_with_change(2), 1.9, 0.1) << "as far as so many pixels are believed";
+  EXPECT_NEAR(refined_with_change(0.8), 0.8, 0.05);
+  EXPECT_DOUBLE_EQ(refined_with_change(0), 0.6) << "luck may be a part of it";
+  EXPECT_DOUBLE_EQ(refined_with_change(1000), 4);
+}
+
+TEST_F(PixelErrorsTest, AreGuessedWithoutHalves) {
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) errors_.set_guess(errors_.index(x, y), x < 16 ? 0.01 : 0);
+  errors_.expect();
+  EXPECT_NEAR(errors_.of_pixel(errors_.index(5, 5)), 0.01, 1e-4);
+  EXPECT_EQ(errors_.of_pixel(errors_.index(30, 5)), 0);
+  EXPECT_EQ(errors_.sample_count(), width * height);
+}
+
+TEST(ConservativeSum, AddsLessWhereManyHaveAnError) {
+  EXPECT_DOUBLE_EQ(conservative_sum(std::vector<double>{1}), 1 + 2 * std::sqrt(2));
+  EXPECT_DOUBLE_EQ(conservative_sum(std::vector<double>(100, 0.01)), 1 + 0.2 * std::sqrt(2));
+}
+
+TEST(FirstScale, IsLessWhereEdgesCrossPixels) {
+  Census census;
+  census.small_spheres = 1;
+  EXPECT_EQ(first_scale(census), 1);
+  census.small_spheres = 0;
+  EXPECT_LT(first_scale(census), 1);
+}
+
+}  // namespace
+}  // namespace raytracer::test
