@@ -70,8 +70,6 @@ Binning<Entry, Functions...> make_binning(const Functions&... functions) {
 
 namespace binning {
 
-constexpr int most_bands = 64;
-
 /// An item on its way to the bins of a band.
 template <typename Entry>
 struct Record {
@@ -85,9 +83,11 @@ template <typename Entry>
 class ChunkRecords {
  public:
   ChunkRecords() = default;
-  ChunkRecords(std::size_t band_count, std::size_t expected_count)
+  /// Of so many items, each of which comes into a band once at most.
+  ChunkRecords(std::size_t band_count, std::size_t item_count)
       : bands_(band_count),
-        slab_size_(std::clamp(expected_count, band_count * block_size, most_in_slab)) {}
+        block_size_(std::min(item_count, most_in_block)),
+        slab_size_(std::clamp(item_count, band_count * block_size_, most_in_slab)) {}
 
   /// The place of the band's next record, which is not yet set.
   Record<Entry>& add(std::size_t band, std::size_t entry_count) {
@@ -104,13 +104,13 @@ class ChunkRecords {
   void for_each(std::size_t band, const Visit& visit) const {
     for (const Record<Entry>* const block : bands_[band].blocks) {
       const bool is_last = block == bands_[band].blocks.back();
-      const Record<Entry>* const end = is_last ? bands_[band].next : block + block_size;
+      const Record<Entry>* const end = is_last ? bands_[band].next : block + block_size_;
       for (const Record<Entry>* record = block; record != end; ++record) visit(*record);
     }
   }
 
  private:
-  static constexpr std::size_t block_size = 512;
+  static constexpr std::size_t most_in_block = 512;
   static constexpr std::size_t most_in_slab = 1 << 16;
 
   struct Band {
@@ -121,26 +121,27 @@ class ChunkRecords {
   };
 
   void begin_block(Band& band) {
-    if (slabs_.empty() || used_ + block_size > slab_size_) {
+    if (slabs_.empty() || used_ + block_size_ > slab_size_) {
       slabs_.emplace_back(slab_size_);
       used_ = 0;
     }
     band.next = slabs_.back().data() + used_;
-    band.end = band.next + block_size;
+    band.end = band.next + block_size_;
     band.blocks.push_back(band.next);
-    used_ += block_size;
+    used_ += block_size_;
   }
 
   std::vector<Band> bands_;
-  std::size_t slab_size_ = 0;  ///< in records
-  std::size_t used_ = 0;       ///< of the last slab
+  std::size_t block_size_ = 0;  ///< in records
+  std::size_t slab_size_ = 0;   ///< likewise
+  std::size_t used_ = 0;        ///< of the last slab
   std::vector<LargeArray<Record<Entry>>> slabs_;
 };
 
 /// The rows of a grid, cut into at most `most_bands` bands of 2^k rows.
 class Bands {
  public:
-  explicit Bands(const BinGrid& grid) : grid_(grid) {
+  Bands(const BinGrid& grid, int most_bands) : grid_(grid) {
     while (((grid.rows - 1) >> height_log2_) >= most_bands) ++height_log2_;
   }
 
@@ -186,8 +187,9 @@ std::vector<std::uint32_t> sort_into_bins(
     const Binning<Entry, CellsOf, EntryOf, EntryIn, Arrange>& how, const Resize& resize,
     const Write& write) {
   using Record = binning::Record<Entry>;
-  const binning::Bands bands(grid);
+  constexpr std::size_t few_bins = 1024;  // their counts are in the first cache
   const std::size_t chunk_count = item_count < few_items ? 1 : pool.thread_count();
+  const binning::Bands bands(grid, chunk_count == 1 && grid.bin_count() <= few_bins ? 1 : 64);
 
   std::vector<binning::ChunkRecords<Entry>> chunks(chunk_count);
   for_each_chunk(item_count, chunk_count, pool,
