@@ -1,6 +1,7 @@
 // One number for each primitive of a scene.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace raytracer {
 /// Some may be nobody's.
 class Numbering {
  public:
+  void reserve(std::size_t object_count) { first_.reserve(object_count); }
+
   /// The next object has so many parts.
   void add_object(std::size_t part_count) {
     first_.push_back(static_cast<std::uint32_t>(count_));

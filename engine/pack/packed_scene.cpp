@@ -122,6 +122,9 @@ PackedLight pack_light(const Light& light, const Frame& frame) {
 PackedScene pack_scene(const Scene& scene, const Frame& frame, WorkerPool& pool) {
   PackedScene packed;
   packed.view = make_view(scene.camera);
+  packed.numbers.reserve(scene.objects.size());
+  packed.material_of_object.reserve(scene.objects.size());
+  packed.spheres.reserve(scene.objects.size());  // what most of many objects are
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     std::visit(Packer{frame, pool, packed, static_cast<std::uint32_t>(i)}, scene.objects[i].shape);
     packed.material_of_object.push_back(scene.objects[i].material);

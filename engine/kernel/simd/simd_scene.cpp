@@ -89,22 +89,26 @@ Stencil<T> make_stencil(const Vec3& towards, const PackedSquare& square) {
 }
 
 template <typename T>
-void push(Column<T>& column, double value) {
-  column.push_back(static_cast<T>(std::min<double>(value, std::numeric_limits<T>::max())));
+T finite(double value) {
+  return static_cast<T>(std::min<double>(value, std::numeric_limits<T>::max()));
 }
 
 template <typename T>
 MaterialTable<T> pack_materials(const PackedScene& scene) {
   MaterialTable<T> table;
-  for (const Material& m : scene.materials) {
-    push(table.red, m.color.x);
-    push(table.green, m.color.y);
-    push(table.blue, m.color.z);
-    table.ambient.push_back(saturated<T>(m.ka * scene.ambient));
-    push(table.kd, m.kd);
-    push(table.ks, m.ks);
-    push(table.shininess, m.shininess);
-    push(table.reflectivity, m.reflectivity);
+  table.memory.share_out(scene.materials.size(),
+                         {&table.red, &table.green, &table.blue, &table.ambient, &table.kd,
+                          &table.ks, &table.shininess, &table.reflectivity});
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& m = scene.materials[i];
+    table.red[i] = finite<T>(m.color.x);
+    table.green[i] = finite<T>(m.color.y);
+    table.blue[i] = finite<T>(m.color.z);
+    table.ambient[i] = saturated<T>(m.ka * scene.ambient);
+    table.kd[i] = finite<T>(m.kd);
+    table.ks[i] = finite<T>(m.ks);
+    table.shininess[i] = finite<T>(m.shininess);
+    table.reflectivity[i] = finite<T>(m.reflectivity);
   }
   return table;
 }
@@ -114,8 +118,8 @@ template <typename T>
 class SurfaceNotes {
  public:
   SurfaceNotes(const PackedScene& scene, SurfaceTable<T>& table) : scene_(scene), table_(table) {
-    for (Column<T>* column : {&table.x, &table.y, &table.z, &table.curvature, &table.material})
-      column->resize(scene.numbers.count());
+    table.memory.share_out(scene.numbers.count(),
+                           {&table.x, &table.y, &table.z, &table.curvature, &table.material});
   }
 
   std::int32_t note(const PackedSphere& s) { return note(s.id, s.center, 1 / s.radius); }
@@ -130,8 +134,7 @@ class SurfaceNotes {
     table_.x[row] = static_cast<T>(place.x);
     table_.y[row] = static_cast<T>(place.y);
     table_.z[row] = static_cast<T>(place.z);
-    table_.curvature[row] =
-        static_cast<T>(std::min<double>(curvature, std::numeric_limits<T>::max()));
+    table_.curvature[row] = finite<T>(curvature);
     table_.material[row] = static_cast<T>(scene_.material_of_object[id.object]);
     return number;
   }

@@ -10,7 +10,10 @@
 #include <hwy/aligned_allocator.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <span>
 #include <vector>
 
 #include "engine/accel/light_grid.h"
@@ -108,7 +111,26 @@ struct SimdLight {
 
 /// A column of values that SIMD code gathers from.
 template <typename T>
-using Column = LargeArray<T>;
+using Column = std::span<T>;
+
+/// The memory of a table's columns, all in one: to ask for each takes as long as to fill in those
+/// of a small scene. It can be moved and not copied, as the columns are where it is.
+template <typename T>
+struct ColumnMemory : LargeArray<T> {
+  ColumnMemory() = default;
+  ColumnMemory(ColumnMemory&&) noexcept = default;
+  ColumnMemory& operator=(ColumnMemory&&) noexcept = default;
+
+  /// Gives each column so many rows, which are not set.
+  void share_out(std::size_t row_count, std::initializer_list<Column<T>*> columns) {
+    this->resize(row_count * columns.size());
+    std::size_t begin = 0;
+    for (Column<T>* const column : columns) {
+      *column = Column<T>(*this).subspan(begin, row_count);
+      begin += row_count;
+    }
+  }
+};
 
 /// What is needed of each primitive once it was hit, in columns by id.
 template <typename T>
@@ -116,6 +138,7 @@ struct SurfaceTable {
   Column<T> x, y, z;    ///< a sphere's centre; the opposite of a plane's normal
   Column<T> curvature;  ///< 1 / radius; 0 for a plane
   Column<T> material;   ///< index into MaterialTable
+  ColumnMemory<T> memory;
 };
 
 template <typename T>
@@ -123,6 +146,7 @@ struct MaterialTable {
   Column<T> red, green, blue;
   Column<T> ambient;  ///< ka times the scene's
   Column<T> kd, ks, shininess, reflectivity;
+  ColumnMemory<T> memory;
 };
 
 template <typename T>
