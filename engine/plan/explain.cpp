@@ -55,7 +55,7 @@ Json features_json(const Scene& scene, const Features& features) {
 
 Json kernel_json(const Choice<Kernel>& kernel) {
   return choice(kernel.value == Kernel::simd ? "packets of rays" : "one ray at a time",
-                kernel.reason);
+                kernel.reason());
 }
 
 /// "2 spheres: screen bins from the eye, one by one to the lights; 1 plane: one by one from ..."
@@ -120,15 +120,15 @@ std::string explain(const Scene& scene, const Plan& plan, const Prediction& pred
   json["features"] = features_json(scene, plan.features);
   json["kernel"] = kernel_json(plan.kernel);
   json["instruction_set"] = instruction_set_json(plan.instruction_set);
-  json["precision"] = choice(is_single ? "single" : "double", plan.precision.reason);
+  json["precision"] = choice(is_single ? "single" : "double", plan.precision.reason());
   json["precision"]["displacement_px"] = rounded(plan.arithmetic_error.displacement_px);
   json["precision"]["levels"] = rounded(plan.arithmetic_error.levels);
   json["geometry"] = geometry_json(scene, plan);
   json["sampling"] =
       choice(plan.sampling.value == Sampling::contract ? Json("refined")
                                                        : Json(scene.render.samples.value_or(1)),
-             plan.sampling.reason);
-  json["tiles"] = choice(plan.tile_side_px.value, plan.tile_side_px.reason);
+             plan.sampling.reason());
+  json["tiles"] = choice(plan.tile_side_px.value, plan.tile_side_px.reason());
   json["frame"] = frame_json(plan.frame);
   json["prediction"] = prediction_json(prediction);
   json["health"] = find_strains(scene, plan);

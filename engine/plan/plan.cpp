@@ -12,16 +12,19 @@ constexpr std::size_t few_for_one_ray = 7;
 Choice<Kernel> choose_kernel(const Features& features, const Census& census) {
   const std::size_t bounded = features.spheres + features.triangles;
   if (census.nearest > 0)
-    return {Kernel::simd, "the eye is outside of everything, so neighbouring rays go together"};
-  return {bounded <= few_for_one_ray ? Kernel::brute_force : Kernel::bvh,
-          "the eye is on or inside a surface, which only the plain kernel models: one ray at a "
-          "time, in double, several times slower"};
+    return {Kernel::simd,
+            because("the eye is outside of everything, so neighbouring rays go together")};
+  return {
+      bounded <= few_for_one_ray ? Kernel::brute_force : Kernel::bvh,
+      because("the eye is on or inside a surface, which only the plain kernel models: one ray at "
+              "a time, in double, several times slower")};
 }
 
 Choice<Precision> precision_for(const Scene& scene, const Plan& plan) {
   if (plan.kernel.value == Kernel::simd)
     return choose_precision(scene.render.precision, plan.features, plan.census);
-  return {Precision::double_precision, "the plain kernel that this scene needs has no other"};
+  return {Precision::double_precision,
+          because("the plain kernel that this scene needs has no other")};
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "engine/plan/precision.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -59,69 +57,69 @@ Choice<Precision> choose_precision(Precision wish, const Features& features, con
   constexpr double least_in_single = 0x1p-60;  // a square of it is still a normal number
   if (wish == single_precision && census.smallest < least_in_single)
     return {double_precision,
-            fmt::format("single, which is asked for, does not hold the square of a size that is "
-                        "{:.2g} of the extent",
-                        census.smallest)};
-  if (wish != automatic) return {wish, "it is asked for"};
+            because("single, which is asked for, does not hold the square of a size that is "
+                    "{:.2g} of the extent",
+                    census.smallest)};
+  if (wish != automatic) return {wish, because("it is asked for")};
 
   const double tolerance_px = features.triangles > 0 ? triangle_tolerance_px : sphere_tolerance_px;
   const double direction_error_px = kappa * single_rounding / census.pixel_angle;
   if (direction_error_px > tolerance_px)
     return {double_precision,
-            fmt::format("single would displace edges by {:.2g} pixels: a pixel is only {:.2g} "
-                        "radians wide",
-                        direction_error_px, census.pixel_angle)};
+            because("single would displace edges by {:.2g} pixels: a pixel is only {:.2g} "
+                    "radians wide",
+                    direction_error_px, census.pixel_angle)};
 
   const double mirror_error_px = direction_error_px * census.magnification;
   if (mirror_error_px > mirror_tolerance_px)
     return {double_precision,
-            fmt::format("single would displace what mirrors show by {:.2g} pixels: a curved one "
-                        "magnifies its error {:.3g} times",
-                        mirror_error_px, census.magnification)};
+            because("single would displace what mirrors show by {:.2g} pixels: a curved one "
+                    "magnifies its error {:.3g} times",
+                    mirror_error_px, census.magnification)};
 
   const double shadow_error_px = direction_error_px * (1 + census.shadow_path / census.nearest);
   if (!(shadow_error_px <= tolerance_px))
     return {double_precision,
-            fmt::format("single would displace shadows by {:.2g} pixels: occluders up to {:.3g} "
-                        "times as far as the nearest surface",
-                        shadow_error_px, census.shadow_path / census.nearest)};
+            because("single would displace shadows by {:.2g} pixels: occluders up to {:.3g} "
+                    "times as far as the nearest surface",
+                    shadow_error_px, census.shadow_path / census.nearest)};
 
   const double surface_error = kappa * single_rounding * census.distance_in_radii;
   if (surface_error > surface_tolerance)
     return {double_precision,
-            fmt::format("single would displace points by {:.2g} radii of their sphere: it is up "
-                        "to {:.3g} radii away",
-                        surface_error, census.distance_in_radii)};
+            because("single would displace points by {:.2g} radii of their sphere: it is up "
+                    "to {:.3g} radii away",
+                    surface_error, census.distance_in_radii)};
 
   constexpr double least_clearance = 1.0 / 256;
   if (census.light_clearance < least_clearance)
     return {double_precision,
-            fmt::format("single could not tell a light from the surface {:.2g} of the extent away",
-                        census.light_clearance)};
+            because("single could not tell a light from the surface {:.2g} of the extent away",
+                    census.light_clearance)};
 
   if (census.gap < 4 * kappa * single_rounding)
     return {double_precision,
-            fmt::format("single could not tell apart two surfaces that are {:.2g} of their "
-                        "distance from each other",
-                        census.gap)};
+            because("single could not tell apart two surfaces that are {:.2g} of their "
+                    "distance from each other",
+                    census.gap)};
 
   constexpr std::size_t most_numbered = std::size_t{1} << 24;  // integers that a single holds
   const std::size_t primitives =
       features.spheres + features.squares + features.planes + features.triangles;
   if (primitives > most_numbered)
-    return {double_precision, fmt::format("single cannot number {} primitives apart", primitives)};
+    return {double_precision, because("single cannot number {} primitives apart", primitives)};
 
   constexpr double half_level = 0.5 / 255;
   const double highlight_error = kappa * single_rounding * features.shininess;
   if (highlight_error > half_level)
     return {double_precision,
-            fmt::format("single would change highlights by {:.2g}: shininess is {:.3g}",
-                        highlight_error, features.shininess)};
+            because("single would change highlights by {:.2g}: shininess is {:.3g}",
+                    highlight_error, features.shininess)};
 
   return {single_precision,
-          fmt::format("it suffices: single displaces edges by at most {:.2g} pixels and shadows by "
-                      "at most {:.2g}, and {:.2g} are allowed",
-                      direction_error_px, shadow_error_px, tolerance_px)};
+          because("it suffices: single displaces edges by at most {:.2g} pixels and shadows by "
+                  "at most {:.2g}, and {:.2g} are allowed",
+                  direction_error_px, shadow_error_px, tolerance_px)};
 }
 
 }  // namespace raytracer

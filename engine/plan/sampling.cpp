@@ -21,6 +21,19 @@ std::string why_fixed(const RenderSettings& settings) {
                      count == 1 ? "is" : "are", where);
 }
 
+std::string why_contract(const RenderSettings& settings) {
+  const std::string how =
+      "four samples per pixel, or sixteen if spheres may be smaller than a pixel, under a budget "
+      "one before them; then in each pixel as many as their variance and the difference between "
+      "their halves ask for";
+  if (settings.target_rmse && settings.budget_ms)
+    return fmt::format("{}, until the estimated error is at most {:g} or {:g} ms are over", how,
+                       *settings.target_rmse, *settings.budget_ms);
+  if (settings.target_rmse)
+    return fmt::format("{}, until the estimated error is at most {:g}", how, *settings.target_rmse);
+  return fmt::format("{}, as many as fit into {:g} ms", how, *settings.budget_ms);
+}
+
 }  // namespace
 
 Sampling sampling_of(const RenderSettings& settings) {
@@ -35,20 +48,10 @@ int first_samples(const RenderSettings& settings, const Census& census) {
 }
 
 Choice<Sampling> choose_sampling(const RenderSettings& settings) {
-  if (sampling_of(settings) == Sampling::fixed) return {Sampling::fixed, why_fixed(settings)};
-  const std::string how =
-      "four samples per pixel, or sixteen if spheres may be smaller than a pixel, under a budget "
-      "one before them; then in each pixel as many as their variance and the difference between "
-      "their halves ask for";
-  if (settings.target_rmse && settings.budget_ms)
-    return {Sampling::contract,
-            fmt::format("{}, until the estimated error is at most {:g} or {:g} ms are over", how,
-                        *settings.target_rmse, *settings.budget_ms)};
-  if (settings.target_rmse)
-    return {Sampling::contract, fmt::format("{}, until the estimated error is at most {:g}", how,
-                                            *settings.target_rmse)};
-  return {Sampling::contract,
-          fmt::format("{}, as many as fit into {:g} ms", how, *settings.budget_ms)};
+  const Sampling sampling = sampling_of(settings);
+  return {sampling, [settings, sampling] {
+            return sampling == Sampling::fixed ? why_fixed(settings) : why_contract(settings);
+          }};
 }
 
 }  // namespace raytracer

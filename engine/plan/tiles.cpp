@@ -49,16 +49,20 @@ Choice<int> choose_tile_side(const Scene& scene, int samples, std::size_t thread
   const int side =
       tile_side_px(camera.width, camera.height, samples, scene.lights.size(), thread_count);
   if (is_one_tile(camera.width, camera.height, samples, scene.lights.size()))
-    return {side, "the whole image: so few rays are traced before another thread has woken up"};
-  const auto along = [&](int length_px) {
+    return {side,
+            because("the whole image: so few rays are traced before another thread has woken up")};
+  const auto along = [side](int length_px) {
     return static_cast<std::uint64_t>((length_px + side - 1) / side);
   };
-  return {side, fmt::format("{} for {}: large, because each costs a lock, but where the image "
-                            "allows {:.0f} or more for each thread, to share the work evenly, and "
-                            "of at most {} rays, so that other renders have their turn",
-                            counted(along(camera.width) * along(camera.height), "tile"),
-                            counted(thread_count, "thread"), tiles_per_thread,
-                            grouped(static_cast<std::uint64_t>(most_rays)))};
+  const std::uint64_t tiles = along(camera.width) * along(camera.height);
+  return {side, [tiles, thread_count] {
+            return fmt::format(
+                "{} for {}: large, because each costs a lock, but where the image allows {:.0f} or "
+                "more for each thread, to share the work evenly, and of at most {} rays, so that "
+                "other renders have their turn",
+                counted(tiles, "tile"), counted(thread_count, "thread"), tiles_per_thread,
+                grouped(static_cast<std::uint64_t>(most_rays)));
+          }};
 }
 
 }  // namespace raytracer

@@ -30,7 +30,7 @@ TEST_P(Extremes, AreTheExactPicture) {
   const ExactImage exact = exact_image(scene, pool);
   const Comparison chosen = compare(render_as(scene, Precision::automatic, pool), exact, scene);
   EXPECT_EQ(chosen.off, 0) << "farthest " << chosen.displacement_px << " px; "
-                           << plan.precision.reason;
+                           << plan.precision.reason();
   EXPECT_EQ(chosen.nans, 0);
   EXPECT_LE(chosen.levels, plan.arithmetic_error.levels);
   EXPECT_LE(chosen.displacement_px, std::max(1e-6, plan.arithmetic_error.displacement_px));

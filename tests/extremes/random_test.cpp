@@ -98,7 +98,7 @@ Outcome expect_exact_pictures(int count, const Magnitudes& size) {
     for (const Vec3& color : exact) sum.seen += color == scene.background ? 0 : 1;
     const Comparison result = compare(render_as(scene, Precision::automatic, pool), exact, scene);
     EXPECT_EQ(result.off, 0) << "seed " << seed << ", " << result.displacement_px << " px; "
-                             << plan.precision.reason;
+                             << plan.precision.reason();
     EXPECT_LE(result.displacement_px, plan.arithmetic_error.displacement_px) << "seed " << seed;
     EXPECT_EQ(result.nans, 0) << "seed " << seed;
     EXPECT_LE(result.levels, plan.arithmetic_error.levels) << "seed " << seed;

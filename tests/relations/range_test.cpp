@@ -80,7 +80,7 @@ TEST(Range, SingleIsRefusedWhereItHoldsNoSquareOfARadius) {
   text["render"] = {{"precision", "single"}};
   const Plan plan = make_plan(scene_of(text), this_machine(1));
   EXPECT_EQ(plan.precision.value, Precision::double_precision);
-  EXPECT_NE(plan.precision.reason.find("does not hold"), std::string::npos);
+  EXPECT_NE(plan.precision.reason().find("does not hold"), std::string::npos);
 }
 
 }  // namespace

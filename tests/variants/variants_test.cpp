@@ -217,7 +217,7 @@ Raster<Channel> image_by(const Plan& plan, const Scene& scene) {
 Image image_on(const InstructionSet& set, Precision precision, Scene scene) {
   scene.render.precision = precision;
   const Plan plan = make_plan(scene, {set});
-  EXPECT_EQ(plan.kernel.value, Kernel::simd) << plan.kernel.reason;
+  EXPECT_EQ(plan.kernel.value, Kernel::simd) << plan.kernel.reason();
   EXPECT_EQ(plan.precision.value, precision);
   return image_by(plan, scene);
 }
@@ -254,7 +254,7 @@ TEST(Variants, singleIsNearTheReferenceWhereThePlanChoosesIt) {
     for (const InstructionSet& set : supported_instruction_sets())
       EXPECT_LE(count_wrong(image_on(set, Precision::single_precision, named.scene), expected),
                 most)
-          << named.name << " on " << set.name << ": " << plan.precision.reason;
+          << named.name << " on " << set.name << ": " << plan.precision.reason();
   }
   EXPECT_GE(chosen, 8) << "single precision is hardly ever chosen";
 }
@@ -341,7 +341,7 @@ TEST(Variants, findsSpheresThatFillTheImageByATree) {
   scene.camera.width = 700;
   scene.camera.height = 500;
   const Plan plan = make_plan(scene, this_machine());
-  ASSERT_EQ(plan.kernel.value, Kernel::simd) << plan.kernel.reason;
+  ASSERT_EQ(plan.kernel.value, Kernel::simd) << plan.kernel.reason();
   EXPECT_FALSE(plan.structures.sphere_bins);
   scene.camera.width = 70;
   scene.camera.height = 50;
