@@ -15,7 +15,7 @@ struct Admission::Entry {
   RenderProgress& progress;
   Clock::time_point entered;
   Clock::time_point started{};
-  bool is_running = false;
+  std::atomic<bool> is_running{false};  ///< set with the mutex held, behind `started`
   std::condition_variable turn_came{};  ///< its own: a turn wakes nobody but whose it is
 };
 
@@ -99,8 +99,8 @@ void Admission::let_in_next() {
     Entry* const next = waiting_.front();
     waiting_.pop_front();
     running_.push_back(next);
-    next->is_running = true;
     next->started = Clock::now();
+    next->is_running = true;
     next->turn_came.notify_all();
   }
 }
@@ -127,6 +127,7 @@ Admission::Place::~Place() {
 }
 
 bool Admission::Place::wait_for_turn() {
+  if (entry_->is_running) return !entry_->progress.stop;
   // A client's leaving sets a flag and notifies nobody, hence the short waits.
   constexpr std::chrono::milliseconds look_again{50};
   std::unique_lock lock(admission_->mutex_);

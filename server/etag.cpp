@@ -44,16 +44,20 @@ std::string picture_digest(std::string_view content_digest, const Scene& view) {
 }
 
 std::string maker_of_pictures(const Machine& machine) {
-  return fmt::format("{}\n{}\n{}", build_id, machine.instruction_set.name, processor_model());
+  constexpr std::size_t digits = 16;  // nobody but this program chooses what they are made from
+  return sha256_hex(
+             fmt::format("{}\n{}\n{}", build_id, machine.instruction_set.name, processor_model()))
+      .substr(0, digits);
 }
 
 std::string entity_tag(std::string_view picture_digest, std::string_view media_type,
                        std::string_view maker) {
   constexpr std::size_t digits = 32;
-  std::string text;
-  text.reserve(picture_digest.size() + media_type.size() + maker.size() + 2);
-  ((((text += picture_digest) += '\n') += media_type) += '\n') += maker;
-  return '"' + sha256_hex(text).substr(0, digits) + '"';
+  std::string tag;
+  tag.reserve(digits + media_type.size() + maker.size() + 4);
+  (tag += '"') += picture_digest.substr(0, digits);
+  (((tag += '-') += media_type) += '-') += maker;
+  return tag += '"';
 }
 
 bool names_tag(std::string_view if_none_match, std::string_view tag) {

@@ -1,8 +1,9 @@
 // Entity tags: which bytes an image request is about, known without rendering.
 //
-// A tag is a digest of everything that decides the bytes: the canonical scene with the query's
-// values applied, the media type, the engine's build, and the instruction set and processor that it
-// runs on: two makers' estimates of a root differ in their last bits. SHA-256 cut to 128 bits.
+// A tag names everything that decides the bytes: the canonical scene with the query's values
+// applied, as SHA-256 cut to 128 bits, the media type, and by a digest the engine's build, and the
+// instruction set and processor that it runs on: two makers' estimates of a root differ in their
+// last bits.
 #pragma once
 
 #include <string>
@@ -18,8 +19,8 @@ std::string content_digest(const Scene& scene);
 /// Hexadecimal digest of everything that decides the picture. Takes the same time for every scene.
 std::string picture_digest(std::string_view content_digest, const Scene& view);
 
-/// Who draws: this build, the machine's instruction set, its processor. Slow, as asking a virtual
-/// machine's processor for its name is: to be asked once.
+/// Who draws: a digest of this build, the machine's instruction set, its processor. Slow, as asking
+/// a virtual machine's processor for its name is: to be asked once.
 std::string maker_of_pictures(const Machine& machine);
 
 /// The strong entity tag, with its quotes, of the picture as `maker` draws it in one media type.
