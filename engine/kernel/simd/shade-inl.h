@@ -19,13 +19,16 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
-/// x^exponent for x in [0, 1], by squaring; 0^0 = 1.
+/// x^exponent for x in [0, 1], by squaring from the exponent's highest bit; 0^0 = 1.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V integer_power(D d, V x, std::int32_t exponent) {
-  V power = hn::Set(d, hn::TFromD<D>(1));
-  for (std::uint32_t rest = static_cast<std::uint32_t>(exponent); rest != 0; rest >>= 1U) {
-    if ((rest & 1U) != 0) power = hn::Mul(power, x);
-    x = hn::Mul(x, x);
+  if (exponent == 0) return hn::Set(d, hn::TFromD<D>(1));
+  const auto bits = static_cast<std::uint32_t>(exponent);
+  V power = x;
+  std::uint32_t bit = std::uint32_t{1} << (31 - hwy::Num0BitsAboveMS1Bit_Nonzero32(bits));
+  while ((bit >>= 1U) != 0) {
+    power = hn::Mul(power, power);
+    if ((bits & bit) != 0) power = hn::Mul(power, x);
   }
   return power;
 }
