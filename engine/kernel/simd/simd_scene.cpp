@@ -29,20 +29,20 @@ Triple<T> saturated(const Rgb& emission) {
 }
 
 template <typename T>
-SimdSphere<T> pack(const PackedSphere& sphere, std::int32_t id) {
+SimdSphere<T> pack(const PackedSphere& sphere, std::int32_t number) {
   const double r = sphere.radius;
   const double distance = length(sphere.center);
   return {narrowed<T>(sphere.center), static_cast<T>(r), static_cast<T>(r * r),
-          static_cast<T>((distance - r) * (distance + r)), id};
+          static_cast<T>((distance - r) * (distance + r)), static_cast<T>(number)};
 }
 
 template <typename T>
-SimdPlane<T> pack_plane(const Vec3& normal, const Vec3& point, std::int32_t id) {
-  return {narrowed<T>(normal), static_cast<T>(dot(normal, point)), id};
+SimdPlane<T> pack_plane(const Vec3& normal, const Vec3& point, std::int32_t number) {
+  return {narrowed<T>(normal), static_cast<T>(dot(normal, point)), static_cast<T>(number)};
 }
 
 template <typename T>
-SimdSquare<T> pack(const PackedSquare& square, std::int32_t id) {
+SimdSquare<T> pack(const PackedSquare& square, std::int32_t number) {
   const double cell = 2 * square.radius;
   const auto half = static_cast<double>(square.side) / 2;
   // In cells from the corner; cell i is centred on i + 1/2.
@@ -61,7 +61,11 @@ SimdSquare<T> pack(const PackedSquare& square, std::int32_t id) {
           static_cast<T>(last - second_cell),
           static_cast<T>(1 / cell),
           static_cast<T>(cell),
-          id};
+          static_cast<T>(number),
+          0,
+          0,
+          0,
+          0};
 }
 
 /// The cells whose spheres come within a diameter of the line from a sphere's centre towards the
@@ -86,6 +90,30 @@ Stencil<T> make_stencil(const Vec3& towards, const PackedSquare& square) {
     }
   }
   return stencil;
+}
+
+/// Notes the cells that are farther from the rim than any of the lights' stencils reaches.
+template <typename T>
+void note_inner_cells(const std::vector<SimdLight<T>>& lights, std::size_t index,
+                      SimdSquare<T>& square) {
+  T reach = 0;
+  for (const SimdLight<T>& light : lights) reach = std::max(reach, light.stencils[index].reach);
+  square.inner_low_first = square.low_first + reach;
+  square.inner_high_first = square.high_first - reach;
+  square.inner_low_second = square.low_second + reach;
+  square.inner_high_second = square.high_second - reach;
+}
+
+/// Whether shade_plainly() will do.
+template <typename T>
+bool is_plainly_lit(const SimdScene<T>& scene) {
+  const auto is_plain = [](const SimdLight<T>& light) {
+    return light.is_distant && std::all_of(light.stencils.begin(), light.stencils.end(),
+                                           [](const Stencil<T>& s) { return s.suffices; });
+  };
+  return (!scene.has_specular || scene.uniform_shininess >= 0) && scene.planes.empty() &&
+         !scene.has_triangles && !scene.has_light_grids && scene.sphere_tree.is_empty() &&
+         std::all_of(scene.lights.begin(), scene.lights.end(), is_plain);
 }
 
 template <typename T>
@@ -225,6 +253,8 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
                                                : Stencil<T>{{}, 0, false});
     packed.lights.push_back(std::move(simd));
   }
+  for (std::size_t i = 0; i < packed.squares.size(); ++i)
+    note_inner_cells(packed.lights, i, packed.squares[i]);
   packed.background = narrowed<T>(scene.background);
   packed.shadows = scene.shadows;
   packed.materials = pack_materials<T>(scene);
@@ -232,6 +262,7 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
   packed.uniform_shininess = features.uniform_shininess;
   packed.reflects = features.reflects;
   packed.max_depth = features.max_depth;
+  packed.is_plainly_lit = is_plainly_lit(packed);
   return packed;
 }
 

@@ -41,14 +41,14 @@ struct SimdSphere {
   T radius;
   T radius2;
   T eye_c;  ///< |center|^2 - radius^2
-  std::int32_t id;
+  T id;     ///< numbers of primitives are kept as T: they are small
 };
 
 template <typename T>
 struct SimdPlane {
   Triple<T> normal;  ///< unit
   T height;          ///< normal . (point - eye)
-  std::int32_t id;
+  T id;
 };
 
 template <typename T>
@@ -75,7 +75,11 @@ struct SimdSquare {
   T high_second;
   T cells_per_unit;  ///< 1 / (2 radius)
   T unit_per_cell;
-  std::int32_t id;
+  T id;
+  T inner_low_first;  ///< the cells with every neighbour that any light's stencil names
+  T inner_high_first;
+  T inner_low_second;
+  T inner_high_second;
 };
 
 /// A neighbour, by its offset in cells.
@@ -148,6 +152,7 @@ struct SimdScene {
   MaterialTable<T> materials;
   Triple<T> background;
   Shadows shadows;
+  bool is_plainly_lit;  ///< see shade_plainly()
   bool has_specular;
   std::int32_t uniform_shininess;  ///< the one integer exponent of all that is specular, or -1
   bool reflects;                   ///< whether any ray follows another

@@ -18,42 +18,52 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
-/// Whether a neighbour of the sphere in cell (first, second) stands between its point with
-/// `normal` and a distant light, both in the square's axes.
+/// Whether a neighbour in the stencil's cell stands between a sphere's point with `normal` and a
+/// distant light, both in the square's axes.
 ///
 /// With the point n/2, the neighbour's centre o in cells and the light's direction d, the line
 /// passes at the centre's height after b = o.d - n.d/2, and its squared distance there is
 /// |o - n/2|^2 - b^2 = 1/4 + (|o|^2 - o.n) - b^2.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M stands_before(D d, const StencilCell<T>& cell, const V3<V>& normal,
+                           V half_incidence) {
+  const V b = hn::Sub(hn::Set(d, cell.forward), half_incidence);
+  const V beyond =
+      hn::NegMulAdd(normal.x, hn::Set(d, cell.first),
+                    hn::NegMulAdd(normal.z, hn::Set(d, cell.second), hn::Set(d, cell.distance2)));
+  return hn::And(hn::Ge(hn::Mul(b, b), beyond), hn::Gt(b, hn::Zero(d)));
+}
+
+/// Whether a neighbour of a sphere that has them all stands between its point with `normal` and a
+/// distant light.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M shadowed_amid(D d, const Stencil<T>& stencil, const V3<V>& normal, V incidence) {
+  const V half_incidence = hn::Mul(hn::Set(d, T(0.5)), incidence);
+  M shadowed = hn::Lt(incidence, incidence);
+  for (const StencilCell<T>& cell : stencil.cells)
+    shadowed = hn::Or(shadowed, stands_before(d, cell, normal, half_incidence));
+  return shadowed;
+}
+
+/// The same for the sphere in cell (first, second), wherever that is.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M shadowed_by_neighbours(D d, const SimdSquare<T>& square, const Stencil<T>& stencil,
                                     V first, V second, const V3<V>& normal, V incidence, M active) {
-  const V zero = hn::Zero(d);
-  const V half_incidence = hn::Mul(hn::Set(d, T(0.5)), incidence);
-  const auto stands_before = [&](const StencilCell<T>& cell) HWY_ATTR {
-    const V b = hn::Sub(hn::Set(d, cell.forward), half_incidence);
-    const V beyond =
-        hn::NegMulAdd(normal.x, hn::Set(d, cell.first),
-                      hn::NegMulAdd(normal.z, hn::Set(d, cell.second), hn::Set(d, cell.distance2)));
-    return hn::And(hn::Ge(hn::Mul(b, b), beyond), hn::Gt(b, zero));
-  };
-
   const auto within = [&](V place, T low, T high, T reach) HWY_ATTR {
     return hn::And(hn::Ge(place, hn::Set(d, low + reach)), hn::Le(place, hn::Set(d, high - reach)));
   };
   const M amid = hn::And(within(first, square.low_first, square.high_first, stencil.reach),
                          within(second, square.low_second, square.high_second, stencil.reach));
-  M shadowed = hn::Lt(zero, zero);
-  if (hn::AllTrue(d, hn::Or(amid, hn::Not(active)))) {
-    for (const StencilCell<T>& cell : stencil.cells)
-      shadowed = hn::Or(shadowed, stands_before(cell));
-  } else {
-    for (const StencilCell<T>& cell : stencil.cells) {
-      const M is_there = hn::And(
-          within(hn::Add(first, hn::Set(d, cell.first)), square.low_first, square.high_first, T(0)),
-          within(hn::Add(second, hn::Set(d, cell.second)), square.low_second, square.high_second,
-                 T(0)));
-      shadowed = hn::Or(shadowed, hn::And(stands_before(cell), is_there));
-    }
+  if (hn::AllTrue(d, hn::Or(amid, hn::Not(active))))
+    return hn::And(active, shadowed_amid(d, stencil, normal, incidence));
+  const V half_incidence = hn::Mul(hn::Set(d, T(0.5)), incidence);
+  M shadowed = hn::Lt(incidence, incidence);
+  for (const StencilCell<T>& cell : stencil.cells) {
+    const M is_there = hn::And(
+        within(hn::Add(first, hn::Set(d, cell.first)), square.low_first, square.high_first, T(0)),
+        within(hn::Add(second, hn::Set(d, cell.second)), square.low_second, square.high_second,
+               T(0)));
+    shadowed = hn::Or(shadowed, hn::And(stands_before(d, cell, normal, half_incidence), is_there));
   }
   return hn::And(shadowed, active);
 }
@@ -68,7 +78,7 @@ HWY_INLINE void show_squares(D d, const SimdScene<T>& scene, const Start<V>& fro
     const V3<V> eye = broadcast(d, square.eye);
     const V3<V> slope = along_square(square, direction);
     const V t_max = hn::Mul(nearest.t, to_cells);
-    const V id = hn::Set(d, static_cast<T>(square.id));
+    const V id = hn::Set(d, square.id);
     CellHit<V, M> found;
     if (!leaves_cell && is_outside_slab(square)) {
       found = first_in_rows(d, square, slope, t_max, active);
@@ -94,7 +104,7 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn:
 HWY_INLINE M occluded_by_square(D d, const SimdSquare<T>& square, const Stencil<T>& stencil,
                                 const Start<V>& from, const V3<V>& towards, V distance, V incidence,
                                 M lit) {
-  const M leaves = hn::Eq(from.id, hn::Set(d, static_cast<T>(square.id)));
+  const M leaves = hn::Eq(from.id, hn::Set(d, square.id));
   M dark = hn::Lt(distance, hn::Zero(d));
   if (stencil.suffices) {
     const M neighbours = hn::And(lit, leaves);
@@ -113,6 +123,32 @@ HWY_INLINE M occluded_by_square(D d, const SimdSquare<T>& square, const Stencil<
       hn::IfThenElse(leaves, from.first, nowhere), hn::IfThenElse(leaves, from.second, nowhere));
   const M before = hn::Lt(found.t, hn::Mul(distance, to_cells));
   return hn::Or(dark, hn::And(found.hit, before));
+}
+
+/// Lanes whose rays from `point` may reach the slab of a square's spheres.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M nears_slab(D d, const SimdSquare<T>& square, const V3<V>& point,
+                        const V3<V>& towards) {
+  const V height = hn::MulAdd(along_square(square, point).y, hn::Set(d, square.cells_per_unit),
+                              hn::Set(d, square.eye.y));
+  const V half = hn::Set(d, T(0.5));
+  const V rise = along_square(square, towards).y;
+  const V zero = hn::Zero(d);
+  return hn::Or(hn::And(hn::Lt(height, half), hn::Ge(rise, zero)),
+                hn::And(hn::Gt(height, hn::Neg(half)), hn::Le(rise, zero)));
+}
+
+/// Lanes of `lit` from which a sphere of a square stands before a distant light, for points that
+/// are not on the square.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_NOINLINE M occluded_by_cells(D d, const SimdSquare<T>& square, const Start<V>& from,
+                                 const V3<V>& towards, M lit) {
+  const V nowhere = hn::Set(d, std::numeric_limits<T>::max());
+  const V3<V> origin = mul_add(along_square(square, from.point), hn::Set(d, square.cells_per_unit),
+                               broadcast(d, square.eye));
+  return walk_square<true>(d, square, origin, along_square(square, towards), nowhere, lit, nowhere,
+                           nowhere)
+      .hit;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -24,8 +24,18 @@ namespace HWY_NAMESPACE {
 /// A vector's coordinates along the square's first axis, across it, and along its second.
 template <typename T, class V>
 HWY_INLINE V3<V> along_square(const SimdSquare<T>& square, const V3<V>& v) {
-  if (square.axes[1] == 1) return v;
-  return square.axes[1] == 2 ? V3<V>{v.x, v.z, v.y} : V3<V>{v.y, v.x, v.z};
+  // One vector after another: g++ keeps a choice between structures of them in memory.
+  V first = v.x;
+  V across = v.y;
+  V second = v.z;
+  if (square.axes[1] == 2) {
+    across = v.z;
+    second = v.y;
+  } else if (square.axes[1] == 0) {
+    first = v.y;
+    across = v.x;
+  }
+  return {first, across, second};
 }
 
 /// The inverse of along_square, which exchanges at most two coordinates.

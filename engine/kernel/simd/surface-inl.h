@@ -15,6 +15,14 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
+/// What a material does with light.
+template <class V>
+struct Finish {
+  V ambient;
+  V kd;
+  V ks;
+};
+
 /// The row of a table that each lane asks for. Neighbouring pixels mostly show the same thing: then
 /// nothing is gathered.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
@@ -37,7 +45,27 @@ class Rows {
     return hn::GatherIndex(d, column.data(), rows_);
   }
 
+  /// The rows that the column names.
+  HWY_INLINE Rows followed(D d, const Column<T>& column, M active) const {
+    if (HWY_LIKELY(is_shared_)) return Rows(d, column[shared_]);
+    return Rows(d, hn::GatherIndex(d, column.data(), rows_), active);
+  }
+
+  HWY_INLINE Finish<V> finish(D d, const MaterialTable<T>& table) const {
+    if (HWY_LIKELY(is_shared_)) return {hn::Set(d, table.ambient[shared_]), hn::Set(d, table.kd[shared_]), hn::Set(d, table.ks[shared_])};
+    return {hn::GatherIndex(d, table.ambient.data(), rows_), hn::GatherIndex(d, table.kd.data(), rows_), hn::GatherIndex(d, table.ks.data(), rows_)};
+  }
+  HWY_INLINE V3<V> colour(D d, const MaterialTable<T>& table) const {
+    if (HWY_LIKELY(is_shared_)) return {hn::Set(d, table.red[shared_]), hn::Set(d, table.green[shared_]), hn::Set(d, table.blue[shared_])};
+    return {hn::GatherIndex(d, table.red.data(), rows_), hn::GatherIndex(d, table.green.data(), rows_), hn::GatherIndex(d, table.blue.data(), rows_)};
+  }
+
  private:
+  HWY_INLINE Rows(D, T row)
+      : rows_(hn::Zero(hn::RebindToSigned<D>())),
+        shared_(static_cast<std::size_t>(row)),
+        is_shared_(true) {}
+
   VI rows_;
   std::size_t shared_;
   bool is_shared_;
@@ -56,16 +84,20 @@ HWY_INLINE Surface<D> surface_at(D d, const SimdScene<T>& scene, const Start<V>&
                                  const V3<V>& direction, const Nearest<V>& nearest, M hit) {
   const SurfaceTable<T>& table = scene.surfaces;
   const Rows<D> primitive(d, nearest.id, hit);
+  const Rows<D> material = primitive.followed(d, table.material, hit);
   const V t = hn::IfThenElseZero(hit, nearest.t);
   const V zero = hn::Zero(d);
-  Start<V> at{mul_add(direction, t, from.point),
-              {zero, zero, zero},
-              nearest.id,
-              nearest.first,
-              nearest.second};
+  // Made where it is returned: g++ copies so large a structure by a string instruction.
+  Surface<D> surface{{mul_add(direction, t, from.point),
+                      {zero, zero, zero},
+                      nearest.id,
+                      nearest.first,
+                      nearest.second},
+                     material};
+  Start<V>& at = surface.at;
   M of_squares = hn::Lt(t, t);
   for (const SimdSquare<T>& square : scene.squares) {
-    const M of_square = hn::And(hit, hn::Eq(nearest.id, hn::Set(d, static_cast<T>(square.id))));
+    const M of_square = hn::And(hit, hn::Eq(nearest.id, hn::Set(d, square.id)));
     if (hn::AllFalse(d, of_square)) continue;
     of_squares = hn::Or(of_squares, of_square);
     const V to_cells = hn::Set(d, square.cells_per_unit);
@@ -87,7 +119,7 @@ HWY_INLINE Surface<D> surface_at(D d, const SimdScene<T>& scene, const Start<V>&
     }
     at.normal = select(others, normal, at.normal);
   }
-  return {at, Rows<D>(d, primitive(d, table.material), hit)};
+  return surface;
 }
 
 }  // namespace HWY_NAMESPACE
