@@ -31,6 +31,7 @@ struct Nearest {
   V id;
   V first;  ///< a square's cell
   V second;
+  V3<V> normal{};  ///< there
 };
 
 template <class V, class M>

@@ -96,6 +96,7 @@ HWY_INLINE void show_squares(D d, const SimdScene<T>& scene, const Start<V>& fro
     take(nearest, nearer, t, id);
     nearest.first = hn::IfThenElse(nearer, found.first, nearest.first);
     nearest.second = hn::IfThenElse(nearer, found.second, nearest.second);
+    nearest.normal = select(nearer, from_square(square, found.normal), nearest.normal);
   }
 }
 

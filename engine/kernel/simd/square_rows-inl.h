@@ -64,7 +64,7 @@ HWY_INLINE CellHit<V, M> first_in_rows(D d, const SimdSquare<T>& square, const V
   active = hn::And(active, hn::Gt(descent, hn::Set(d, T(1e-12))));
   const V inverse_descent = inverse(d, descent);
   const V t_plane = hn::Mul(hn::Set(d, is_above ? square.eye.y : -square.eye.y), inverse_descent);
-  CellHit<V, M> found{hn::Lt(zero, zero), t_max, zero, zero};
+  CellHit<V, M> found{hn::Lt(zero, zero), t_max, zero, zero, {zero, zero, zero}};
   active = hn::And(active, hn::Le(hn::NegMulAdd(half, inverse_descent, t_plane), t_max));
   if (hn::AllFalse(d, active)) return found;
 
@@ -108,10 +108,19 @@ HWY_INLINE CellHit<V, M> first_in_rows(D d, const SimdSquare<T>& square, const V
   const V3<V> l{hn::MulAdd(across.slope, b, f_across), hn::Mul(descent, b),
                 hn::MulAdd(along.slope, b, f_along)};
   const V discriminant = hn::Max(hn::Sub(quarter, dot(l, l)), zero);
-  found.t = hn::Add(t_plane, hn::Sub(b, hn::Sqrt(discriminant)));
+  const V t = hn::Sub(b, hn::Sqrt(discriminant));
+  found.t = hn::Add(t_plane, t);
   found.first = across.turned(found_row);
   found.second = along.turned(found_place);
-  if (runs_along_first) std::swap(found.first, found.second);
+  const V r_across = across.turned(hn::MulAdd(across.slope, t, f_across));
+  const V r_along = along.turned(hn::MulAdd(along.slope, t, f_along));
+  const V r_down = hn::Mul(descent, t);
+  found.normal = {hn::Add(r_across, r_across), hn::Mul(r_down, hn::Set(d, is_above ? T(-2) : T(2))),
+                  hn::Add(r_along, r_along)};
+  if (runs_along_first) {
+    std::swap(found.first, found.second);
+    std::swap(found.normal.x, found.normal.z);
+  }
   if (HWY_UNLIKELY(!hn::AllFalse(d, active))) {
     const V nowhere = hn::Set(d, std::numeric_limits<T>::max());
     finish_long_walks(d, square, broadcast(d, square.eye), direction, t_max, active, nowhere,

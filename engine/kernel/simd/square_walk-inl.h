@@ -44,13 +44,14 @@ HWY_INLINE V3<V> from_square(const SimdSquare<T>& square, const V3<V>& v) {
   return along_square(square, v);
 }
 
-/// Where a packet met a square: distance and position in cells.
+/// Where a packet met a square: distance and position in cells, the normal in the square's axes.
 template <class V, class M>
 struct CellHit {
   M hit;
   V t;
   V first;
   V second;
+  V3<V> normal;
 };
 
 /// Steps before a walk is finished by the reference, far more than a ray takes that comes from
@@ -93,10 +94,15 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn:
     values[11][lane] = static_cast<T>(hit->first);
     values[12][lane] = static_cast<T>(hit->second);
   }
-  found.hit = hn::Or(found.hit, hn::Gt(hn::Load(d, is_hit), hn::Zero(d)));
+  const M finished = hn::Gt(hn::Load(d, is_hit), hn::Zero(d));
+  found.hit = hn::Or(found.hit, finished);
   found.t = hn::Load(d, values[10]);
   found.first = hn::Load(d, values[11]);
   found.second = hn::Load(d, values[12]);
+  const V3<V> from_eye = mul_add(direction, found.t, origin);
+  const V3<V> radius{hn::Sub(from_eye.x, found.first), from_eye.y,
+                     hn::Sub(from_eye.z, found.second)};
+  found.normal = select(finished, add(radius, radius), found.normal);
 }
 
 /// The nearest sphere met at 0 < t <= t_max (in cells), for the lanes of `active`.
@@ -132,7 +138,7 @@ HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<
   clip(hn::Sub(low_first, half), hn::Add(high_first, half), origin.x, inverse_first);
   clip(hn::Sub(low_second, half), hn::Add(high_second, half), origin.z, inverse_second);
   active = hn::And(active, hn::Le(t_begin, t_end));
-  CellHit<V, M> found{hn::Lt(zero, zero), t_max, zero, zero};
+  CellHit<V, M> found{hn::Lt(zero, zero), t_max, zero, zero, {zero, zero, zero}};
   if (hn::AllFalse(d, active)) return found;
 
   const V step_first = hn::CopySign(one, direction.x);
@@ -180,9 +186,11 @@ HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<
   const V3<V> f{hn::Sub(origin.x, found.first), origin.y, hn::Sub(origin.z, found.second)};
   const V b = hn::Neg(dot(f, direction));
   const V3<V> l = mul_add(direction, b, f);
-  const V discriminant = hn::Max(hn::Sub(quarter, dot(l, l)), zero);
+  const V root = hn::Sqrt(hn::Max(hn::Sub(quarter, dot(l, l)), zero));
   const V c = hn::Max(hn::Sub(dot(f, f), quarter), zero);
-  found.t = hn::Div(c, hn::Add(b, hn::Sqrt(discriminant)));
+  found.t = hn::Div(c, hn::Add(b, root));
+  const V3<V> radius = mul_add(direction, hn::Neg(root), l);
+  found.normal = add(radius, radius);
   // A rounding of t_end may let a walk end a cell beyond the square's.
   const M in_square =
       hn::And(hn::And(hn::Ge(found.first, low_first), hn::Le(found.first, high_first)),

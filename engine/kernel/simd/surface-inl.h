@@ -84,29 +84,15 @@ HWY_INLINE Surface<D> surface_at(D d, const SimdScene<T>& scene, const Start<V>&
                                  const V3<V>& direction, const Nearest<V>& nearest, M hit) {
   const SurfaceTable<T>& table = scene.surfaces;
   const Rows<D> primitive(d, nearest.id, hit);
-  const Rows<D> material = primitive.followed(d, table.material, hit);
   const V t = hn::IfThenElseZero(hit, nearest.t);
-  const V zero = hn::Zero(d);
-  // Made where it is returned: g++ copies so large a structure by a string instruction.
-  Surface<D> surface{{mul_add(direction, t, from.point),
-                      {zero, zero, zero},
-                      nearest.id,
-                      nearest.first,
+  // Made where it is returned: copies of so large a structure wait for what was just stored.
+  Surface<D> surface{{mul_add(direction, t, from.point), nearest.normal, nearest.id, nearest.first,
                       nearest.second},
-                     material};
+                     primitive.followed(d, table.material, hit)};
   Start<V>& at = surface.at;
   M of_squares = hn::Lt(t, t);
-  for (const SimdSquare<T>& square : scene.squares) {
-    const M of_square = hn::And(hit, hn::Eq(nearest.id, hn::Set(d, square.id)));
-    if (hn::AllFalse(d, of_square)) continue;
-    of_squares = hn::Or(of_squares, of_square);
-    const V to_cells = hn::Set(d, square.cells_per_unit);
-    const V3<V> in_cells =
-        mul_add(along_square(square, at.point), to_cells, broadcast(d, square.eye));
-    const V3<V> from_center{hn::Sub(in_cells.x, nearest.first), in_cells.y,
-                            hn::Sub(in_cells.z, nearest.second)};
-    at.normal = select(of_square, from_square(square, unit(d, from_center)), at.normal);
-  }
+  for (const SimdSquare<T>& square : scene.squares)
+    of_squares = hn::Or(of_squares, hn::Eq(nearest.id, hn::Set(d, square.id)));
   const M others = hn::AndNot(of_squares, hit);
   if (!hn::AllFalse(d, others)) {
     const V curvature = primitive(d, table.curvature);
