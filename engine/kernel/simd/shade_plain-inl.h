@@ -75,7 +75,7 @@ HWY_INLINE M plainly_occluded(D d, const SimdScene<T>& scene, const SimdLight<T>
 /// The colour of the packet's points under light that is_plainly_lit() says of; rubbish in lanes
 /// not `active`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE V3<V> shade_plainly(D d, const SimdScene<T>& scene, const Surface<D>& surface,
+HWY_INLINE V3<V> shade_plainly(D d, const SimdScene<T>& scene, const Surface<D>& surface,
                                  const V3<V>& view, M active) {
   const Start<V>& point = surface.at;
   const V zero = hn::Zero(d);

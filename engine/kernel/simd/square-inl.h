@@ -73,11 +73,18 @@ template <bool leaves_cell, class D, class V = hn::Vec<D>, class M = hn::Mask<D>
           typename T = hn::TFromD<D>>
 HWY_INLINE void show_squares(D d, const SimdScene<T>& scene, const Start<V>& from,
                              const V3<V>& direction, M active, Nearest<V>& nearest) {
+  // In registers: what a function out of line is told of stays in memory.
+  V nearest_t = nearest.t;
+  V nearest_id = nearest.id;
+  V first = nearest.first;
+  V second = nearest.second;
+  V3<V> normal = nearest.normal;
+  bool is_first_square = true;
   for (const SimdSquare<T>& square : scene.squares) {
     const V to_cells = hn::Set(d, square.cells_per_unit);
     const V3<V> eye = broadcast(d, square.eye);
     const V3<V> slope = along_square(square, direction);
-    const V t_max = hn::Mul(nearest.t, to_cells);
+    const V t_max = hn::Mul(nearest_t, to_cells);
     const V id = hn::Set(d, square.id);
     CellHit<V, M> found;
     if (!leaves_cell && is_outside_slab(square)) {
@@ -92,12 +99,26 @@ HWY_INLINE void show_squares(D d, const SimdScene<T>& scene, const Start<V>& fro
                                        hn::IfThenElse(leaves, from.second, nowhere));
     }
     const V t = hn::Mul(found.t, hn::Set(d, square.unit_per_cell));
-    const M nearer = is_nearer(nearest, t, id, found.hit);
-    take(nearest, nearer, t, id);
-    nearest.first = hn::IfThenElse(nearer, found.first, nearest.first);
-    nearest.second = hn::IfThenElse(nearer, found.second, nearest.second);
-    nearest.normal = select(nearer, from_square(square, found.normal), nearest.normal);
+    const M nearer = is_nearer(nearest_t, nearest_id, t, id, found.hit);
+    nearest_t = hn::IfThenElse(nearer, t, nearest_t);
+    nearest_id = hn::IfThenElse(nearer, id, nearest_id);
+    const V3<V> found_normal = from_square(square, found.normal);
+    if (is_first_square) {  // of no lane that met something else does it matter
+      first = found.first;
+      second = found.second;
+      normal = found_normal;
+    } else {
+      first = hn::IfThenElse(nearer, found.first, first);
+      second = hn::IfThenElse(nearer, found.second, second);
+      normal = select(nearer, found_normal, normal);
+    }
+    is_first_square = false;
   }
+  nearest.t = nearest_t;
+  nearest.id = nearest_id;
+  nearest.first = first;
+  nearest.second = second;
+  nearest.normal = normal;
 }
 
 /// Lanes of `lit` from which a sphere of a square stands before the light.

@@ -123,8 +123,8 @@ HWY_INLINE CellHit<V, M> first_in_rows(D d, const SimdSquare<T>& square, const V
   }
   if (HWY_UNLIKELY(!hn::AllFalse(d, active))) {
     const V nowhere = hn::Set(d, std::numeric_limits<T>::max());
-    finish_long_walks(d, square, broadcast(d, square.eye), direction, t_max, active, nowhere,
-                      nowhere, found);
+    return with_long_walks(d, square, broadcast(d, square.eye), direction, t_max, active, nowhere,
+                           nowhere, CellHit<V, M>(found));
   }
   return found;
 }

@@ -58,11 +58,13 @@ struct CellHit {
 /// above and is not level.
 inline constexpr int most_steps = 512;
 
-/// Finishes the walks of the lanes still active, one by one.
+/// What was found, once the walks of the lanes still active are finished, one by one.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-[[gnu::cold]] HWY_NOINLINE void finish_long_walks(D d, const SimdSquare<T>& square, const V3<V>& origin,
-                                    const V3<V>& direction, V t_max, M active, V own_first,
-                                    V own_second, CellHit<V, M>& found) {
+[[gnu::cold]] HWY_NOINLINE CellHit<V, M> with_long_walks(D d, const SimdSquare<T>& square,
+                                                         const V3<V>& origin,
+                                                         const V3<V>& direction, V t_max, M active,
+                                                         V own_first, V own_second,
+                                                         const CellHit<V, M>& found) {
   constexpr std::size_t most_lanes = hn::MaxLanes(D());
   // The lanes' values: origin, direction, limit, own cell, whether to finish, then the results.
   alignas(64) T values[13][most_lanes];
@@ -95,14 +97,13 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn:
     values[12][lane] = static_cast<T>(hit->second);
   }
   const M finished = hn::Gt(hn::Load(d, is_hit), hn::Zero(d));
-  found.hit = hn::Or(found.hit, finished);
-  found.t = hn::Load(d, values[10]);
-  found.first = hn::Load(d, values[11]);
-  found.second = hn::Load(d, values[12]);
-  const V3<V> from_eye = mul_add(direction, found.t, origin);
-  const V3<V> radius{hn::Sub(from_eye.x, found.first), from_eye.y,
-                     hn::Sub(from_eye.z, found.second)};
-  found.normal = select(finished, add(radius, radius), found.normal);
+  const V t = hn::Load(d, values[10]);
+  const V first = hn::Load(d, values[11]);
+  const V second = hn::Load(d, values[12]);
+  const V3<V> point = mul_add(direction, t, origin);
+  const V3<V> radius{hn::Sub(point.x, first), point.y, hn::Sub(point.z, second)};
+  return {hn::Or(found.hit, finished), t, first, second,
+          select(finished, add(radius, radius), found.normal)};
 }
 
 /// The nearest sphere met at 0 < t <= t_max (in cells), for the lanes of `active`.
@@ -197,7 +198,8 @@ HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<
               hn::And(hn::Ge(found.second, low_second), hn::Le(found.second, high_second)));
   found.hit = hn::And(hn::And(found.hit, in_square), hn::Le(found.t, t_max));
   if (HWY_UNLIKELY(!hn::AllFalse(d, active)))
-    finish_long_walks(d, square, origin, direction, t_max, active, own_first, own_second, found);
+    return with_long_walks(d, square, origin, direction, t_max, active, own_first, own_second,
+                           CellHit<V, M>(found));
   return found;
 }
 
