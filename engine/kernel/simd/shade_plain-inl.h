@@ -14,7 +14,6 @@
 
 #include "engine/kernel/simd/packet-inl.h"
 #include "engine/kernel/simd/power-inl.h"
-#include "engine/kernel/simd/sphere-inl.h"
 #include "engine/kernel/simd/square-inl.h"
 #include "engine/kernel/simd/surface-inl.h"
 
@@ -43,11 +42,16 @@ HWY_INLINE M plainly_occluded(D d, const SimdScene<T>& scene, const SimdLight<T>
                               const Start<V>& from, const V3<V>& towards, V incidence,
                               bool near_rim, M lit) {
   M dark = hn::Lt(incidence, incidence);
-  for (const SimdSphere<T>& sphere : scene.spheres) {
-    V b;
-    V discriminant;
-    V c;
-    dark = hn::Or(dark, meets_sphere(d, sphere, from, towards, b, discriminant, c));
+  const V u = dot(from.point, broadcast(d, light.across[0]));
+  const V v = dot(from.point, broadcast(d, light.across[1]));
+  const V w = dot(from.point, towards);
+  for (const LightDisc<T>& disc : light.discs) {
+    const V du = hn::Sub(u, hn::Set(d, disc.u));
+    const V dv = hn::Sub(v, hn::Set(d, disc.v));
+    const V distance2 = hn::MulAdd(du, du, hn::Mul(dv, dv));
+    const M before =
+        hn::And(hn::Lt(w, hn::Set(d, disc.w)), hn::Ne(from.id, hn::Set(d, disc.id)));
+    dark = hn::Or(dark, hn::And(before, hn::Le(distance2, hn::Set(d, disc.radius2))));
   }
   const Stencil<T>* stencil = light.stencils.data();
   for (const SimdSquare<T>& square : scene.squares) {

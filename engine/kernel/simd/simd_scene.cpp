@@ -117,6 +117,18 @@ bool is_plainly_lit(const SimdScene<T>& scene) {
 }
 
 template <typename T>
+void note_discs(const PackedLight& light, const PackedScene& scene, SimdLight<T>& simd) {
+  const Across plane = across(light.place);
+  simd.across = {narrowed<T>(plane.u), narrowed<T>(plane.v)};
+  for (const PackedSphere& s : scene.spheres)
+    simd.discs.push_back({static_cast<T>(dot(s.center, plane.u)),
+                          static_cast<T>(dot(s.center, plane.v)),
+                          static_cast<T>(dot(s.center, light.place)),
+                          static_cast<T>(s.radius * s.radius),
+                          static_cast<T>(scene.numbers(s.id))});
+}
+
+template <typename T>
 void push(Column<T>& column, double value) {
   column.push_back(static_cast<T>(std::min<double>(value, std::numeric_limits<T>::max())));
 }
@@ -263,6 +275,9 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
   packed.reflects = features.reflects;
   packed.max_depth = features.max_depth;
   packed.is_plainly_lit = is_plainly_lit(packed);
+  if (packed.is_plainly_lit)
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+      note_discs(scene.lights[i], scene, packed.lights[i]);
   return packed;
 }
 

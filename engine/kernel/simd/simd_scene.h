@@ -99,12 +99,24 @@ struct Stencil {
   bool suffices;  ///< false where the light is so low that only a walk will do
 };
 
+/// A sphere as a distant light sees it.
+template <typename T>
+struct LightDisc {
+  T u;  ///< across the light's direction
+  T v;
+  T w;  ///< towards the light
+  T radius2;
+  T id;
+};
+
 template <typename T>
 struct SimdLight {
   bool is_distant;
   Triple<T> place;                   ///< distant: unit, towards the light; point: its position
   Triple<T> emission;                ///< saturated, so that sums stay finite
   std::vector<Stencil<T>> stencils;  ///< distant: one for each square
+  std::array<Triple<T>, 2> across;   ///< distant: unit, across its direction
+  std::vector<LightDisc<T>> discs;   ///< where is_plainly_lit: of all spheres
   DistantGrid<T> grid;               ///< distant: over the spheres, where there are many
   PointGrid<T> point_grid;           ///< point: likewise
   TriangleGrid<T> triangle_grid;     ///< distant, if its rays do not go through the tree

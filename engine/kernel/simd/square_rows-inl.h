@@ -42,8 +42,10 @@ struct TurnedAxis {
   HWY_INLINE TurnedAxis(D d, V direction, T eye, V t_plane, T low_cell, T high_cell)
       : sign(hn::And(direction, hn::Set(d, T(-0.0)))), slope(hn::Abs(direction)) {
     place = hn::MulAdd(slope, t_plane, turned(hn::Set(d, eye)));
-    low = hn::IfNegativeThenElse(direction, hn::Set(d, -high_cell), hn::Set(d, low_cell));
-    high = hn::IfNegativeThenElse(direction, hn::Set(d, -low_cell), hn::Set(d, high_cell));
+    const V low_end = hn::Set(d, low_cell);
+    const V high_end = hn::Set(d, high_cell);
+    low = turned(hn::IfNegativeThenElse(direction, high_end, low_end));
+    high = turned(hn::IfNegativeThenElse(direction, low_end, high_end));
   }
   /// There and back.
   HWY_INLINE V turned(V coordinate) const { return hn::Xor(coordinate, sign); }
