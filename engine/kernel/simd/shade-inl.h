@@ -57,8 +57,8 @@ HWY_INLINE V highlight(D d, const SimdScene<T>& scene, const Surface<D>& surface
 
 /// The colour of the packet's points under any light; rubbish in lanes not `active`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE V3<V> shade_fully(D d, const SimdScene<T>& scene, const Surface<D>& surface, const V3<V>& view,
-                       M active) {
+HWY_NOINLINE V3<V> shade_fully(D d, const SimdScene<T>& scene, const Surface<D>& surface,
+                               const V3<V>& view, M active) {
   const MaterialTable<T>& table = scene.materials;
   const Start<V>& point = surface.at;
   const V zero = hn::Zero(d);
@@ -111,7 +111,8 @@ HWY_NOINLINE V3<V> shade_fully(D d, const SimdScene<T>& scene, const Surface<D>&
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Surface<D>& surface, const V3<V>& view,
                        M active) {
-  if (scene.is_plainly_lit) return shade_plainly(d, scene, surface, view, active);
+  if (scene.is_plainly_lit && HWY_LIKELY(!is_among_squares(d, scene, surface.at, active)))
+    return shade_plainly(d, scene, surface, view, active);
   return shade_fully(d, scene, surface, view, active);
 }
 

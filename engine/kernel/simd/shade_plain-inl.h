@@ -1,9 +1,9 @@
 // Blinn-Phong under the plainest light: distant, shadows by a few spheres and by the neighbours in
 // a square, one exponent for all highlights.
 //
-// As shade() has it, which models everything; here what does not depend on the light is computed
-// once, and nothing in the loop over the lights but rare cases calls a function, so that vectors
-// stay in registers.
+// As shade_fully() has it, which models everything; here what does not depend on the light is
+// computed once, and nothing in the loop over the lights calls a function, for which g++ would keep
+// every vector in memory.
 
 #if defined(RAYTRACER_KERNEL_SIMD_SHADE_PLAIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYTRACER_KERNEL_SIMD_SHADE_PLAIN_INL_H_
@@ -36,6 +36,21 @@ HWY_INLINE bool is_near_rim(D d, const SimdScene<T>& scene, const Start<V>& from
   return false;
 }
 
+/// Whether light from something else than a square may have to pass a square.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE bool is_among_squares(D d, const SimdScene<T>& scene, const Start<V>& from, M active) {
+  for (const SimdSquare<T>& square : scene.squares) {
+    const M others = hn::AndNot(hn::Eq(from.id, hn::Set(d, square.id)), active);
+    if (hn::AllFalse(d, others)) continue;
+    const V height = hn::MulAdd(along_square(square, from.point).y,
+                                hn::Set(d, square.cells_per_unit), hn::Set(d, square.eye.y));
+    const M is_clear = hn::Or(hn::Ge(height, hn::Set(d, square.clear_above)),
+                              hn::Le(height, hn::Set(d, square.clear_below)));
+    if (!hn::AllFalse(d, hn::AndNot(is_clear, others))) return true;
+  }
+  return false;
+}
+
 /// Lanes of `lit` from which something stands before the distant light.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M plainly_occluded(D d, const SimdScene<T>& scene, const SimdLight<T>& light,
@@ -49,8 +64,7 @@ HWY_INLINE M plainly_occluded(D d, const SimdScene<T>& scene, const SimdLight<T>
     const V du = hn::Sub(u, hn::Set(d, disc.u));
     const V dv = hn::Sub(v, hn::Set(d, disc.v));
     const V distance2 = hn::MulAdd(du, du, hn::Mul(dv, dv));
-    const M before =
-        hn::And(hn::Lt(w, hn::Set(d, disc.w)), hn::Ne(from.id, hn::Set(d, disc.id)));
+    const M before = hn::And(hn::Lt(w, hn::Set(d, disc.w)), hn::Ne(from.id, hn::Set(d, disc.id)));
     dark = hn::Or(dark, hn::And(before, hn::Le(distance2, hn::Set(d, disc.radius2))));
   }
   const Stencil<T>* stencil = light.stencils.data();
@@ -66,21 +80,15 @@ HWY_INLINE M plainly_occluded(D d, const SimdScene<T>& scene, const SimdLight<T>
         dark = hn::Or(dark, hn::And(neighbours, shadowed_amid(d, *stencil, normal, incidence)));
     }
     ++stencil;
-    const M others = hn::AndNot(leaves, lit);
-    if (!hn::AllFalse(d, others)) {
-      const M nearing = hn::And(others, nears_slab(d, square, from.point, towards));
-      if (HWY_UNLIKELY(!hn::AllFalse(d, nearing)))
-        dark = hn::Or(dark, occluded_by_cells(d, square, from, towards, nearing));
-    }
   }
   return dark;
 }
 
-/// The colour of the packet's points under light that is_plainly_lit() says of; rubbish in lanes
+/// The colour of the packet's points, not among squares, where the light is plain; rubbish in lanes
 /// not `active`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> shade_plainly(D d, const SimdScene<T>& scene, const Surface<D>& surface,
-                                 const V3<V>& view, M active) {
+                               const V3<V>& view, M active) {
   const Start<V>& point = surface.at;
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, T(1));
@@ -98,8 +106,8 @@ HWY_INLINE V3<V> shade_plainly(D d, const SimdScene<T>& scene, const Surface<D>&
     M lit = hn::And(active, hn::Gt(incidence, zero));
     if (hn::AllFalse(d, lit)) continue;
     if (has_shadows) {
-      lit = hn::AndNot(
-          plainly_occluded(d, scene, light, point, towards, incidence, near_rim, lit), lit);
+      lit = hn::AndNot(plainly_occluded(d, scene, light, point, towards, incidence, near_rim, lit),
+                       lit);
       if (hn::AllFalse(d, lit)) continue;
     }
 
@@ -113,8 +121,7 @@ HWY_INLINE V3<V> shade_plainly(D d, const SimdScene<T>& scene, const Surface<D>&
       share = hn::MulAdd(finish.ks, power_of_root(d, cosine2, scene.uniform_shininess), share);
     }
     share = hn::IfThenElseZero(lit, share);
-    if (ambient_needs_light)
-      ambient = hn::Add(ambient, hn::IfThenElseZero(lit, finish.ambient));
+    if (ambient_needs_light) ambient = hn::Add(ambient, hn::IfThenElseZero(lit, finish.ambient));
     sum = mul_add(broadcast(d, light.emission), share, sum);
   }
   const V3<V> colour = surface.material.colour(d, scene.materials);

@@ -65,6 +65,8 @@ SimdSquare<T> pack(const PackedSquare& square, std::int32_t number) {
           0,
           0,
           0,
+          0,
+          0,
           0};
 }
 
@@ -92,12 +94,23 @@ Stencil<T> make_stencil(const Vec3& towards, const PackedSquare& square) {
   return stencil;
 }
 
-/// Notes the cells that are farther from the rim than any of the lights' stencils reaches.
+/// Notes the cells that are farther from the rim than any of the lights' stencils reaches, and from
+/// where no distant light's rays can meet the square.
 template <typename T>
-void note_inner_cells(const std::vector<SimdLight<T>>& lights, std::size_t index,
-                      SimdSquare<T>& square) {
+void note_shadowless(const std::vector<SimdLight<T>>& lights, std::size_t index,
+                     SimdSquare<T>& square) {
+  constexpr T never = std::numeric_limits<T>::infinity();
   T reach = 0;
-  for (const SimdLight<T>& light : lights) reach = std::max(reach, light.stencils[index].reach);
+  square.clear_above = T(0.5);
+  square.clear_below = T(-0.5);
+  for (const SimdLight<T>& light : lights) {
+    reach = std::max(reach, light.stencils[index].reach);
+    const Triple<T>& towards = light.place;
+    const T rise =
+        std::array{towards.x, towards.y, towards.z}[static_cast<std::size_t>(square.axes[1])];
+    if (rise <= 0) square.clear_above = never;
+    if (rise >= 0) square.clear_below = -never;
+  }
   square.inner_low_first = square.low_first + reach;
   square.inner_high_first = square.high_first - reach;
   square.inner_low_second = square.low_second + reach;
@@ -121,11 +134,10 @@ void note_discs(const PackedLight& light, const PackedScene& scene, SimdLight<T>
   const Across plane = across(light.place);
   simd.across = {narrowed<T>(plane.u), narrowed<T>(plane.v)};
   for (const PackedSphere& s : scene.spheres)
-    simd.discs.push_back({static_cast<T>(dot(s.center, plane.u)),
-                          static_cast<T>(dot(s.center, plane.v)),
-                          static_cast<T>(dot(s.center, light.place)),
-                          static_cast<T>(s.radius * s.radius),
-                          static_cast<T>(scene.numbers(s.id))});
+    simd.discs.push_back(
+        {static_cast<T>(dot(s.center, plane.u)), static_cast<T>(dot(s.center, plane.v)),
+         static_cast<T>(dot(s.center, light.place)), static_cast<T>(s.radius * s.radius),
+         static_cast<T>(scene.numbers(s.id))});
 }
 
 template <typename T>
@@ -266,7 +278,7 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
     packed.lights.push_back(std::move(simd));
   }
   for (std::size_t i = 0; i < packed.squares.size(); ++i)
-    note_inner_cells(packed.lights, i, packed.squares[i]);
+    note_shadowless(packed.lights, i, packed.squares[i]);
   packed.background = narrowed<T>(scene.background);
   packed.shadows = scene.shadows;
   packed.materials = pack_materials<T>(scene);

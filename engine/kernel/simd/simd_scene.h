@@ -80,6 +80,8 @@ struct SimdSquare {
   T inner_high_first;
   T inner_low_second;
   T inner_high_second;
+  T clear_above;  ///< in cells across: from there no distant light's rays can meet the square
+  T clear_below;
 };
 
 /// A neighbour, by its offset in cells.
@@ -164,7 +166,7 @@ struct SimdScene {
   MaterialTable<T> materials;
   Triple<T> background;
   Shadows shadows;
-  bool is_plainly_lit;  ///< see shade_plainly()
+  bool is_plainly_lit;  ///< only by distant lights, past a few spheres and stencils
   bool has_specular;
   std::int32_t uniform_shininess;  ///< the one integer exponent of all that is specular, or -1
   bool reflects;                   ///< whether any ray follows another

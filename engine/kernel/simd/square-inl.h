@@ -25,8 +25,7 @@ namespace HWY_NAMESPACE {
 /// passes at the centre's height after b = o.d - n.d/2, and its squared distance there is
 /// |o - n/2|^2 - b^2 = 1/4 + (|o|^2 - o.n) - b^2.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M stands_before(D d, const StencilCell<T>& cell, const V3<V>& normal,
-                           V half_incidence) {
+HWY_INLINE M stands_before(D d, const StencilCell<T>& cell, const V3<V>& normal, V half_incidence) {
   const V b = hn::Sub(hn::Set(d, cell.forward), half_incidence);
   const V beyond =
       hn::NegMulAdd(normal.x, hn::Set(d, cell.first),
@@ -145,32 +144,6 @@ HWY_INLINE M occluded_by_square(D d, const SimdSquare<T>& square, const Stencil<
       hn::IfThenElse(leaves, from.first, nowhere), hn::IfThenElse(leaves, from.second, nowhere));
   const M before = hn::Lt(found.t, hn::Mul(distance, to_cells));
   return hn::Or(dark, hn::And(found.hit, before));
-}
-
-/// Lanes whose rays from `point` may reach the slab of a square's spheres.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M nears_slab(D d, const SimdSquare<T>& square, const V3<V>& point,
-                        const V3<V>& towards) {
-  const V height = hn::MulAdd(along_square(square, point).y, hn::Set(d, square.cells_per_unit),
-                              hn::Set(d, square.eye.y));
-  const V half = hn::Set(d, T(0.5));
-  const V rise = along_square(square, towards).y;
-  const V zero = hn::Zero(d);
-  return hn::Or(hn::And(hn::Lt(height, half), hn::Ge(rise, zero)),
-                hn::And(hn::Gt(height, hn::Neg(half)), hn::Le(rise, zero)));
-}
-
-/// Lanes of `lit` from which a sphere of a square stands before a distant light, for points that
-/// are not on the square.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE M occluded_by_cells(D d, const SimdSquare<T>& square, const Start<V>& from,
-                                 const V3<V>& towards, M lit) {
-  const V nowhere = hn::Set(d, std::numeric_limits<T>::max());
-  const V3<V> origin = mul_add(along_square(square, from.point), hn::Set(d, square.cells_per_unit),
-                               broadcast(d, square.eye));
-  return walk_square<true>(d, square, origin, along_square(square, towards), nowhere, lit, nowhere,
-                           nowhere)
-      .hit;
 }
 
 }  // namespace HWY_NAMESPACE

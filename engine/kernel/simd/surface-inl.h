@@ -52,12 +52,19 @@ class Rows {
   }
 
   HWY_INLINE Finish<V> finish(D d, const MaterialTable<T>& table) const {
-    if (HWY_LIKELY(is_shared_)) return {hn::Set(d, table.ambient[shared_]), hn::Set(d, table.kd[shared_]), hn::Set(d, table.ks[shared_])};
-    return {hn::GatherIndex(d, table.ambient.data(), rows_), hn::GatherIndex(d, table.kd.data(), rows_), hn::GatherIndex(d, table.ks.data(), rows_)};
+    if (HWY_LIKELY(is_shared_))
+      return {hn::Set(d, table.ambient[shared_]), hn::Set(d, table.kd[shared_]),
+              hn::Set(d, table.ks[shared_])};
+    return {hn::GatherIndex(d, table.ambient.data(), rows_),
+            hn::GatherIndex(d, table.kd.data(), rows_), hn::GatherIndex(d, table.ks.data(), rows_)};
   }
   HWY_INLINE V3<V> colour(D d, const MaterialTable<T>& table) const {
-    if (HWY_LIKELY(is_shared_)) return {hn::Set(d, table.red[shared_]), hn::Set(d, table.green[shared_]), hn::Set(d, table.blue[shared_])};
-    return {hn::GatherIndex(d, table.red.data(), rows_), hn::GatherIndex(d, table.green.data(), rows_), hn::GatherIndex(d, table.blue.data(), rows_)};
+    if (HWY_LIKELY(is_shared_))
+      return {hn::Set(d, table.red[shared_]), hn::Set(d, table.green[shared_]),
+              hn::Set(d, table.blue[shared_])};
+    return {hn::GatherIndex(d, table.red.data(), rows_),
+            hn::GatherIndex(d, table.green.data(), rows_),
+            hn::GatherIndex(d, table.blue.data(), rows_)};
   }
 
  private:
