@@ -40,12 +40,14 @@ struct TurnedAxis {
 
   template <class D, typename T = hn::TFromD<D>>
   HWY_INLINE TurnedAxis(D d, V direction, T eye, V t_plane, T low_cell, T high_cell)
-      : sign(hn::And(direction, hn::Set(d, T(-0.0)))), slope(hn::Abs(direction)) {
+      : slope(hn::Abs(direction)) {
+    const auto is_turned = hn::Lt(direction, hn::Zero(d));
+    sign = hn::IfThenElseZero(is_turned, hn::Set(d, T(-0.0)));
     place = hn::MulAdd(slope, t_plane, turned(hn::Set(d, eye)));
     const V low_end = hn::Set(d, low_cell);
     const V high_end = hn::Set(d, high_cell);
-    low = turned(hn::IfNegativeThenElse(direction, high_end, low_end));
-    high = turned(hn::IfNegativeThenElse(direction, low_end, high_end));
+    low = turned(hn::IfThenElse(is_turned, high_end, low_end));
+    high = turned(hn::IfThenElse(is_turned, low_end, high_end));
   }
   /// There and back.
   HWY_INLINE V turned(V coordinate) const { return hn::Xor(coordinate, sign); }
@@ -103,30 +105,15 @@ HWY_INLINE CellHit<V, M> first_in_rows(D d, const SimdSquare<T>& square, const V
     active = hn::AndNot(meets, hn::And(active, hn::Le(row, last)));
   }
 
-  // As meets_sphere(), the ray begun where it crosses the plane of the centres.
-  const V f_across = hn::Sub(across.place, found_row);
-  const V f_along = hn::Sub(along.place, found_place);
-  const V b = hn::Neg(hn::MulAdd(f_across, across.slope, hn::Mul(f_along, along.slope)));
-  const V3<V> l{hn::MulAdd(across.slope, b, f_across), hn::Mul(descent, b),
-                hn::MulAdd(along.slope, b, f_along)};
-  const V discriminant = hn::Max(hn::Sub(quarter, dot(l, l)), zero);
-  const V t = hn::Sub(b, hn::Sqrt(discriminant));
-  found.t = hn::Add(t_plane, t);
   found.first = across.turned(found_row);
   found.second = along.turned(found_place);
-  const V r_across = across.turned(hn::MulAdd(across.slope, t, f_across));
-  const V r_along = along.turned(hn::MulAdd(along.slope, t, f_along));
-  const V r_down = hn::Mul(descent, t);
-  found.normal = {hn::Add(r_across, r_across), hn::Mul(r_down, hn::Set(d, is_above ? T(-2) : T(2))),
-                  hn::Add(r_along, r_along)};
-  if (runs_along_first) {
-    std::swap(found.first, found.second);
-    std::swap(found.normal.x, found.normal.z);
-  }
+  if (runs_along_first) std::swap(found.first, found.second);
+  const V3<V> eye = broadcast(d, square.eye);
+  measure(d, eye, direction, found);
   if (HWY_UNLIKELY(!hn::AllFalse(d, active))) {
     const V nowhere = hn::Set(d, std::numeric_limits<T>::max());
-    return with_long_walks(d, square, broadcast(d, square.eye), direction, t_max, active, nowhere,
-                           nowhere, CellHit<V, M>(found));
+    return with_long_walks(d, square, eye, direction, t_max, active, nowhere, nowhere,
+                           CellHit<V, M>(found));
   }
   return found;
 }

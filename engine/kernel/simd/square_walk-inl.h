@@ -54,6 +54,22 @@ struct CellHit {
   V3<V> normal;
 };
 
+/// Notes the distance to the sphere that was found, in the order of meets_sphere(), so that it is
+/// as far as the same one that is in no square, and its normal.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void measure(D d, const V3<V>& origin, const V3<V>& direction, CellHit<V, M>& found) {
+  const V zero = hn::Zero(d);
+  const V quarter = hn::Set(d, T(0.25));
+  const V3<V> f{hn::Sub(origin.x, found.first), origin.y, hn::Sub(origin.z, found.second)};
+  const V b = hn::Neg(dot(f, direction));
+  const V3<V> l = mul_add(direction, b, f);
+  const V root = hn::Sqrt(hn::Max(hn::Sub(quarter, dot(l, l)), zero));
+  const V c = hn::Max(hn::Sub(dot(f, f), quarter), zero);
+  found.t = hn::Div(c, hn::Add(b, root));
+  const V3<V> radius = mul_add(direction, hn::Neg(root), l);
+  found.normal = add(radius, radius);
+}
+
 /// Steps before a walk is finished by the reference, far more than a ray takes that comes from
 /// above and is not level.
 inline constexpr int most_steps = 512;
@@ -183,15 +199,7 @@ HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<
     second = hn::IfThenElse(crosses_first, second, hn::Add(second, step_second));
   }
 
-  // In the order of meets_sphere(), so that a sphere is as far as the same one in a square.
-  const V3<V> f{hn::Sub(origin.x, found.first), origin.y, hn::Sub(origin.z, found.second)};
-  const V b = hn::Neg(dot(f, direction));
-  const V3<V> l = mul_add(direction, b, f);
-  const V root = hn::Sqrt(hn::Max(hn::Sub(quarter, dot(l, l)), zero));
-  const V c = hn::Max(hn::Sub(dot(f, f), quarter), zero);
-  found.t = hn::Div(c, hn::Add(b, root));
-  const V3<V> radius = mul_add(direction, hn::Neg(root), l);
-  found.normal = add(radius, radius);
+  measure(d, origin, direction, found);
   // A rounding of t_end may let a walk end a cell beyond the square's.
   const M in_square =
       hn::And(hn::And(hn::Ge(found.first, low_first), hn::Le(found.first, high_first)),
