@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/kernel/simd/plain_light.h"
 #include "engine/parallel/chunks.h"
 
 namespace raytracer {
@@ -61,13 +62,7 @@ SimdSquare<T> pack(const PackedSquare& square, std::int32_t number) {
           static_cast<T>(last - second_cell),
           static_cast<T>(1 / cell),
           static_cast<T>(cell),
-          static_cast<T>(number),
-          0,
-          0,
-          0,
-          0,
-          0,
-          0};
+          static_cast<T>(number)};
 }
 
 /// The cells whose spheres come within a diameter of the line from a sphere's centre towards the
@@ -92,52 +87,6 @@ Stencil<T> make_stencil(const Vec3& towards, const PackedSquare& square) {
     }
   }
   return stencil;
-}
-
-/// Notes the cells that are farther from the rim than any of the lights' stencils reaches, and from
-/// where no distant light's rays can meet the square.
-template <typename T>
-void note_shadowless(const std::vector<SimdLight<T>>& lights, std::size_t index,
-                     SimdSquare<T>& square) {
-  constexpr T never = std::numeric_limits<T>::infinity();
-  T reach = 0;
-  square.clear_above = T(0.5);
-  square.clear_below = T(-0.5);
-  for (const SimdLight<T>& light : lights) {
-    reach = std::max(reach, light.stencils[index].reach);
-    const Triple<T>& towards = light.place;
-    const T rise =
-        std::array{towards.x, towards.y, towards.z}[static_cast<std::size_t>(square.axes[1])];
-    if (rise <= 0) square.clear_above = never;
-    if (rise >= 0) square.clear_below = -never;
-  }
-  square.inner_low_first = square.low_first + reach;
-  square.inner_high_first = square.high_first - reach;
-  square.inner_low_second = square.low_second + reach;
-  square.inner_high_second = square.high_second - reach;
-}
-
-/// Whether shade_plainly() will do.
-template <typename T>
-bool is_plainly_lit(const SimdScene<T>& scene) {
-  const auto is_plain = [](const SimdLight<T>& light) {
-    return light.is_distant && std::all_of(light.stencils.begin(), light.stencils.end(),
-                                           [](const Stencil<T>& s) { return s.suffices; });
-  };
-  return (!scene.has_specular || scene.uniform_shininess >= 0) && scene.planes.empty() &&
-         !scene.has_triangles && !scene.has_light_grids && scene.sphere_tree.is_empty() &&
-         std::all_of(scene.lights.begin(), scene.lights.end(), is_plain);
-}
-
-template <typename T>
-void note_discs(const PackedLight& light, const PackedScene& scene, SimdLight<T>& simd) {
-  const Across plane = across(light.place);
-  simd.across = {narrowed<T>(plane.u), narrowed<T>(plane.v)};
-  for (const PackedSphere& s : scene.spheres)
-    simd.discs.push_back(
-        {static_cast<T>(dot(s.center, plane.u)), static_cast<T>(dot(s.center, plane.v)),
-         static_cast<T>(dot(s.center, light.place)), static_cast<T>(s.radius * s.radius),
-         static_cast<T>(scene.numbers(s.id))});
 }
 
 template <typename T>
@@ -277,8 +226,6 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
                                                : Stencil<T>{{}, 0, false});
     packed.lights.push_back(std::move(simd));
   }
-  for (std::size_t i = 0; i < packed.squares.size(); ++i)
-    note_shadowless(packed.lights, i, packed.squares[i]);
   packed.background = narrowed<T>(scene.background);
   packed.shadows = scene.shadows;
   packed.materials = pack_materials<T>(scene);
@@ -286,10 +233,7 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
   packed.uniform_shininess = features.uniform_shininess;
   packed.reflects = features.reflects;
   packed.max_depth = features.max_depth;
-  packed.is_plainly_lit = is_plainly_lit(packed);
-  if (packed.is_plainly_lit)
-    for (std::size_t i = 0; i < scene.lights.size(); ++i)
-      note_discs(scene.lights[i], scene, packed.lights[i]);
+  prepare_plain_light(scene, packed);
   return packed;
 }
 

@@ -76,12 +76,13 @@ struct SimdSquare {
   T cells_per_unit;  ///< 1 / (2 radius)
   T unit_per_cell;
   T id;
-  T inner_low_first;  ///< the cells with every neighbour that any light's stencil names
-  T inner_high_first;
-  T inner_low_second;
-  T inner_high_second;
-  T clear_above;  ///< in cells across: from there no distant light's rays can meet the square
-  T clear_below;
+  T inner_low_first = 0;  ///< where is_plainly_lit: cells with every neighbour that a stencil names
+  T inner_high_first = 0;
+  T inner_low_second = 0;
+  T inner_high_second = 0;
+  T clear_above =
+      0;  ///< likewise: heights, in cells, from which no ray to a light meets the square
+  T clear_below = 0;
 };
 
 /// A neighbour, by its offset in cells.
