@@ -67,7 +67,9 @@ HWY_INLINE void measure(D d, const V3<V>& origin, const V3<V>& direction, CellHi
   const V c = hn::Max(hn::Sub(dot(f, f), quarter), zero);
   found.t = hn::Div(c, hn::Add(b, root));
   const V3<V> radius = mul_add(direction, hn::Neg(root), l);
-  found.normal = add(radius, radius);
+  // To a length of 1, which a highlight's power demands, by a step of Newton's method from 1/2.
+  const V lengthen = hn::NegMulAdd(hn::Set(d, T(4)), dot(radius, radius), hn::Set(d, T(3)));
+  found.normal = scale(radius, lengthen);
 }
 
 /// Steps before a walk is finished by the reference, far more than a ray takes that comes from
@@ -119,7 +121,7 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn:
   const V3<V> point = mul_add(direction, t, origin);
   const V3<V> radius{hn::Sub(point.x, first), point.y, hn::Sub(point.z, second)};
   return {hn::Or(found.hit, finished), t, first, second,
-          select(finished, add(radius, radius), found.normal)};
+          select(finished, unit(d, radius), found.normal)};
 }
 
 /// The nearest sphere met at 0 < t <= t_max (in cells), for the lanes of `active`.
