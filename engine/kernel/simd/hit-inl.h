@@ -31,6 +31,15 @@ struct Nearest {
   V id;
   V first;  ///< a square's cell
   V second;
+  V3<V> normal;  ///< there
+
+  /// Nothing is set to zero that g++ would clear by a string instruction.
+  HWY_INLINE Nearest(V distance, V primitive, V no_first, V no_second)
+      : t(distance),
+        id(primitive),
+        first(no_first),
+        second(no_second),
+        normal{no_first, no_first, no_first} {}
 };
 
 template <class V, class M>
@@ -41,10 +50,14 @@ HWY_INLINE void take(Nearest<V>& nearest, M nearer, V t, V id) {
 
 /// Whether a hit at t of primitive `id` counts: nearer, or as near and earlier in the document.
 template <class V, class M>
-HWY_INLINE M is_nearer(const Nearest<V>& nearest, V t, V id, M hit) {
-  const M sooner = hn::Lt(t, nearest.t);
-  const M first_of_equals = hn::And(hn::Eq(t, nearest.t), hn::Lt(id, nearest.id));
+HWY_INLINE M is_nearer(V nearest_t, V nearest_id, V t, V id, M hit) {
+  const M sooner = hn::Lt(t, nearest_t);
+  const M first_of_equals = hn::And(hn::Eq(t, nearest_t), hn::Lt(id, nearest_id));
   return hn::And(hit, hn::Or(sooner, first_of_equals));
+}
+template <class V, class M>
+HWY_INLINE M is_nearer(const Nearest<V>& nearest, V t, V id, M hit) {
+  return is_nearer(nearest.t, nearest.id, t, id, hit);
 }
 
 /// The farthest that any lane of `active` sees as yet.

@@ -12,23 +12,14 @@
 #include <limits>
 
 #include "engine/kernel/simd/packet-inl.h"
+#include "engine/kernel/simd/power-inl.h"
 #include "engine/kernel/simd/rays-inl.h"
+#include "engine/kernel/simd/shade_plain-inl.h"
 #include "engine/kernel/simd/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
-
-/// x^exponent for x in [0, 1], by squaring; 0^0 = 1.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V integer_power(D d, V x, std::int32_t exponent) {
-  V power = hn::Set(d, hn::TFromD<D>(1));
-  for (std::uint32_t rest = static_cast<std::uint32_t>(exponent); rest != 0; rest >>= 1U) {
-    if ((rest & 1U) != 0) power = hn::Mul(power, x);
-    x = hn::Mul(x, x);
-  }
-  return power;
-}
 
 /// cosine^shininess with 1 - cosine given apart, which keeps its digits where the cosine has
 /// lost them: exp(shininess log1p(-versine)); 0^0 = 1.
@@ -56,8 +47,7 @@ HWY_INLINE V highlight(D d, const SimdScene<T>& scene, const Surface<D>& surface
     const V along = hn::Max(dot(sum, surface.at.normal), hn::Zero(d));
     const V square = hn::Mul(hn::Mul(along, along), inverse(d, dot(sum, sum)));
     const V cosine2 = hn::Min(square, hn::Set(d, T(1)));
-    const V power = integer_power(d, cosine2, scene.uniform_shininess / 2);
-    return scene.uniform_shininess % 2 == 0 ? power : hn::Mul(power, hn::Sqrt(cosine2));
+    return power_of_root(d, cosine2, scene.uniform_shininess);
   }
   const V3<V> half = unit(d, sum);
   const V3<V> chord = sub(half, surface.at.normal);
@@ -65,10 +55,10 @@ HWY_INLINE V highlight(D d, const SimdScene<T>& scene, const Surface<D>& surface
   return power(d, versine, surface.material(d, scene.materials.shininess));
 }
 
-/// The colour of the packet's points, without what they mirror; rubbish in lanes not `active`.
+/// The colour of the packet's points under any light; rubbish in lanes not `active`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Surface<D>& surface, const V3<V>& view,
-                       M active) {
+HWY_NOINLINE V3<V> shade_fully(D d, const SimdScene<T>& scene, const Surface<D>& surface,
+                               const V3<V>& view, M active) {
   const MaterialTable<T>& table = scene.materials;
   const Start<V>& point = surface.at;
   const V zero = hn::Zero(d);
@@ -115,6 +105,15 @@ HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Surface<D>& surface
   return {hn::Mul(sum.x, surface.material(d, table.red)),
           hn::Mul(sum.y, surface.material(d, table.green)),
           hn::Mul(sum.z, surface.material(d, table.blue))};
+}
+
+/// The colour of the packet's points, without what they mirror; rubbish in lanes not `active`.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V3<V> shade(D d, const SimdScene<T>& scene, const Surface<D>& surface, const V3<V>& view,
+                       M active) {
+  if (scene.is_plainly_lit && HWY_LIKELY(!is_among_squares(d, scene, surface.at, active)))
+    return shade_plainly(d, scene, surface, view, active);
+  return shade_fully(d, scene, surface, view, active);
 }
 
 }  // namespace HWY_NAMESPACE

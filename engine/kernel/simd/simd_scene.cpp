@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/kernel/simd/plain_light.h"
 #include "engine/parallel/chunks.h"
 
 namespace raytracer {
@@ -29,20 +30,20 @@ Triple<T> saturated(const Rgb& emission) {
 }
 
 template <typename T>
-SimdSphere<T> pack(const PackedSphere& sphere, std::int32_t id) {
+SimdSphere<T> pack(const PackedSphere& sphere, std::int32_t number) {
   const double r = sphere.radius;
   const double distance = length(sphere.center);
   return {narrowed<T>(sphere.center), static_cast<T>(r), static_cast<T>(r * r),
-          static_cast<T>((distance - r) * (distance + r)), id};
+          static_cast<T>((distance - r) * (distance + r)), static_cast<T>(number)};
 }
 
 template <typename T>
-SimdPlane<T> pack_plane(const Vec3& normal, const Vec3& point, std::int32_t id) {
-  return {narrowed<T>(normal), static_cast<T>(dot(normal, point)), id};
+SimdPlane<T> pack_plane(const Vec3& normal, const Vec3& point, std::int32_t number) {
+  return {narrowed<T>(normal), static_cast<T>(dot(normal, point)), static_cast<T>(number)};
 }
 
 template <typename T>
-SimdSquare<T> pack(const PackedSquare& square, std::int32_t id) {
+SimdSquare<T> pack(const PackedSquare& square, std::int32_t number) {
   const double cell = 2 * square.radius;
   const auto half = static_cast<double>(square.side) / 2;
   // In cells from the corner; cell i is centred on i + 1/2.
@@ -61,7 +62,7 @@ SimdSquare<T> pack(const PackedSquare& square, std::int32_t id) {
           static_cast<T>(last - second_cell),
           static_cast<T>(1 / cell),
           static_cast<T>(cell),
-          id};
+          static_cast<T>(number)};
 }
 
 /// The cells whose spheres come within a diameter of the line from a sphere's centre towards the
@@ -235,6 +236,7 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
   packed.uniform_shininess = features.uniform_shininess;
   packed.reflects = features.reflects;
   packed.max_depth = features.max_depth;
+  prepare_plain_light(scene, packed);
   return packed;
 }
 

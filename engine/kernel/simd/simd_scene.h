@@ -44,14 +44,14 @@ struct SimdSphere {
   T radius;
   T radius2;
   T eye_c;  ///< |center|^2 - radius^2
-  std::int32_t id;
+  T id;     ///< numbers of primitives are kept as T: they are small
 };
 
 template <typename T>
 struct SimdPlane {
   Triple<T> normal;  ///< unit
   T height;          ///< normal . (point - eye)
-  std::int32_t id;
+  T id;
 };
 
 template <typename T>
@@ -78,7 +78,14 @@ struct SimdSquare {
   T high_second;
   T cells_per_unit;  ///< 1 / (2 radius)
   T unit_per_cell;
-  std::int32_t id;
+  T id;
+  T inner_low_first = 0;  ///< where is_plainly_lit: cells with every neighbour that a stencil names
+  T inner_high_first = 0;
+  T inner_low_second = 0;
+  T inner_high_second = 0;
+  T clear_above =
+      0;  ///< likewise: heights, in cells, from which no ray to a light meets the square
+  T clear_below = 0;
 };
 
 /// A neighbour, by its offset in cells.
@@ -98,12 +105,24 @@ struct Stencil {
   bool suffices;  ///< false where the light is so low that only a walk will do
 };
 
+/// A sphere as a distant light sees it.
+template <typename T>
+struct LightDisc {
+  T u;  ///< across the light's direction
+  T v;
+  T w;  ///< towards the light
+  T radius2;
+  T id;
+};
+
 template <typename T>
 struct SimdLight {
   bool is_distant;
   Triple<T> place;                   ///< distant: unit, towards the light; point: its position
   Triple<T> emission;                ///< saturated, so that sums stay finite
   std::vector<Stencil<T>> stencils;  ///< distant: one for each square
+  std::array<Triple<T>, 2> across;   ///< distant: unit, across its direction
+  std::vector<LightDisc<T>> discs;   ///< where is_plainly_lit: of all spheres
   DistantGrid<T> grid;               ///< distant: over the spheres, where there are many
   PointGrid<T> point_grid;           ///< point: likewise
   TriangleGrid<T> triangle_grid;     ///< distant, if its rays do not go through the tree
@@ -172,6 +191,7 @@ struct SimdScene {
   MaterialTable<T> materials;
   Triple<T> background;
   Shadows shadows;
+  bool is_plainly_lit;  ///< only by distant lights, past a few spheres and stencils
   bool has_specular;
   std::int32_t uniform_shininess;  ///< the one integer exponent of all that is specular, or -1
   bool reflects;                   ///< whether any ray follows another

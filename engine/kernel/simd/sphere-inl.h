@@ -35,7 +35,7 @@ HWY_INLINE void show_spheres_to_eye(D d, const SimdScene<T>& scene, const BlockE
     if (hn::AllFalse(d, hit)) return;
     const V t =
         hn::Div(hn::Set(d, sphere.eye_c), hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
-    const V id = hn::Set(d, static_cast<T>(sphere.id));
+    const V id = hn::Set(d, sphere.id);
     take(nearest, is_nearer(nearest, t, id, hit), t, id);
     t_max = farthest(d, nearest, active);
   });
@@ -69,7 +69,7 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn:
 HWY_INLINE M meets_sphere(D d, const SimdSphere<T>& sphere, const Start<V>& from,
                           const V3<V>& direction, V& b, V& discriminant, V& c) {
   const Spheres<V> spheres{broadcast(d, sphere.center), hn::Set(d, sphere.radius2),
-                           hn::Set(d, static_cast<T>(sphere.id))};
+                           hn::Set(d, sphere.id)};
   return meets_sphere(d, spheres, from, direction, b, discriminant, c);
 }
 
@@ -83,7 +83,7 @@ HWY_INLINE void show_sphere(D d, const SimdSphere<T>& sphere, const Start<V>& fr
   const M hit = hn::And(active, meets_sphere(d, sphere, from, direction, b, discriminant, c));
   if (hn::AllFalse(d, hit)) return;
   const V t = hn::Div(c, hn::Add(b, hn::Sqrt(hn::Max(discriminant, hn::Zero(d)))));
-  const V id = hn::Set(d, static_cast<T>(sphere.id));
+  const V id = hn::Set(d, sphere.id);
   take(nearest, is_nearer(nearest, t, id, hit), t, id);
 }
 

@@ -1,8 +1,4 @@
-// Packets against a square of touching spheres: a walk over its cells.
-//
-// A sphere touches the four sides of its cell, so a ray can meet it only while above or below
-// that cell, and the first sphere met on the way is the nearest. Positions are recomputed from
-// the cells' integer coordinates, never accumulated.
+// Packets against squares of touching spheres, and the shadows of those.
 
 #if defined(RAYTRACER_KERNEL_SIMD_SQUARE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYTRACER_KERNEL_SIMD_SQUARE_INL_H_
@@ -14,211 +10,59 @@
 #include <limits>
 
 #include "engine/kernel/simd/hit-inl.h"
-#include "engine/kernel/simd/long_walk.h"
 #include "engine/kernel/simd/simd_scene.h"
+#include "engine/kernel/simd/square_rows-inl.h"
+#include "engine/kernel/simd/square_walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
-/// A vector's coordinates along the square's first axis, across it, and along its second.
-template <typename T, class V>
-HWY_INLINE V3<V> along_square(const SimdSquare<T>& square, const V3<V>& v) {
-  if (square.axes[1] == 1) return v;
-  return square.axes[1] == 2 ? V3<V>{v.x, v.z, v.y} : V3<V>{v.y, v.x, v.z};
-}
-
-/// The inverse of along_square, which exchanges at most two coordinates.
-template <typename T, class V>
-HWY_INLINE V3<V> from_square(const SimdSquare<T>& square, const V3<V>& v) {
-  return along_square(square, v);
-}
-
-/// Where a packet met a square: distance and position in cells.
-template <class V, class M>
-struct CellHit {
-  M hit;
-  V t;
-  V first;
-  V second;
-};
-
-/// Steps before a walk is finished by the reference, far more than a ray takes that comes from
-/// above and is not level.
-inline constexpr int most_steps = 512;
-
-/// Finishes the walks of the lanes still active, one by one.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE void finish_long_walks(D d, const SimdSquare<T>& square, const V3<V>& origin,
-                                    const V3<V>& direction, V t_max, M active, V own_first,
-                                    V own_second, CellHit<V, M>& found) {
-  constexpr std::size_t most_lanes = hn::MaxLanes(D());
-  // The lanes' values: origin, direction, limit, own cell, whether to finish, then the results.
-  alignas(64) T values[13][most_lanes];
-  const V one = hn::Set(d, T(1));
-  const V inputs[10] = {
-      origin.x,    origin.y, origin.z,  direction.x, direction.y,
-      direction.z, t_max,    own_first, own_second,  hn::IfThenElseZero(active, one)};
-  for (std::size_t i = 0; i < 10; ++i) hn::Store(inputs[i], d, values[i]);
-  hn::Store(found.t, d, values[10]);
-  hn::Store(found.first, d, values[11]);
-  hn::Store(found.second, d, values[12]);
-  alignas(64) T is_hit[most_lanes] = {};
-  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-    if (values[9][lane] == T(0)) continue;
-    const auto at = [&](int row) { return static_cast<double>(values[row][lane]); };
-    const bool leaves = values[7][lane] < std::numeric_limits<T>::max();
-    const auto hit = finish_walk(
-        {.origin = {at(0), at(1), at(2)},
-         .direction = {at(3), at(4), at(5)},
-         .low_first = static_cast<double>(square.low_first),
-         .low_second = static_cast<double>(square.low_second),
-         .side = static_cast<double>(square.high_first) - static_cast<double>(square.low_first) + 1,
-         .own_first = at(7),
-         .own_second = at(8),
-         .leaves_own = leaves});
-    if (!hit || hit->t > at(6)) continue;
-    is_hit[lane] = T(1);
-    values[10][lane] = static_cast<T>(hit->t);
-    values[11][lane] = static_cast<T>(hit->first);
-    values[12][lane] = static_cast<T>(hit->second);
-  }
-  found.hit = hn::Or(found.hit, hn::Gt(hn::Load(d, is_hit), hn::Zero(d)));
-  found.t = hn::Load(d, values[10]);
-  found.first = hn::Load(d, values[11]);
-  found.second = hn::Load(d, values[12]);
-}
-
-/// The nearest sphere met at 0 < t <= t_max (in cells), for the lanes of `active`.
-/// `origin` and `direction` are in the square's axes and cells. With `leaves_cell` the sphere in
-/// the cell (own_first, own_second) is one that the ray leaves, and not met.
-template <bool leaves_cell, class D, class V = hn::Vec<D>, class M = hn::Mask<D>,
-          typename T = hn::TFromD<D>>
-HWY_INLINE CellHit<V, M> walk_square(D d, const SimdSquare<T>& square, const V3<V>& origin,
-                                     const V3<V>& direction, V t_max, M active, V own_first,
-                                     V own_second) {
-  const V zero = hn::Zero(d);
-  const V half = hn::Set(d, T(0.5));
-  const V one = hn::Set(d, T(1));
-  const V quarter = hn::Set(d, T(0.25));
-  const V low_first = hn::Set(d, square.low_first);
-  const V high_first = hn::Set(d, square.high_first);
-  const V low_second = hn::Set(d, square.low_second);
-  const V high_second = hn::Set(d, square.high_second);
-
-  const V inverse_first = inverse(d, without_zero(d, direction.x));
-  const V inverse_across = inverse(d, without_zero(d, direction.y));
-  const V inverse_second = inverse(d, without_zero(d, direction.z));
-
-  V t_begin = zero;
-  V t_end = t_max;
-  const auto clip = [&](V low, V high, V from, V slope_inverse) HWY_ATTR {
-    const V t1 = hn::Mul(hn::Sub(low, from), slope_inverse);
-    const V t2 = hn::Mul(hn::Sub(high, from), slope_inverse);
-    t_begin = hn::Max(t_begin, hn::Min(t1, t2));
-    t_end = hn::Min(t_end, hn::Max(t1, t2));
-  };
-  clip(hn::Neg(half), half, origin.y, inverse_across);
-  clip(hn::Sub(low_first, half), hn::Add(high_first, half), origin.x, inverse_first);
-  clip(hn::Sub(low_second, half), hn::Add(high_second, half), origin.z, inverse_second);
-  active = hn::And(active, hn::Le(t_begin, t_end));
-  CellHit<V, M> found{hn::Lt(zero, zero), t_max, zero, zero};
-  if (hn::AllFalse(d, active)) return found;
-
-  const V step_first = hn::CopySign(one, direction.x);
-  const V step_second = hn::CopySign(one, direction.z);
-  const auto start = [&](V from, V slope, V low, V high) HWY_ATTR {
-    return hn::Min(hn::Max(hn::Round(hn::MulAdd(t_begin, slope, from)), low), high);
-  };
-  V first = start(origin.x, direction.x, low_first, high_first);
-  V second = start(origin.z, direction.z, low_second, high_second);
-  // The ray leaves cell i at i * inverse + leave.
-  const auto leave_time = [&](V step, V from, V slope_inverse) HWY_ATTR {
-    return hn::Mul(hn::Sub(hn::Mul(half, step), from), slope_inverse);
-  };
-  const V leave_first = leave_time(step_first, origin.x, inverse_first);
-  const V leave_second = leave_time(step_second, origin.z, inverse_second);
-
-  // With f from the sphere in the lane's cell to the origin, the line passes it at |f x d|^2, and
-  // ahead if f.d < 0. The walk goes on whatever it meets: a step need not wait for the test before.
-  const V across = hn::Mul(origin.y, direction.y);
-  const V across_first = hn::Mul(origin.y, direction.x);
-  const V across_second = hn::Mul(origin.y, direction.z);
-  for (int step = 0; !hn::AllFalse(d, active) && step < most_steps; ++step) {
-    const V f_first = hn::Sub(origin.x, first);
-    const V f_second = hn::Sub(origin.z, second);
-    const V behind = hn::MulAdd(f_first, direction.x, hn::MulAdd(f_second, direction.z, across));
-    const V3<V> moment{hn::NegMulAdd(f_second, direction.y, across_second),
-                       hn::MulSub(f_first, direction.y, across_first),
-                       hn::MulSub(f_second, direction.x, hn::Mul(f_first, direction.z))};
-    M meets = hn::And(hn::And(active, hn::Lt(behind, zero)), hn::Le(dot(moment, moment), quarter));
-    if constexpr (leaves_cell)
-      meets = hn::AndNot(hn::And(hn::Eq(first, own_first), hn::Eq(second, own_second)), meets);
-    found.hit = hn::Or(found.hit, meets);
-    found.first = hn::IfThenElse(meets, first, found.first);
-    found.second = hn::IfThenElse(meets, second, found.second);
-
-    const V t_first = hn::MulAdd(first, inverse_first, leave_first);
-    const V t_second = hn::MulAdd(second, inverse_second, leave_second);
-    const M crosses_first = hn::Lt(t_first, t_second);
-    active = hn::And(hn::AndNot(meets, active), hn::Le(hn::Min(t_first, t_second), t_end));
-    first = hn::IfThenElse(crosses_first, hn::Add(first, step_first), first);
-    second = hn::IfThenElse(crosses_first, second, hn::Add(second, step_second));
-  }
-
-  // In the order of meets_sphere(), so that a sphere is as far as the same one in a square.
-  const V3<V> f{hn::Sub(origin.x, found.first), origin.y, hn::Sub(origin.z, found.second)};
-  const V b = hn::Neg(dot(f, direction));
-  const V3<V> l = mul_add(direction, b, f);
-  const V discriminant = hn::Max(hn::Sub(quarter, dot(l, l)), zero);
-  const V c = hn::Max(hn::Sub(dot(f, f), quarter), zero);
-  found.t = hn::Div(c, hn::Add(b, hn::Sqrt(discriminant)));
-  // A rounding of t_end may let a walk end a cell beyond the square's.
-  const M in_square =
-      hn::And(hn::And(hn::Ge(found.first, low_first), hn::Le(found.first, high_first)),
-              hn::And(hn::Ge(found.second, low_second), hn::Le(found.second, high_second)));
-  found.hit = hn::And(hn::And(found.hit, in_square), hn::Le(found.t, t_max));
-  if (!hn::AllFalse(d, active))
-    finish_long_walks(d, square, origin, direction, t_max, active, own_first, own_second, found);
-  return found;
-}
-
-/// Whether a neighbour of the sphere in cell (first, second) stands between its point with
-/// `normal` and a distant light, both in the square's axes.
+/// Whether a neighbour in the stencil's cell stands between a sphere's point with `normal` and a
+/// distant light, both in the square's axes.
 ///
 /// With the point n/2, the neighbour's centre o in cells and the light's direction d, the line
 /// passes at the centre's height after b = o.d - n.d/2, and its squared distance there is
 /// |o - n/2|^2 - b^2 = 1/4 + (|o|^2 - o.n) - b^2.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M stands_before(D d, const StencilCell<T>& cell, const V3<V>& normal, V half_incidence) {
+  const V b = hn::Sub(hn::Set(d, cell.forward), half_incidence);
+  const V beyond =
+      hn::NegMulAdd(normal.x, hn::Set(d, cell.first),
+                    hn::NegMulAdd(normal.z, hn::Set(d, cell.second), hn::Set(d, cell.distance2)));
+  return hn::And(hn::Ge(hn::Mul(b, b), beyond), hn::Gt(b, hn::Zero(d)));
+}
+
+/// Whether a neighbour of a sphere that has them all stands between its point with `normal` and a
+/// distant light.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M shadowed_amid(D d, const Stencil<T>& stencil, const V3<V>& normal, V incidence) {
+  const V half_incidence = hn::Mul(hn::Set(d, T(0.5)), incidence);
+  M shadowed = hn::Lt(incidence, incidence);
+  for (const StencilCell<T>& cell : stencil.cells)
+    shadowed = hn::Or(shadowed, stands_before(d, cell, normal, half_incidence));
+  return shadowed;
+}
+
+/// The same for the sphere in cell (first, second), wherever that is.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M shadowed_by_neighbours(D d, const SimdSquare<T>& square, const Stencil<T>& stencil,
                                     V first, V second, const V3<V>& normal, V incidence, M active) {
-  const V zero = hn::Zero(d);
-  const V half_incidence = hn::Mul(hn::Set(d, T(0.5)), incidence);
-  const auto stands_before = [&](const StencilCell<T>& cell) HWY_ATTR {
-    const V b = hn::Sub(hn::Set(d, cell.forward), half_incidence);
-    const V beyond =
-        hn::NegMulAdd(normal.x, hn::Set(d, cell.first),
-                      hn::NegMulAdd(normal.z, hn::Set(d, cell.second), hn::Set(d, cell.distance2)));
-    return hn::And(hn::Ge(hn::Mul(b, b), beyond), hn::Gt(b, zero));
-  };
-
   const auto within = [&](V place, T low, T high, T reach) HWY_ATTR {
     return hn::And(hn::Ge(place, hn::Set(d, low + reach)), hn::Le(place, hn::Set(d, high - reach)));
   };
   const M amid = hn::And(within(first, square.low_first, square.high_first, stencil.reach),
                          within(second, square.low_second, square.high_second, stencil.reach));
-  M shadowed = hn::Lt(zero, zero);
-  if (hn::AllTrue(d, hn::Or(amid, hn::Not(active)))) {
-    for (const StencilCell<T>& cell : stencil.cells)
-      shadowed = hn::Or(shadowed, stands_before(cell));
-  } else {
-    for (const StencilCell<T>& cell : stencil.cells) {
-      const M is_there = hn::And(
-          within(hn::Add(first, hn::Set(d, cell.first)), square.low_first, square.high_first, T(0)),
-          within(hn::Add(second, hn::Set(d, cell.second)), square.low_second, square.high_second,
-                 T(0)));
-      shadowed = hn::Or(shadowed, hn::And(stands_before(cell), is_there));
-    }
+  if (hn::AllTrue(d, hn::Or(amid, hn::Not(active))))
+    return hn::And(active, shadowed_amid(d, stencil, normal, incidence));
+  const V half_incidence = hn::Mul(hn::Set(d, T(0.5)), incidence);
+  M shadowed = hn::Lt(incidence, incidence);
+  for (const StencilCell<T>& cell : stencil.cells) {
+    const M is_there = hn::And(
+        within(hn::Add(first, hn::Set(d, cell.first)), square.low_first, square.high_first, T(0)),
+        within(hn::Add(second, hn::Set(d, cell.second)), square.low_second, square.high_second,
+               T(0)));
+    shadowed = hn::Or(shadowed, hn::And(stands_before(d, cell, normal, half_incidence), is_there));
   }
   return hn::And(shadowed, active);
 }
@@ -228,23 +72,52 @@ template <bool leaves_cell, class D, class V = hn::Vec<D>, class M = hn::Mask<D>
           typename T = hn::TFromD<D>>
 HWY_INLINE void show_squares(D d, const SimdScene<T>& scene, const Start<V>& from,
                              const V3<V>& direction, M active, Nearest<V>& nearest) {
+  // In registers: what a function out of line is told of stays in memory.
+  V nearest_t = nearest.t;
+  V nearest_id = nearest.id;
+  V first = nearest.first;
+  V second = nearest.second;
+  V3<V> normal = nearest.normal;
+  bool is_first_square = true;
   for (const SimdSquare<T>& square : scene.squares) {
     const V to_cells = hn::Set(d, square.cells_per_unit);
     const V3<V> eye = broadcast(d, square.eye);
-    const V3<V> origin =
-        leaves_cell ? mul_add(along_square(square, from.point), to_cells, eye) : eye;
-    const V id = hn::Set(d, static_cast<T>(square.id));
-    const M leaves = hn::Eq(from.id, id);
-    const V nowhere = hn::Set(d, std::numeric_limits<T>::max());
-    const CellHit<V, M> found = walk_square<leaves_cell>(
-        d, square, origin, along_square(square, direction), hn::Mul(nearest.t, to_cells), active,
-        hn::IfThenElse(leaves, from.first, nowhere), hn::IfThenElse(leaves, from.second, nowhere));
+    const V3<V> slope = along_square(square, direction);
+    const V t_max = hn::Mul(nearest_t, to_cells);
+    const V id = hn::Set(d, square.id);
+    CellHit<V, M> found;
+    if (!leaves_cell && is_outside_slab(square)) {
+      found = first_in_rows(d, square, slope, t_max, active);
+    } else {
+      const V3<V> origin =
+          leaves_cell ? mul_add(along_square(square, from.point), to_cells, eye) : eye;
+      const M leaves = hn::Eq(from.id, id);
+      const V nowhere = hn::Set(d, std::numeric_limits<T>::max());
+      found = walk_square<leaves_cell>(d, square, origin, slope, t_max, active,
+                                       hn::IfThenElse(leaves, from.first, nowhere),
+                                       hn::IfThenElse(leaves, from.second, nowhere));
+    }
     const V t = hn::Mul(found.t, hn::Set(d, square.unit_per_cell));
-    const M nearer = is_nearer(nearest, t, id, found.hit);
-    take(nearest, nearer, t, id);
-    nearest.first = hn::IfThenElse(nearer, found.first, nearest.first);
-    nearest.second = hn::IfThenElse(nearer, found.second, nearest.second);
+    const M nearer = is_nearer(nearest_t, nearest_id, t, id, found.hit);
+    nearest_t = hn::IfThenElse(nearer, t, nearest_t);
+    nearest_id = hn::IfThenElse(nearer, id, nearest_id);
+    const V3<V> found_normal = from_square(square, found.normal);
+    if (is_first_square) {  // of no lane that met something else does it matter
+      first = found.first;
+      second = found.second;
+      normal = found_normal;
+    } else {
+      first = hn::IfThenElse(nearer, found.first, first);
+      second = hn::IfThenElse(nearer, found.second, second);
+      normal = select(nearer, found_normal, normal);
+    }
+    is_first_square = false;
   }
+  nearest.t = nearest_t;
+  nearest.id = nearest_id;
+  nearest.first = first;
+  nearest.second = second;
+  nearest.normal = normal;
 }
 
 /// Lanes of `lit` from which a sphere of a square stands before the light.
@@ -252,7 +125,7 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn:
 HWY_INLINE M occluded_by_square(D d, const SimdSquare<T>& square, const Stencil<T>& stencil,
                                 const Start<V>& from, const V3<V>& towards, V distance, V incidence,
                                 M lit) {
-  const M leaves = hn::Eq(from.id, hn::Set(d, static_cast<T>(square.id)));
+  const M leaves = hn::Eq(from.id, hn::Set(d, square.id));
   M dark = hn::Lt(distance, hn::Zero(d));
   if (stencil.suffices) {
     const M neighbours = hn::And(lit, leaves);

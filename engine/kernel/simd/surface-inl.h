@@ -15,6 +15,14 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
+/// What a material does with light.
+template <class V>
+struct Finish {
+  V ambient;
+  V kd;
+  V ks;
+};
+
 /// The row of a table that each lane asks for. Neighbouring pixels mostly show the same thing: then
 /// nothing is gathered.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
@@ -37,7 +45,34 @@ class Rows {
     return hn::GatherIndex(d, column.data(), rows_);
   }
 
+  /// The rows that the column names.
+  HWY_INLINE Rows followed(D d, const Column<T>& column, M active) const {
+    if (HWY_LIKELY(is_shared_)) return Rows(d, column[shared_]);
+    return Rows(d, hn::GatherIndex(d, column.data(), rows_), active);
+  }
+
+  HWY_INLINE Finish<V> finish(D d, const MaterialTable<T>& table) const {
+    if (HWY_LIKELY(is_shared_))
+      return {hn::Set(d, table.ambient[shared_]), hn::Set(d, table.kd[shared_]),
+              hn::Set(d, table.ks[shared_])};
+    return {hn::GatherIndex(d, table.ambient.data(), rows_),
+            hn::GatherIndex(d, table.kd.data(), rows_), hn::GatherIndex(d, table.ks.data(), rows_)};
+  }
+  HWY_INLINE V3<V> colour(D d, const MaterialTable<T>& table) const {
+    if (HWY_LIKELY(is_shared_))
+      return {hn::Set(d, table.red[shared_]), hn::Set(d, table.green[shared_]),
+              hn::Set(d, table.blue[shared_])};
+    return {hn::GatherIndex(d, table.red.data(), rows_),
+            hn::GatherIndex(d, table.green.data(), rows_),
+            hn::GatherIndex(d, table.blue.data(), rows_)};
+  }
+
  private:
+  HWY_INLINE Rows(D, T row)
+      : rows_(hn::Zero(hn::RebindToSigned<D>())),
+        shared_(static_cast<std::size_t>(row)),
+        is_shared_(true) {}
+
   VI rows_;
   std::size_t shared_;
   bool is_shared_;
@@ -57,24 +92,14 @@ HWY_INLINE Surface<D> surface_at(D d, const SimdScene<T>& scene, const Start<V>&
   const SurfaceTable<T>& table = scene.surfaces;
   const Rows<D> primitive(d, nearest.id, hit);
   const V t = hn::IfThenElseZero(hit, nearest.t);
-  const V zero = hn::Zero(d);
-  Start<V> at{mul_add(direction, t, from.point),
-              {zero, zero, zero},
-              nearest.id,
-              nearest.first,
-              nearest.second};
+  // Made where it is returned: copies of so large a structure wait for what was just stored.
+  Surface<D> surface{{mul_add(direction, t, from.point), nearest.normal, nearest.id, nearest.first,
+                      nearest.second},
+                     primitive.followed(d, table.material, hit)};
+  Start<V>& at = surface.at;
   M of_squares = hn::Lt(t, t);
-  for (const SimdSquare<T>& square : scene.squares) {
-    const M of_square = hn::And(hit, hn::Eq(nearest.id, hn::Set(d, static_cast<T>(square.id))));
-    if (hn::AllFalse(d, of_square)) continue;
-    of_squares = hn::Or(of_squares, of_square);
-    const V to_cells = hn::Set(d, square.cells_per_unit);
-    const V3<V> in_cells =
-        mul_add(along_square(square, at.point), to_cells, broadcast(d, square.eye));
-    const V3<V> from_center{hn::Sub(in_cells.x, nearest.first), in_cells.y,
-                            hn::Sub(in_cells.z, nearest.second)};
-    at.normal = select(of_square, from_square(square, unit(d, from_center)), at.normal);
-  }
+  for (const SimdSquare<T>& square : scene.squares)
+    of_squares = hn::Or(of_squares, hn::Eq(nearest.id, hn::Set(d, square.id)));
   const M others = hn::AndNot(of_squares, hit);
   if (!hn::AllFalse(d, others)) {
     const V curvature = primitive(d, table.curvature);
@@ -87,7 +112,7 @@ HWY_INLINE Surface<D> surface_at(D d, const SimdScene<T>& scene, const Start<V>&
     }
     at.normal = select(others, normal, at.normal);
   }
-  return {at, Rows<D>(d, primitive(d, table.material), hit)};
+  return surface;
 }
 
 }  // namespace HWY_NAMESPACE
