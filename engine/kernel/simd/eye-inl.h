@@ -39,7 +39,7 @@ struct BlockContents {
   }
 };
 
-/// The directions from the eye through an image's points, and what they see.
+/// The directions from the eye through an image's points, and what is seen along them.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 class EyeRays {
  public:
@@ -57,13 +57,11 @@ class EyeRays {
                            mul_add(broadcast(d, scene_.up), up, broadcast(d, scene_.forward))));
   }
 
-  /// The colours that the active lanes see through `part` of a block, not yet clamped. They are the
-  /// block's from `first` on for `reflected`, which keeps what they mirror.
-  HWY_INLINE V3<V> trace(D d, const BlockContents& contents, int part, const V3<V>& direction,
-                         hn::Mask<D> active, std::size_t first, RayBlock<T>& reflected) const {
-    const V zero = hn::Zero(d);
+  /// What the active lanes meet through `part` of a block.
+  HWY_INLINE Nearest<V> meet(D d, const BlockContents& contents, int part, const V3<V>& direction,
+                             hn::Mask<D> active) const {
     const V none = hn::Set(d, T(-1));
-    const Start<V> eye{{zero, zero, zero}, {zero, zero, zero}, none, none, none};
+    const Start<V> eye = start(d);
     Nearest<V> nearest{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
     if (scene_.has_sphere_bins)
       show_spheres_to_eye(d, scene_, contents.spheres, part, direction, active, nearest);
@@ -76,15 +74,87 @@ class EyeRays {
     show_planes(d, scene_, eye, direction, active, nearest);
     if ((contents.square_parts >> part & 1U) != 0)
       show_squares<false>(d, scene_, eye, direction, active, nearest);
-    const Packet<V> packet{eye, direction, hn::Set(d, T(1)), hn::Iota(d, static_cast<T>(first))};
+    return nearest;
+  }
+
+  /// The colours of what they met, not yet clamped. They are the block's from `first` on for
+  /// `reflected`, which keeps what they mirror.
+  HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Nearest<V>& nearest, hn::Mask<D> active,
+                         std::size_t first, RayBlock<T>& reflected) const {
+    const Packet<V> packet{start(d), direction, hn::Set(d, T(1)),
+                           hn::Iota(d, static_cast<T>(first))};
     return shade_packet(d, scene_, packet, nearest, active, scene_.reflects, reflected);
   }
 
+  const SimdScene<T>& scene() const { return scene_; }
+
  private:
+  HWY_INLINE Start<V> start(D d) const {
+    const V zero = hn::Zero(d);
+    const V none = hn::Set(d, T(-1));
+    return {{zero, zero, zero}, {zero, zero, zero}, none, none, none};
+  }
+
   const SimdScene<T>& scene_;
   double step_x_;
   double step_y_;
 };
+
+/// What packets have met, one after another.
+template <typename T>
+struct Sights {
+  alignas(64) T direction_x[block_pixels], direction_y[block_pixels], direction_z[block_pixels];
+  alignas(64) T t[block_pixels], id[block_pixels], first[block_pixels], second[block_pixels];
+  alignas(64) T normal_x[block_pixels], normal_y[block_pixels], normal_z[block_pixels];
+};
+
+/// The colours that packets of rays from the eye see, not yet clamped; at most as many as a block
+/// has pixels. `rays` has count() packets, and for the i-th of them, if is_in(i), direction(d, i),
+/// the active(d, i) lanes, and the part(i) of the block that they go through.
+///
+/// All packets meet what they meet before any is shaded: in so short chains of what waits for what
+/// a processor works on several packets at a time.
+template <class D, class Rays, typename T = hn::TFromD<D>>
+HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const BlockContents& contents,
+                              const Rays& rays, BlockColours<T>& colours) {
+  using V = hn::Vec<D>;
+  constexpr int lanes = PacketShape<D>::lanes;
+  const SimdScene<T>& scene = eye.scene();
+  RayBlock<T> reflected;
+  Sights<T> sights;
+  for (int i = 0; i < rays.count(); ++i) {
+    if (!rays.is_in(i)) continue;
+    const std::size_t at = static_cast<std::size_t>(i) * lanes;
+    const V3<V> direction = rays.direction(d, i);
+    const Nearest<V> nearest = eye.meet(d, contents, rays.part(i), direction, rays.active(d, i));
+    hn::Store(direction.x, d, sights.direction_x + at);
+    hn::Store(direction.y, d, sights.direction_y + at);
+    hn::Store(direction.z, d, sights.direction_z + at);
+    hn::Store(nearest.t, d, sights.t + at);
+    hn::Store(nearest.id, d, sights.id + at);
+    if (scene.squares.empty()) continue;
+    hn::Store(nearest.first, d, sights.first + at);
+    hn::Store(nearest.second, d, sights.second + at);
+    hn::Store(nearest.normal.x, d, sights.normal_x + at);
+    hn::Store(nearest.normal.y, d, sights.normal_y + at);
+    hn::Store(nearest.normal.z, d, sights.normal_z + at);
+  }
+  for (int i = 0; i < rays.count(); ++i) {
+    if (!rays.is_in(i)) continue;
+    const std::size_t at = static_cast<std::size_t>(i) * lanes;
+    const V none = hn::Set(d, T(-1));
+    Nearest<V> nearest{hn::Load(d, sights.t + at), hn::Load(d, sights.id + at), none, none};
+    if (!scene.squares.empty()) {
+      nearest.first = hn::Load(d, sights.first + at);
+      nearest.second = hn::Load(d, sights.second + at);
+      nearest.normal = load(d, sights.normal_x + at, sights.normal_y + at, sights.normal_z + at);
+    }
+    const V3<V> direction =
+        load(d, sights.direction_x + at, sights.direction_y + at, sights.direction_z + at);
+    store(d, eye.shade(d, direction, nearest, rays.active(d, i), at, reflected), at, colours);
+  }
+  if (reflected.count > 0) trace_reflections(scene, reflected, colours);
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace raytracer

@@ -57,25 +57,26 @@ class BlockRays {
   int height_;
 };
 
-/// Colours of one sample of a block's pixels, not yet clamped.
-template <class D, typename T = hn::TFromD<D>>
-HWY_INLINE void trace_sample(D d, const SimdScene<T>& scene, const Block& block,
-                             const BlockContents& contents, const BlockRays<D>& rays,
-                             const SamplePoint& sample, BlockColours<T>& colours) {
-  using Shape = PacketShape<D>;
-  RayBlock<T> reflected;
-  for (int i = 0; i < Shape::packets; ++i) {
-    const PacketPlace<D> place(i);
-    if (!place.is_in(block)) continue;
-    const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
-    const V3<hn::Vec<D>> direction = rays.direction(d, place, sample);
-    store(d,
-          rays.eye.trace(d, contents, place.part(), direction, rays.active(d, place), first,
-                         reflected),
-          first, colours);
+/// A block's packets at one sample's place.
+template <class D>
+class SamplePackets {
+ public:
+  HWY_INLINE SamplePackets(const BlockRays<D>& rays, const Block& block, const SamplePoint& sample)
+      : rays_(rays), block_(block), sample_(sample) {}
+
+  static constexpr int count() { return PacketShape<D>::packets; }
+  HWY_INLINE bool is_in(int i) const { return PacketPlace<D>(i).is_in(block_); }
+  HWY_INLINE int part(int i) const { return PacketPlace<D>(i).part(); }
+  HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
+    return rays_.direction(d, PacketPlace<D>(i), sample_);
   }
-  if (reflected.count > 0) trace_reflections(scene, reflected, colours);
-}
+  HWY_INLINE hn::Mask<D> active(D d, int i) const { return rays_.active(d, PacketPlace<D>(i)); }
+
+ private:
+  const BlockRays<D>& rays_;
+  const Block& block_;
+  const SamplePoint& sample_;
+};
 
 /// Sums over a block's pixels, in addition to their colours', that tell their errors.
 template <typename T>
@@ -150,7 +151,8 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
   BlockBeyondRange<D> block_beyond;
   for (std::size_t sample = 0; sample < pattern.points.size(); ++sample) {
     if (sample > 0 && sample == pattern.first_half) spread.half = sums;
-    trace_sample(d, scene, block, contents, rays, pattern.points[sample], colours);
+    trace_packets(d, rays.eye, contents, SamplePackets<D>(rays, block, pattern.points[sample]),
+                  colours);
     Highest<D> highest(d);
     for (int packet = 0; packet < Shape::packets; ++packet) {
       if (!PacketPlace<D>(packet).is_in(block)) continue;

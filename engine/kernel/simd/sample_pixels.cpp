@@ -35,6 +35,37 @@ struct SampleLanes {
   }
 };
 
+/// Packets of a pixel's samples.
+template <class D, typename T = hn::TFromD<D>>
+class PixelPackets {
+ public:
+  /// Of the pixel whose lower left corner is (x, y), y = 0 at the bottom.
+  HWY_INLINE PixelPackets(const EyeRays<D>& eye, const SampleLanes<T>& samples, double x, double y,
+                          int part)
+      : eye_(eye), samples_(samples), x_(x), y_(y), part_(part) {}
+
+  HWY_INLINE int count() const { return static_cast<int>((samples_.count + lanes - 1) / lanes); }
+  static constexpr bool is_in(int /*i*/) { return true; }
+  HWY_INLINE int part(int /*i*/) const { return part_; }
+  HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
+    return eye_.direction(d, x_, y_, hn::Load(d, samples_.right + first(i)),
+                          hn::Neg(hn::Load(d, samples_.up + first(i))));
+  }
+  HWY_INLINE hn::Mask<D> active(D d, int i) const {
+    return hn::FirstN(d, samples_.count - first(i));
+  }
+
+ private:
+  static constexpr std::size_t lanes = PacketShape<D>::lanes;
+  static constexpr std::size_t first(int i) { return lanes * static_cast<std::size_t>(i); }
+
+  const EyeRays<D>& eye_;
+  const SampleLanes<T>& samples_;
+  double x_;
+  double y_;
+  int part_;
+};
+
 /// Sums over each pixel's samples, the pixels side by side.
 template <typename T>
 struct PixelSums {
@@ -54,20 +85,13 @@ HWY_INLINE void add_lanes(D d, const V3<hn::Vec<D>>& colour, std::size_t pixel,
 
 /// Traces a pixel's samples and adds them to its sums.
 template <class D, typename T = hn::TFromD<D>>
-HWY_INLINE void sample_pixel(D d, const SimdScene<T>& scene, const BlockContents& contents,
-                             const EyeRays<D>& eye, double x, double y, int part,
-                             const SampleLanes<T>& samples, std::size_t pixel, PixelSums<T>& sums) {
+HWY_INLINE void sample_pixel(D d, const BlockContents& contents, const EyeRays<D>& eye,
+                             const PixelPackets<D>& packets, const SampleLanes<T>& samples,
+                             std::size_t pixel, PixelSums<T>& sums) {
   using V = hn::Vec<D>;
   const std::size_t lanes = hn::Lanes(d);
   BlockColours<T> colours;
-  RayBlock<T> reflected;
-  for (std::size_t i = 0; i < samples.count; i += lanes) {
-    const auto active = hn::FirstN(d, samples.count - i);
-    const V3<V> direction = eye.direction(d, x, y, hn::Load(d, samples.right + i),
-                                          hn::Neg(hn::Load(d, samples.up + i)));
-    store(d, eye.trace(d, contents, part, direction, active, i, reflected), i, colours);
-  }
-  if (reflected.count > 0) trace_reflections(scene, reflected, colours);
+  trace_packets(d, eye, contents, packets, colours);
 
   const V zero = hn::Zero(d);
   V3<V> all{zero, zero, zero};
@@ -106,9 +130,10 @@ void sample_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
     for (std::size_t i = 0; i < pixels.places.size(); ++i) {
       const int x = pixels.places[i] % block_side;
       const int y = pixels.places[i] / block_side;
-      sample_pixel(d, scene, contents, eye, pixels.x_begin + x,
-                   scene.view.height - 1 - pixels.y_begin - y,
-                   y / part_side * parts_across + x / part_side, samples, i, sums);
+      const PixelPackets<D> packets(eye, samples, pixels.x_begin + x,
+                                    scene.view.height - 1 - pixels.y_begin - y,
+                                    y / part_side * parts_across + x / part_side);
+      sample_pixel(d, contents, eye, packets, samples, i, sums);
     }
   }
   const std::size_t count = pattern.points.size();
