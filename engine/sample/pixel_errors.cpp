@@ -53,6 +53,7 @@ PixelErrors::PixelErrors(int width, int height, double scale, WorkerPool& pool)
       scale_(scale),
       spreads_(width, height),
       samples_(spreads_.error2.size()),
+      variances_(samples_.size()),
       parts_(parts_in_block * columns_ * rows_),
       rates_(parts_.size()),
       sums_(stride_ * (parts_across * rows_ + 2)),
@@ -98,53 +99,47 @@ void PixelErrors::for_each_row(const Visit& visit) const {
   pool_.run(rows_, visit, never);
 }
 
-std::vector<float> PixelErrors::variances_of_row(std::size_t row) const {
+void PixelErrors::spread_variances(std::size_t row) {
   const auto stride = static_cast<std::size_t>(spreads_.stride);
-  std::vector<float> variances(block_side * stride);
   std::vector<float> highest(stride + 2, 0.0F);  // of three rows, with a rim
-  for (std::size_t i = 0; i < block_side; ++i) {
-    const std::size_t y = block_side * row + i;
+  for (std::size_t y = block_side * row; y < block_side * (row + 1); ++y) {
     const float* const here = &spreads_.variance[y * stride];
     const float* const above = y > 0 ? here - stride : here;
     const float* const below = y + 1 < block_side * rows_ ? here + stride : here;
     for (std::size_t x = 0; x < stride; ++x)
       highest[x + 1] = std::max(std::max(above[x], below[x]), here[x]);
-    float* const to = &variances[i * stride];
+    float* const to = &variances_[y * stride];
     for (std::size_t x = 0; x < stride; ++x)
       to[x] = std::max(
           here[x], pixels_share * std::max(std::max(highest[x], highest[x + 1]), highest[x + 2]));
   }
-  return variances;
 }
 
-float PixelErrors::variance_at(std::size_t pixel) const {
-  const int x = x_of(pixel);
-  const int y = y_of(pixel);
-  float highest = 0;
-  for (int to_y = std::max(y - 1, 0); to_y < std::min(y + 2, height_); ++to_y)
-    for (int to_x = std::max(x - 1, 0); to_x < std::min(x + 2, width_); ++to_x)
-      highest = std::max(highest, spreads_.variance[index(to_x, to_y)]);
-  return std::max(spreads_.variance[pixel], pixels_share * highest);
-}
-
-PixelErrors::Sums PixelErrors::sums_of(std::size_t first, const float* variances) const {
+PixelErrors::Sums PixelErrors::sums_of(std::size_t first) const {
   // Column by column, which do not wait for each other.
-  std::array<Sums, part_side> columns{};
+  std::array<float, part_side> error2{};
+  std::array<float, part_side> detail{};
+  const int samples = samples_[first];
+  bool are_alike = true;
+  for (int y = 0; y < part_side; ++y)
+    for (std::size_t x = 0; x < part_side; ++x) {
+      const std::size_t pixel = first + index(0, y) + x;
+      error2[x] += spreads_.error2[pixel];
+      detail[x] += variances_[pixel];
+      are_alike &= samples_[pixel] == samples;
+    }
+  Sums sums{.error2 = (error2[0] + error2[1]) + (error2[2] + error2[3]),
+            .detail = (detail[0] + detail[1]) + (detail[2] + detail[3])};
   InversePower inverse_power;
+  if (are_alike) {
+    sums.variance = sums.detail * inverse_power(samples);
+    return sums;
+  }
   for (int y = 0; y < part_side; ++y)
     for (int x = 0; x < part_side; ++x) {
-      const std::size_t at = index(x, y);
-      Sums& sums = columns[static_cast<std::size_t>(x)];
-      sums.error2 += spreads_.error2[first + at];
-      sums.variance += variances[at] * inverse_power(samples_[first + at]);
-      sums.detail += variances[at];
+      const std::size_t pixel = first + index(x, y);
+      sums.variance += variances_[pixel] * inverse_power(samples_[pixel]);
     }
-  Sums sums;
-  for (const Sums& column : columns) {
-    sums.error2 += column.error2;
-    sums.variance += column.variance;
-    sums.detail += column.detail;
-  }
   return sums;
 }
 
@@ -172,10 +167,9 @@ float PixelErrors::least_at(std::size_t place) const {
 
 void PixelErrors::expect() {
   for_each_row([this](std::size_t row) {
-    const std::vector<float> variances = variances_of_row(row);
-    const std::size_t first_of_row = index(0, static_cast<int>(block_side * row));
-    for_each_part_in(row, [&](std::size_t, std::size_t place, std::size_t first) {
-      sums_[place] = sums_of(first, &variances[first - first_of_row]);
+    spread_variances(row);
+    for_each_part_in(row, [this](std::size_t, std::size_t place, std::size_t first) {
+      sums_[place] = sums_of(first);
     });
   });
   for_each_row([this](std::size_t row) {
@@ -219,14 +213,19 @@ void PixelErrors::calibrate(std::span<const std::uint32_t> pixels, std::span<con
   const double weight = sum * sum / squares;  // as many pixels of equal errors would say as much
   const double seen =
       (change2 * weight / sum + scale_ * pixels_of_doubt) / (weight + pixels_of_doubt);
+  const double before_it = scale_;
   scale_ = std::clamp(std::max(seen, least_fall * scale_), least, most);
-  expect_parts();
+  if (missable_) {
+    expect_parts();
+    return;
+  }
+  for (double& error2 : parts_) error2 *= scale_ / before_it;
 }
 
 float PixelErrors::unscaled(std::size_t pixel) const {
   const Rate& rate = rates_[part_of(pixel)];
   InversePower inverse_power;
-  return std::max(rate.of_variance * variance_at(pixel), rate.least) *
+  return std::max(rate.of_variance * variances_[pixel], rate.least) *
          inverse_power(samples_[pixel]);
 }
 

@@ -129,10 +129,7 @@ class PixelErrors {
   };
 
   std::size_t part_of(std::size_t pixel) const;
-  /// The variance that counts.
-  float variance_at(std::size_t pixel) const;
-  /// Of the pixels of a row of blocks, row by row.
-  std::vector<float> variances_of_row(std::size_t row) const;
+  void spread_variances(std::size_t row);
   double scaled(float unscaled, std::size_t part, int samples) const;
 
   /// Calls visit(row) for all rows of blocks, on the pool's threads.
@@ -155,8 +152,6 @@ class PixelErrors {
   /// error.
   template <typename Visit>
   void for_each_error_in(std::size_t row, const Visit& visit) const {
-    const std::vector<float> variances = variances_of_row(row);
-    const std::size_t first_of_row = index(0, static_cast<int>(block_side * row));
     InversePower inverse_power;
     for_each_part_in(row, [&](std::size_t part, std::size_t, std::size_t first) {
       const Rate& rate = rates_[part];
@@ -164,15 +159,15 @@ class PixelErrors {
       for (int y = 0; y < part_side; ++y)
         for (int x = 0; x < part_side; ++x) {
           const std::size_t pixel = first + index(x, y);
-          const float detail =
-              std::max(rate.of_variance * variances[pixel - first_of_row], rate.least);
+          const float detail = std::max(rate.of_variance * variances_[pixel], rate.least);
           const int samples = samples_[pixel];
           visit(part, pixel, scaled(detail * inverse_power(samples), part, samples));
         }
     });
   }
 
-  Sums sums_of(std::size_t first, const float* variances) const;
+  /// Of the part that begins at this pixel.
+  Sums sums_of(std::size_t first) const;
   /// From the sums of the parts around a place.
   float rate_at(std::size_t place) const;
   float least_at(std::size_t place) const;
@@ -187,7 +182,8 @@ class PixelErrors {
   double scale_;
   PixelSpreads spreads_;
   std::vector<int> samples_;
-  std::vector<double> parts_;  ///< their squared errors
+  std::vector<float> variances_;  ///< those that count
+  std::vector<double> parts_;     ///< their squared errors
   std::vector<Rate> rates_;
   std::vector<Sums> sums_;      ///< of the parts, row by row, with a rim of nothing
   std::vector<float> details_;  ///< likewise: the squared error of one sample

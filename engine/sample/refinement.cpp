@@ -45,20 +45,29 @@ int step_of_detail(float detail) {
 }
 
 /// What every number of samples that can be wanted comes to.
-struct Ladder {
+class Ladder {
+ public:
   std::array<int, step_count> samples{};     ///< of the highest rung of at most as many
   std::array<double, step_count> factors{};  ///< of one sample's squared error
 
   explicit Ladder(int most_samples) {
-    int rung = 0;
-    for (int step = 0; step < step_count; ++step) {
-      const auto at = static_cast<std::size_t>(step);
-      while (rung + 1 < rung_count && samples_of_rung(rung + 1) <= most_samples &&
-             step_of(samples_of_rung(rung + 1)) <= step)
-        ++rung;
-      const int highest = most_samples - most_samples % 4;
-      samples[at] = step >= step_of(highest) ? highest : samples_of_rung(rung);
-      factors[at] = 1 / error_power(samples[at]);
+    const int highest = most_samples - most_samples % 4;
+    int step = 0;
+    for (int rung = 0; rung < rung_count && samples_of_rung(rung) < highest; ++rung) {
+      const bool is_last = rung + 1 == rung_count || samples_of_rung(rung + 1) > highest;
+      const int end = step_of(is_last ? highest : samples_of_rung(rung + 1));
+      fill(step, end, samples_of_rung(rung));
+      step = end;
+    }
+    fill(step, step_count, highest);
+  }
+
+ private:
+  void fill(int begin, int end, int count) {
+    const double factor = 1 / error_power(count);
+    for (auto at = static_cast<std::size_t>(begin); at < static_cast<std::size_t>(end); ++at) {
+      samples[at] = count;
+      factors[at] = factor;
     }
   }
 };
@@ -73,7 +82,7 @@ struct Kind {
   int next = 0;  ///< the samples that they get
 };
 
-/// The kinds of an image's pixels: a table with a row for each number of samples.
+/// The kinds of an image's pixels, found by a table with a row for each number of samples.
 class Kinds {
  public:
   explicit Kinds(std::span<const RoughPixel> pixels) {
@@ -84,11 +93,14 @@ class Kinds {
       if (std::find(rows_.begin(), rows_.end(), pixel.samples) == rows_.end())
         rows_.push_back(pixel.samples);
     }
-    kinds_.resize(rows_.size() * static_cast<std::size_t>(step_end_ - step_begin_));
+    table_.resize(rows_.size() * static_cast<std::size_t>(step_end_ - step_begin_), none);
     for (const RoughPixel& pixel : pixels) {
-      Kind& kind = kinds_[index(pixel)];
-      kind.samples = pixel.samples;
-      kind.step = step_of(pixel);
+      std::size_t& place = table_[cell(pixel)];
+      if (place == none) {
+        place = kinds_.size();
+        kinds_.push_back({.samples = pixel.samples, .step = step_of(pixel)});
+      }
+      Kind& kind = kinds_[place];
       kind.count += 1;
       kind.error2 += static_cast<double>(pixel.error2);
       kind.detail += static_cast<double>(pixel.error2) * error_power(pixel.samples);
@@ -96,7 +108,7 @@ class Kinds {
   }
 
   std::vector<Kind>& all() { return kinds_; }
-  const Kind& of(const RoughPixel& pixel) const { return kinds_[index(pixel)]; }
+  const Kind& of(const RoughPixel& pixel) const { return kinds_[table_[cell(pixel)]]; }
   int step_begin() const { return step_begin_; }
   int step_end() const { return step_end_; }
 
@@ -105,13 +117,16 @@ class Kinds {
     return step_of_detail(pixel.error2 * static_cast<float>(error_power(pixel.samples)));
   }
 
-  std::size_t index(const RoughPixel& pixel) const {
+  std::size_t cell(const RoughPixel& pixel) const {
     const auto row = std::find(rows_.begin(), rows_.end(), pixel.samples) - rows_.begin();
     return static_cast<std::size_t>(row * (step_end_ - step_begin_) + step_of(pixel) - step_begin_);
   }
 
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
   std::vector<Kind> kinds_;
-  std::vector<int> rows_;  ///< their samples
+  std::vector<std::size_t> table_;  ///< of places among them
+  std::vector<int> rows_;           ///< their samples
   int step_begin_ = 0;
   int step_end_ = 0;
 };
@@ -132,7 +147,6 @@ class Levels {
   bool is_enough(int level) const {
     double sum = 0;
     for (const Kind& kind : kinds_) {
-      if (kind.count == 0) continue;
       const std::size_t at = rung_at(level, kind);
       const bool is_refined = ladder_.samples[at] >= least_growth * kind.samples;
       sum += is_refined ? kind.detail * ladder_.factors[at] : kind.error2;
@@ -198,7 +212,7 @@ std::vector<PixelSamples> next_samples(std::span<const RoughPixel> pixels,
   const int too_dear =
       first_true(lowest, enough + 1, [&](int level) { return !levels.is_affordable(level); });
   const int level = std::min(enough, too_dear - 1);
-  for (Kind& kind : kinds.all()) kind.next = kind.count > 0 ? levels.samples_at(level, kind) : 0;
+  for (Kind& kind : kinds.all()) kind.next = levels.samples_at(level, kind);
   for (const RoughPixel& pixel : pixels)
     if (const int samples = kinds.of(pixel).next; samples > 0)
       refined.push_back({pixel.pixel, samples});
