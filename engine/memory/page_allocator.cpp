@@ -39,8 +39,7 @@ void keep_freed_memory() {
   constexpr int most = 1 << 25;
   mallopt(M_MMAP_THRESHOLD, most);
   mallopt(M_TRIM_THRESHOLD, most);
-  mallopt(M_ARENA_MAX, 4);  // each keeps as much of its own, but small renders queue for one
-  mallopt(M_MXFAST, 0);     // or any kilobyte asked for first merges all small blocks given back
+  mallopt(M_ARENA_MAX, 2);  // each keeps as much of its own, but small renders queue for one
 #endif
 }
 
