@@ -298,8 +298,9 @@ std::size_t RefinedImage::block_count() const {
 }
 
 std::size_t RefinedImage::block_of(std::size_t pixel) const {
-  return static_cast<std::size_t>(errors_.y_of(pixel) / block_side * columns_ +
-                                  errors_.x_of(pixel) / block_side);
+  const auto column = static_cast<std::size_t>(errors_.x_of(pixel) / block_side);
+  const auto row = static_cast<std::size_t>(errors_.y_of(pixel) / block_side);
+  return row * static_cast<std::size_t>(columns_) + column;
 }
 
 void RefinedImage::expect_errors() {

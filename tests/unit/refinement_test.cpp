@@ -22,10 +22,10 @@ struct Rough {
 
 /// The samples that each of the pixels gets, 0 for those that stay.
 std::vector<int> samples_for(const std::vector<Rough>& pixels, const RefinementGoal& goal) {
-  std::vector<RoughPixel> rough;
-  for (const Rough& pixel : pixels)
-    rough.push_back({static_cast<std::uint32_t>(rough.size()), pixel.samples,
-                     static_cast<float>(pixel.error2)});
+  std::vector<RoughPixel> rough(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    rough[i] = {static_cast<std::uint32_t>(i), pixels[i].samples,
+                static_cast<float>(pixels[i].error2)};
   std::vector<int> samples(pixels.size(), 0);
   for (const PixelSamples& pixel : next_samples(rough, goal)) samples[pixel.pixel] = pixel.samples;
   return samples;
@@ -63,15 +63,16 @@ TEST(NextSamples, ReachTheLimitWhereverItIs) {
 }
 
 TEST(NextSamples, FillPacketsFrom16On) {
-  for (double error2 = 1e-6; error2 < 1e6; error2 *= 1.7) {
-    const int samples = samples_for({{4, error2}}, 1e-3)[0];
+  for (int exponent = -60; exponent < 60; ++exponent) {
+    const int samples = samples_for({{4, std::pow(1.3, exponent)}}, 1e-3)[0];
     EXPECT_TRUE(samples == 0 || samples % 16 == 0) << samples;
   }
 }
 
 std::vector<Rough> many() {
-  std::vector<Rough> pixels;
-  for (int i = 0; i < 1000; ++i) pixels.push_back({4, std::pow(1.02, i % 300)});
+  std::vector<Rough> pixels(1000);
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    pixels[i] = {4, std::pow(1.02, static_cast<double>(i % 300))};
   return pixels;
 }
 
