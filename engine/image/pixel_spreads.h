@@ -17,12 +17,12 @@ struct PixelSpread {
 /// The same of all pixels of an image, row by row, the rows and columns filled up to whole blocks
 /// by pixels that tell nothing.
 struct PixelSpreads {
-  int stride;  ///< from row to row, a multiple of block_side
+  int stride;  ///< from row to row, a multiple of part_side
   std::vector<float> error2;
   std::vector<float> variance;
 
   PixelSpreads(int width, int height)
-      : stride(whole_blocks(width)), error2(count(width, height)), variance(count(width, height)) {}
+      : stride(whole_parts(width)), error2(count(width, height)), variance(count(width, height)) {}
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride) +
@@ -33,15 +33,15 @@ struct PixelSpreads {
     variance[pixel] = spread.variance;
   }
 
+  int rows() const { return static_cast<int>(error2.size() / static_cast<std::size_t>(stride)); }
+
   /// Filled up.
-  static int whole_blocks(int pixels) {
-    return (pixels + block_side - 1) / block_side * block_side;
-  }
+  static int whole_parts(int pixels) { return (pixels + part_side - 1) / part_side * part_side; }
 
  private:
   static std::size_t count(int width, int height) {
-    return static_cast<std::size_t>(whole_blocks(width)) *
-           static_cast<std::size_t>(whole_blocks(height));
+    return static_cast<std::size_t>(whole_parts(width)) *
+           static_cast<std::size_t>(whole_parts(height));
   }
 };
 

@@ -1,6 +1,5 @@
 #include "engine/render/refine.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>

@@ -1,6 +1,6 @@
-// The contracts: an image refined part by part until its error is small enough or its time over.
+// The contracts: an image refined pixel by pixel until its error is small enough or its time over.
 //
-// Whatever ends it, each part shows the best that was made of it: the image is always whole, and a
+// Whatever ends it, each pixel shows the best that was made of it: the image is always whole, and a
 // pass that was begun is not lost.
 #pragma once
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "engine/image/encode.h"
 #include "engine/image/part_errors.h"
@@ -64,7 +63,7 @@ void render_fixed(Tracing& tracing, BasicRendering<Channel>& rendering) {
   if (!image) return;
   rendering.image = std::move(*image);
   if (!errors) return;
-  const double error2 = error2_of_halves(*errors, first_scale(tracing.plan.census));
+  const double error2 = first_scale(tracing.plan.census) * conservative_sum(errors->all());
   rendering.estimated_error =
       std::sqrt(error2 / (3 * static_cast<double>(camera.width) * camera.height));
 }

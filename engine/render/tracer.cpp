@@ -40,7 +40,8 @@ BeyondRange beyond_range(const Rgb& c) {
 struct PixelSums {
   Rgb half{};  ///< of the pattern's first
   Rgb rest{};
-  double squares = 0;
+  Rgb origin{};        ///< a sample
+  double squares = 0;  ///< of the others' differences from it
   BeyondRange seen{};
 
   /// Of all of them.
@@ -53,7 +54,7 @@ struct PixelSums {
     const auto size = static_cast<double>(pattern.first_half);
     const Rgb difference = encoded(half / size, transfer) - encoded(rest / size, transfer);
     const Rgb middle = mean(pattern);
-    double variance = squares / (2 * size) - dot(middle, middle);
+    double variance = squares / (2 * size) - dot(middle - origin, middle - origin);
     if (transfer != Transfer::linear) {
       const double deviation = std::sqrt(std::max(variance, 0.0) / 3);
       const Rgb deviations{deviation, deviation, deviation};
@@ -62,6 +63,7 @@ struct PixelSums {
       variance = dot(range, range) / 4;
     }
     const double error2 = PartErrors::share * dot(difference, difference);
+    variance = std::max(variance, error2);
     return {error2 > 0 ? static_cast<float>(error2) : 0,
             variance > 0 ? static_cast<float>(variance) : 0};
   }
@@ -82,7 +84,8 @@ PixelSums sample_pixel(const PackedScene& scene, const Structure& structure,
     const Rgb seen = clamped(color);
     sums.seen += beyond_range(color);
     (i < pattern.first_half ? sums.half : sums.rest) += seen;
-    sums.squares += dot(seen, seen);
+    if (i == 0) sums.origin = seen;
+    sums.squares += dot(seen - sums.origin, seen - sums.origin);
   }
   return sums;
 }

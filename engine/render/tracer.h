@@ -4,7 +4,6 @@
 #include <memory>
 #include <span>
 #include <variant>
-#include <vector>
 
 #include "engine/accel/brute_force.h"
 #include "engine/accel/bvh.h"

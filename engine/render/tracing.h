@@ -43,7 +43,7 @@ struct Tracing {
   /// Whether the budget is spent, or would be `more_ms` from now.
   bool is_over_time(double more_ms = 0) const { return rest_ms() < more_ms; }
 
-  /// An image with these samples, and the errors of its parts if somebody wants them and the
+  /// An image with these samples, and what they tell of its errors if somebody wants it and the
   /// pattern has halves; nothing if it was stopped before it was whole.
   template <typename Channel>
   std::optional<Raster<Channel>> pass(const SamplePattern& pattern, const TileErrors& errors) {

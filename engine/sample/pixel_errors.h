@@ -19,8 +19,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/image/part_errors.h"
 #include "engine/image/pixel_spreads.h"
+#include "engine/image/tile.h"
 #include "engine/math/block.h"
 #include "engine/parallel/worker_pool.h"
 #include "engine/plan/census.h"
@@ -39,10 +39,6 @@ double first_scale(const Census& census);
 /// that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself, of which
 /// two are added.
 double conservative_sum(std::span<const double> errors2);
-
-/// The squared error of an image all of whose pixels have as many samples as each other, the sum
-/// over its values.
-double error2_of_halves(const PartErrors& errors, double scale);
 
 /// 1 / error_power() of pixels one after another, most of which have the samples of the one before.
 /// Those without samples, beyond the rim, have no error.
@@ -75,7 +71,7 @@ class PixelErrors {
   void set(std::size_t pixel, int samples, const PixelSpread& spread);
   /// A pixel has one sample, or another's, and probably this squared error.
   void set_guess(std::size_t pixel, double error2);
-  /// These spheres may be missed.
+  /// These spheres may be missed. expect() was called before.
   void set_missable(MissableSpheres spheres);
 
   /// Takes all in. To be called before anything is asked.
@@ -89,6 +85,10 @@ class PixelErrors {
   std::size_t index(int x, int y) const { return spreads_.index(x, y); }
   int x_of(std::size_t pixel) const;
   int y_of(std::size_t pixel) const;
+  /// The blocks are numbered row by row.
+  std::size_t block_of(std::size_t pixel) const;
+  std::size_t block_count() const { return columns_ * rows_; }
+  Tile tile_of(std::size_t block) const;
 
   /// 0 beyond the image's rim.
   int samples(std::size_t pixel) const { return samples_[pixel]; }
@@ -115,8 +115,9 @@ class PixelErrors {
   }
 
  private:
-  /// What the pixels of a part come to.
+  /// What the pixels of a part come to, those in the image.
   struct Sums {
+    float count = 0;
     float error2 = 0;    ///< by halves
     float variance = 0;  ///< over error_power()
     float detail = 0;    ///< the variance alone
@@ -125,7 +126,8 @@ class PixelErrors {
   /// What makes a part's pixels err.
   struct Rate {
     float of_variance = 0;
-    float least = 0;  ///< squared error of one sample
+    float least = 0;           ///< squared error of one sample
+    double share_of_part = 0;  ///< that a pixel is of it
   };
 
   std::size_t part_of(std::size_t pixel) const;
@@ -144,8 +146,10 @@ class PixelErrors {
       for (std::size_t i = 0; i < parts_in_block; ++i, ++part) {
         const std::size_t x = parts_across * column + i % parts_across;
         const std::size_t y = parts_across * row + i / parts_across;
-        visit(part, (y + 1) * stride_ + x + 1,
-              index(static_cast<int>(part_side * x), static_cast<int>(part_side * y)));
+        const int first_x = static_cast<int>(part_side * x);
+        const int first_y = static_cast<int>(part_side * y);
+        if (first_x < width_ && first_y < height_)
+          visit(part, (y + 1) * stride_ + x + 1, index(first_x, first_y));
       }
   }
   /// Calls visit(part, pixel, error2) for the pixels of those parts of a row of blocks that have an

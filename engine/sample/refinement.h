@@ -31,7 +31,7 @@ int first_compared_samples(const Census& census, int most_samples);
 /// A pixel that more samples would do good.
 struct RoughPixel {
   std::uint32_t pixel;
-  int samples;   ///< that it has, at least 1
+  int samples;   ///< that it has, at least 4
   float error2;  ///< above 0
 };
 

@@ -141,6 +141,30 @@ TEST(Render, SaysItsError) {
   }
 }
 
+/// An edge of 0.2 % is an edge.
+TEST(Contract, OfLittleContrastSeesIt) {
+  json text = document(camera_json(200, 150, 0.9, {0, 3, -9}, {0, 0, 0}),
+                       {sphere_json({-1.5, 1, 0}, 1.5, constant_material({0.5, 0.5, 0.5})),
+                        sphere_json({1.5, 0.5, -1}, 1, constant_material({0.5, 0.5, 0.5}))});
+  text["ambient"] = 1;
+  text["shadows"] = "ambient";
+  text["background"] = {0.5009, 0.5009, 0.5009};
+  WorkerPool pool(2);
+  const auto with = [&](const json& settings) {
+    text["render"] = settings;
+    RenderProgress progress;
+    return render(scene_of(text), Limits{}, pool, progress);
+  };
+  const Image exact = with({{"samples", 4096}, {"precision", "double"}}).image;
+  for (const char* precision : {"single", "double"}) {
+    const Rendering rendering = with({{"target_rmse", 1e-5}, {"precision", precision}});
+    const double error = rmse(rendering.image, exact);
+    EXPECT_GT(error, 1e-6) << "or there is nothing to see";
+    EXPECT_GT(rendering.estimated_error.value_or(0), error / 2) << precision;
+    EXPECT_LT(error, 1.3e-5) << precision;
+  }
+}
+
 /// With fewer samples than can be compared there is one estimate for one image, and no target that
 /// is said to be reached.
 TEST(Contract, OfFewSamplesDoesNotPretend) {

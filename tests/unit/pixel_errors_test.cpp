@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace raytracer::test {
@@ -116,6 +117,26 @@ TEST_F(PixelErrorsTest, AreWhatARefinementChanged) {
   EXPECT_NEAR(refined_with_change(0.8), 0.8, 0.05);
   EXPECT_DOUBLE_EQ(refined_with_change(0), 0.6) << "luck may be a part of it";
   EXPECT_DOUBLE_EQ(refined_with_change(1000), 4);
+}
+
+/// At the rim parts have fewer pixels, and fewer beside them: what is beside counts as much.
+TEST_F(PixelErrorsTest, RiseBesideDetailAtARim) {
+  PixelErrors thin(64, 1, 1, pool_);
+  const std::size_t detailed = thin.index(17, 0);
+  thin.spreads().set(detailed, {0.01F, 0.2F});
+  thin.set_all(4);
+  thin.expect();
+  // Itself and two beside it, which count a fifth, are of its part; the parts beside have 8 pixels.
+  const double part = thin.of_pixel(detailed) * (1 + 2 * 0.2);
+  EXPECT_NEAR(thin.of_pixel(thin.index(21, 0)), 0.1 * part / 8, 0.1 * 0.1 * part / 8);
+}
+
+TEST_F(PixelErrorsTest, AreNoNumbersNever) {
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      errors_.set_guess(errors_.index(x, y), std::numeric_limits<double>::quiet_NaN());
+  errors_.expect();
+  EXPECT_EQ(errors_.error2(), 0);
 }
 
 TEST_F(PixelErrorsTest, AreGuessedWithoutHalves) {

@@ -8,8 +8,6 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <limits>
-#include <utility>
 
 #include "engine/kernel/simd/beyond_range-inl.h"
 #include "engine/kernel/simd/block-inl.h"
@@ -81,8 +79,9 @@ class SamplePackets {
 /// Sums over a block's pixels, in addition to their colours', that tell their errors.
 template <typename T>
 struct BlockSpread {
-  BlockColours<T> half;  ///< of one half of the samples
-  alignas(64) T squares[block_pixels];
+  BlockColours<T> half;                 ///< of one half of the samples
+  BlockColours<T> origin;               ///< a sample
+  alignas(64) T squares[block_pixels];  ///< of the others' differences from it
 };
 
 /// Adds to each part's error what the means of the two halves of its samples differ by.
@@ -96,10 +95,14 @@ HWY_NOINLINE void tell_errors(D d, const Block& block, const BlockRays<D>& rays,
     const PacketPlace<D> place(i);
     if (!place.is_in(block)) continue;
     const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
-    const Spread<V> told =
-        spread_of(d, load(d, spread.half, first), load(d, sums, first),
-                  errors.pixels != nullptr ? hn::Load(d, spread.squares + first) : hn::Zero(d),
-                  count, transfer);
+    V3<V> origin{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    V squares = hn::Zero(d);
+    if (errors.pixels != nullptr) {
+      origin = load(d, spread.origin, first);
+      squares = hn::Load(d, spread.squares + first);
+    }
+    const Spread<V> told = spread_of(d, load(d, spread.half, first), load(d, sums, first), origin,
+                                     squares, count, transfer);
     const auto active = rays.active(d, place);
     const V error2 = hn::IfThenElseZero(active, told.error2);
     if (errors.parts != nullptr)
@@ -162,8 +165,10 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
       const V3<V> seen = clamped(d, colour);
       store(d, sample == 0 ? seen : add(seen, load(d, sums, i)), i, sums);
       if (!spreads) continue;
+      if (sample == 0) store(d, seen, i, spread.origin);
+      const V3<V> difference = sub(seen, load(d, spread.origin, i));
       const V before = sample == 0 ? hn::Zero(d) : hn::Load(d, spread.squares + i);
-      hn::Store(hn::Add(before, dot(seen, seen)), d, spread.squares + i);
+      hn::Store(hn::Add(before, dot(difference, difference)), d, spread.squares + i);
     }
     if (HWY_UNLIKELY(highest.is_beyond_range(d)))
       block_beyond.note(d, block, colours,

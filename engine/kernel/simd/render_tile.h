@@ -19,9 +19,8 @@ struct TracedTile {
 };
 
 /// Traces one sample at each place of `pattern` in each of the tile's pixels, and stores the means
-/// of their clamped colours after `transfer`; and what they tell of the errors of the parts that it
-/// traced, if the pattern has halves and somebody wants them. The tile begins at multiples of
-/// `block_side`.
+/// of their clamped colours after `transfer`; and what they tell of its errors, if the pattern has
+/// halves and somebody wants them. The tile begins at multiples of `block_side`.
 TracedTile render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
                        const Canvas& canvas, const TileErrors& errors = {});

@@ -42,10 +42,11 @@ struct Spread {
   V variance;
 };
 
-/// What the sums of a pixel's samples tell: of one half's, of all's, and of their squares.
+/// What the sums of a pixel's samples tell: of one half's, of all's, and of the squares of their
+/// differences from `origin`, one of them: squares of what is large leave nothing of what is small.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE Spread<V> spread_of(D d, const V3<V>& half_sum, const V3<V>& all, V squares,
-                               std::size_t count, Transfer transfer) {
+HWY_INLINE Spread<V> spread_of(D d, const V3<V>& half_sum, const V3<V>& all, const V3<V>& origin,
+                               V squares, std::size_t count, Transfer transfer) {
   const V half = share_of(d, count / 2);
   const V whole = share_of(d, count);
   const V3<V> difference =
@@ -53,10 +54,8 @@ HWY_INLINE Spread<V> spread_of(D d, const V3<V>& half_sum, const V3<V>& all, V s
   const V error2 = hn::Mul(dot(difference, difference), hn::Set(d, T(PartErrors::share)));
   const V zero = hn::Zero(d);
   const V3<V> mean = scale(all, whole);
-  const V square_of_mean = dot(mean, mean);
-  // What is left of equal colours is rounding.
-  const V rounding = hn::Mul(square_of_mean, hn::Set(d, T(1e-6)));
-  V variance = hn::Sub(hn::MulSub(squares, whole, square_of_mean), rounding);
+  const V3<V> shift = sub(mean, origin);
+  V variance = hn::MulSub(squares, whole, dot(shift, shift));
   if (transfer != Transfer::linear) {
     // By what the channels' deviation from the mean, taken as equal, comes to after the transfer.
     const V deviation = hn::Sqrt(hn::Mul(hn::Max(variance, zero), hn::Set(d, T(1.0 / 3))));
@@ -66,6 +65,7 @@ HWY_INLINE Spread<V> spread_of(D d, const V3<V>& half_sum, const V3<V>& all, V s
                             resolved(d, max_zero(d, sub(mean, deviations)), one, transfer));
     variance = hn::Mul(dot(range, range), hn::Set(d, T(0.25)));
   }
+  variance = hn::Max(variance, error2);
   // Not hn::Max: what is no number comes to nothing, too.
   return {hn::IfThenElseZero(hn::Gt(error2, zero), error2),
           hn::IfThenElseZero(hn::Gt(variance, zero), variance)};

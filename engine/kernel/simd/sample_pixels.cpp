@@ -71,7 +71,8 @@ template <typename T>
 struct PixelSums {
   BlockColours<T> all = {};
   BlockColours<T> half = {};
-  alignas(64) T squares[block_pixels] = {};
+  BlockColours<T> origin = {};               ///< a sample
+  alignas(64) T squares[block_pixels] = {};  ///< of the others' differences from it
   bool is_number[block_pixels];
 };
 
@@ -83,16 +84,24 @@ HWY_INLINE void add_lanes(D d, const V3<hn::Vec<D>>& colour, std::size_t pixel,
   sums.blue[pixel] += hn::GetLane(hn::SumOfLanes(d, colour.z));
 }
 
-/// Traces a pixel's samples and adds them to its sums.
+/// Traces a pixel's samples, those with which it begins or more of them, and adds them to its sums.
 template <class D, typename T = hn::TFromD<D>>
 HWY_INLINE void sample_pixel(D d, const BlockContents& contents, const EyeRays<D>& eye,
                              const PixelPackets<D>& packets, const SampleLanes<T>& samples,
-                             std::size_t pixel, PixelSums<T>& sums) {
+                             bool is_begin, std::size_t pixel, PixelSums<T>& sums) {
   using V = hn::Vec<D>;
   const std::size_t lanes = hn::Lanes(d);
   BlockColours<T> colours;
   trace_packets(d, eye, contents, packets, colours);
 
+  if (is_begin) {
+    const V3<V> seen = clamped(d, load(d, colours, 0));
+    sums.origin.red[pixel] = hn::GetLane(seen.x);
+    sums.origin.green[pixel] = hn::GetLane(seen.y);
+    sums.origin.blue[pixel] = hn::GetLane(seen.z);
+  }
+  const V3<V> origin{hn::Set(d, sums.origin.red[pixel]), hn::Set(d, sums.origin.green[pixel]),
+                     hn::Set(d, sums.origin.blue[pixel])};
   const V zero = hn::Zero(d);
   V3<V> all{zero, zero, zero};
   V3<V> half = all;
@@ -106,7 +115,8 @@ HWY_INLINE void sample_pixel(D d, const BlockContents& contents, const EyeRays<D
     const V3<V> seen = select(active, clamped(d, colour), V3<V>{zero, zero, zero});
     all = add(all, seen);
     half = mul_add(seen, hn::Load(d, samples.is_of_half + i), half);
-    squares = hn::Add(squares, dot(seen, seen));
+    const V3<V> difference = sub(seen, origin);
+    squares = hn::Add(squares, hn::IfThenElseZero(active, dot(difference, difference)));
   }
   add_lanes(d, all, pixel, sums.all);
   add_lanes(d, half, pixel, sums.half);
@@ -133,14 +143,15 @@ void sample_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
       const PixelPackets<D> packets(eye, samples, pixels.x_begin + x,
                                     scene.view.height - 1 - pixels.y_begin - y,
                                     y / part_side * parts_across + x / part_side);
-      sample_pixel(d, contents, eye, packets, samples, i, sums);
+      sample_pixel(d, contents, eye, packets, samples, begin == 0, i, sums);
     }
   }
   const std::size_t count = pattern.points.size();
   for (std::size_t first = 0; first < pixels.places.size(); first += lanes) {
     const V3<V> all = load(d, sums.all, first);
-    const Spread<V> spread = spread_of(d, load(d, sums.half, first), all,
-                                       hn::Load(d, sums.squares + first), count, transfer);
+    const Spread<V> spread =
+        spread_of(d, load(d, sums.half, first), all, load(d, sums.origin, first),
+                  hn::Load(d, sums.squares + first), count, transfer);
     store(d, resolved(d, all, share_of(d, count), transfer), first, sums.all);
     hn::Store(spread.error2, d, sums.half.red + first);
     hn::Store(spread.variance, d, sums.squares + first);
