@@ -51,8 +51,8 @@ TileValues values_of(const Tile& tile, Image& image) {
   return values;
 }
 
-/// Of n samples where errors fall as n^-3/4, the squared error c n^-3/2 of pixels sums up to a bound
-/// with the fewest samples if n grows as c^(2/5) (engine/sample/refinement.h).
+/// Of n samples where errors fall as n^-3/4, the squared error c n^-3/2 of pixels sums up to a
+/// bound with the fewest samples if n grows as c^(2/5) (engine/sample/refinement.h).
 constexpr double refinement_exponent = 0.4;
 
 /// The sum of c^(2/5) over the pixels of a tile.
