@@ -85,8 +85,8 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
       stop);
   if (stop) return {};
 
-  // Its errors are looked at afterwards: 1.3e-5 to 1.6e-5 ms a pixel on one thread of an AMD EPYC.
-  constexpr double look_at_pixel_ms = 2e-5;
+  // Its errors are looked at afterwards.
+  constexpr double look_at_pixel_ms = 4e-6;
   const double look_ms = look_at_pixel_ms * camera.width * camera.height /
                          static_cast<double>(tracing.pool.thread_count());
   const std::size_t at_once = std::min(tracing.pool.thread_count(), tiles.size());

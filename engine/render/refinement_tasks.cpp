@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/math/block.h"
+
 namespace raytracer {
 namespace {
 
@@ -29,9 +31,9 @@ std::vector<RefinementTask> block_tasks(const PixelErrors& errors, int samples) 
     const int pixels = (tile.x_end - tile.x_begin) * (tile.y_end - tile.y_begin);
     tasks[block].block = block;
     tasks[block].samples = static_cast<double>(samples) * pixels;
+    for (std::size_t i = 0; i < parts_in_block; ++i)
+      tasks[block].error2 += errors.of_part(parts_in_block * block + i);
   }
-  errors.for_each_rough(
-      [&](std::size_t pixel, double error2) { tasks[errors.block_of(pixel)].error2 += error2; });
   return tasks;
 }
 

@@ -19,6 +19,8 @@ constexpr float pixels_share = 0.2F;
 /// 0.6 and 0 to 0.1 those that kept most targets on 19 scenes, and took few samples more.
 constexpr float parts_share = 0.1F;
 
+constexpr double no_guess = -1;
+
 }  // namespace
 
 double error_power(int samples) { return samples * std::sqrt(samples); }
@@ -49,12 +51,14 @@ PixelErrors::PixelErrors(int width, int height, double scale, WorkerPool& pool)
       samples_(spreads_.error2.size()),
       variances_(samples_.size()),
       parts_(parts_in_block * columns_ * rows_),
+      guesses_(parts_.size(), no_guess),
       rates_(parts_.size()),
       sums_(stride_ * (parts_across * rows_ + 2)),
       details_(sums_.size()) {}
 
 void PixelErrors::set_all(int samples) {
   for (int y = 0; y < height_; ++y) std::fill_n(&samples_[index(0, y)], width_, samples);
+  std::fill(guesses_.begin(), guesses_.end(), no_guess);
 }
 
 void PixelErrors::set(std::size_t pixel, int samples, const PixelSpread& spread) {
@@ -62,9 +66,17 @@ void PixelErrors::set(std::size_t pixel, int samples, const PixelSpread& spread)
   spreads_.set(pixel, spread);
 }
 
-void PixelErrors::set_guess(std::size_t pixel, double error2) {
-  const auto as_of_halves = static_cast<float>(error2 > 0 ? error2 / scale_ : 0);
-  set(pixel, 1, {as_of_halves, as_of_halves});
+void PixelErrors::set_guess(std::size_t part, double error2) {
+  guesses_[part] = error2 > 0 ? error2 : 0;
+}
+
+void PixelErrors::forget_guesses(std::size_t block) {
+  std::fill_n(&guesses_[parts_in_block * block], parts_in_block, no_guess);
+}
+
+void PixelErrors::expect_guesses() {
+  for (std::size_t part = 0; part < parts_.size(); ++part)
+    if (guesses_[part] >= 0) parts_[part] = guesses_[part];
 }
 
 void PixelErrors::set_missable(MissableSpheres spheres) {
@@ -213,6 +225,7 @@ void PixelErrors::expect_parts() {
     for_each_error_in(
         row, [this](std::size_t part, std::size_t, double error2) { parts_[part] += error2; });
   });
+  expect_guesses();
 }
 
 void PixelErrors::calibrate(std::span<const std::uint32_t> pixels, std::span<const float> before,

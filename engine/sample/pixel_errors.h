@@ -69,8 +69,12 @@ class PixelErrors {
   void set_all(int samples);
   /// A pixel has so many samples, at least 1, which tell this.
   void set(std::size_t pixel, int samples, const PixelSpread& spread);
-  /// A pixel has one sample, or another's, and probably this squared error.
-  void set_guess(std::size_t pixel, double error2);
+  /// The pixels of a part have one sample each, or one for all, and together probably this squared
+  /// error. So it stays until forget_guesses() or set_all().
+  void set_guess(std::size_t part, double error2);
+  void forget_guesses(std::size_t block);
+  /// Takes guesses in, if there is nothing else yet.
+  void expect_guesses();
   /// These spheres may be missed. expect() was called before.
   void set_missable(MissableSpheres spheres);
 
@@ -100,6 +104,7 @@ class PixelErrors {
   float unscaled(std::size_t pixel) const;
   /// With them.
   double of_pixel(std::size_t pixel) const;
+  double of_part(std::size_t part) const { return parts_[part]; }
   /// That of the image, the sum over its values.
   double expected_error2() const;
   /// With its uncertainty.
@@ -188,6 +193,7 @@ class PixelErrors {
   std::vector<int> samples_;
   std::vector<float> variances_;  ///< those that count
   std::vector<double> parts_;     ///< their squared errors
+  std::vector<double> guesses_;   ///< likewise; negative where there is none
   std::vector<Rate> rates_;
   std::vector<Sums> sums_;      ///< of the parts, row by row, with a rim of nothing
   std::vector<float> details_;  ///< likewise: the squared error of one sample

@@ -72,6 +72,22 @@ class Ladder {
   }
 };
 
+/// error_power() of pixels one after another, most of which have the samples of the one before.
+class Power {
+ public:
+  float operator()(int samples) {
+    if (samples != samples_) {
+      samples_ = samples;
+      power_ = static_cast<float>(error_power(samples));
+    }
+    return power_;
+  }
+
+ private:
+  int samples_ = 0;
+  float power_ = 0;
+};
+
 /// Pixels that have as many samples, and whose details ask for as many more.
 struct Kind {
   int samples = 0;
@@ -88,8 +104,9 @@ class Kinds {
   explicit Kinds(std::span<const RoughPixel> pixels) {
     step_begin_ = std::numeric_limits<int>::max();
     for (const RoughPixel& pixel : pixels) {
-      step_begin_ = std::min(step_begin_, step_of(pixel));
-      step_end_ = std::max(step_end_, step_of(pixel) + 1);
+      const int step = step_of_detail(pixel.error2 * power_(pixel.samples));
+      step_begin_ = std::min(step_begin_, step);
+      step_end_ = std::max(step_end_, step + 1);
       if (std::find(rows_.begin(), rows_.end(), pixel.samples) == rows_.end())
         rows_.push_back(pixel.samples);
     }
@@ -98,32 +115,31 @@ class Kinds {
       std::size_t& place = table_[cell(pixel)];
       if (place == none) {
         place = kinds_.size();
-        kinds_.push_back({.samples = pixel.samples, .step = step_of(pixel)});
+        kinds_.push_back({.samples = pixel.samples,
+                          .step = step_of_detail(pixel.error2 * power_(pixel.samples))});
       }
       Kind& kind = kinds_[place];
       kind.count += 1;
       kind.error2 += static_cast<double>(pixel.error2);
-      kind.detail += static_cast<double>(pixel.error2) * error_power(pixel.samples);
+      kind.detail += static_cast<double>(pixel.error2 * power_(pixel.samples));
     }
   }
 
   std::vector<Kind>& all() { return kinds_; }
-  const Kind& of(const RoughPixel& pixel) const { return kinds_[table_[cell(pixel)]]; }
+  const Kind& of(const RoughPixel& pixel) { return kinds_[table_[cell(pixel)]]; }
   int step_begin() const { return step_begin_; }
   int step_end() const { return step_end_; }
 
  private:
-  static int step_of(const RoughPixel& pixel) {
-    return step_of_detail(pixel.error2 * static_cast<float>(error_power(pixel.samples)));
-  }
-
-  std::size_t cell(const RoughPixel& pixel) const {
+  std::size_t cell(const RoughPixel& pixel) {
     const auto row = std::find(rows_.begin(), rows_.end(), pixel.samples) - rows_.begin();
-    return static_cast<std::size_t>(row * (step_end_ - step_begin_) + step_of(pixel) - step_begin_);
+    const int step = step_of_detail(pixel.error2 * power_(pixel.samples));
+    return static_cast<std::size_t>(row * (step_end_ - step_begin_) + step - step_begin_);
   }
 
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
+  Power power_;
   std::vector<Kind> kinds_;
   std::vector<std::size_t> table_;  ///< of places among them
   std::vector<int> rows_;           ///< their samples

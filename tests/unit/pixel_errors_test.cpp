@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "engine/math/block.h"
+
 namespace raytracer::test {
 namespace {
 
@@ -131,21 +133,20 @@ TEST_F(PixelErrorsTest, RiseBesideDetailAtARim) {
   EXPECT_NEAR(thin.of_pixel(thin.index(21, 0)), 0.1 * part / 8, 0.1 * 0.1 * part / 8);
 }
 
-TEST_F(PixelErrorsTest, AreNoNumbersNever) {
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      errors_.set_guess(errors_.index(x, y), std::numeric_limits<double>::quiet_NaN());
-  errors_.expect();
-  EXPECT_EQ(errors_.error2(), 0);
-}
-
-TEST_F(PixelErrorsTest, AreGuessedWithoutHalves) {
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) errors_.set_guess(errors_.index(x, y), x < 16 ? 0.01 : 0);
-  errors_.expect();
-  EXPECT_NEAR(errors_.of_pixel(errors_.index(5, 5)), 0.01, 1e-4);
-  EXPECT_EQ(errors_.of_pixel(errors_.index(30, 5)), 0);
+TEST_F(PixelErrorsTest, AreGuessedUntilSamplesTell) {
+  errors_.set_all(1);
+  errors_.set_guess(0, 0.5);
+  errors_.set_guess(parts_in_block, 0.25);
+  errors_.set_guess(1, std::numeric_limits<double>::quiet_NaN());
+  errors_.expect_guesses();
+  EXPECT_DOUBLE_EQ(errors_.expected_error2(), 0.75);
   EXPECT_EQ(errors_.sample_count(), width * height);
+  errors_.forget_guesses(0);
+  errors_.set(errors_.index(2, 2), 4, {0.01F, 0.2F});
+  errors_.expect();
+  EXPECT_EQ(errors_.of_part(parts_in_block), 0.25);
+  EXPECT_GT(errors_.of_part(0), 0.01);
+  EXPECT_LT(errors_.of_part(0), 0.1);
 }
 
 TEST(ConservativeSum, AddsLessWhereManyHaveAnError) {
