@@ -1,5 +1,7 @@
 #include "engine/tradeoff/progress.h"
 
+#include <cmath>
+
 namespace raytracer {
 
 void CurveProgress::begin_step(double from, double to) {
@@ -11,7 +13,7 @@ void CurveProgress::begin_step(double from, double to) {
 
 double CurveProgress::fraction() const {
   const std::scoped_lock lock(mutex_);
-  return from_ + (to_ - from_) * picture_.fraction;
+  return std::lerp(from_, to_, picture_.fraction.load());  // never beyond `to_`, by no rounding
 }
 
 }  // namespace raytracer
