@@ -118,8 +118,9 @@ class Series {
     for (const CurveSettings& settings : all) work += expected_work(settings);
     for (const CurveSettings& settings : all) {
       const double step = (first_progress - reference_progress) * expected_work(settings) / work;
-      trials_.progress().begin_step(begin, begin + step);
-      begin += step;
+      const double end = std::min(begin + step, first_progress);  // the sum's rounding may be above
+      trials_.progress().begin_step(begin, end);
+      begin = end;
       if (!is_worth_it(settings)) continue;
       std::optional<Trial> trial =
           trials_.render(settings, most_samples(), share_of_first_pictures);
