@@ -72,22 +72,6 @@ class Ladder {
   }
 };
 
-/// error_power() of pixels one after another, most of which have the samples of the one before.
-class Power {
- public:
-  float operator()(int samples) {
-    if (samples != samples_) {
-      samples_ = samples;
-      power_ = static_cast<float>(error_power(samples));
-    }
-    return power_;
-  }
-
- private:
-  int samples_ = 0;
-  float power_ = 0;
-};
-
 /// Pixels that have as many samples, and whose details ask for as many more.
 struct Kind {
   int samples = 0;
@@ -104,7 +88,7 @@ class Kinds {
   explicit Kinds(std::span<const RoughPixel> pixels) {
     step_begin_ = std::numeric_limits<int>::max();
     for (const RoughPixel& pixel : pixels) {
-      const int step = step_of_detail(pixel.error2 * power_(pixel.samples));
+      const int step = step_of_detail(pixel.error2 / inverse_power_(pixel.samples));
       step_begin_ = std::min(step_begin_, step);
       step_end_ = std::max(step_end_, step + 1);
       if (std::find(rows_.begin(), rows_.end(), pixel.samples) == rows_.end())
@@ -116,12 +100,12 @@ class Kinds {
       if (place == none) {
         place = kinds_.size();
         kinds_.push_back({.samples = pixel.samples,
-                          .step = step_of_detail(pixel.error2 * power_(pixel.samples))});
+                          .step = step_of_detail(pixel.error2 / inverse_power_(pixel.samples))});
       }
       Kind& kind = kinds_[place];
       kind.count += 1;
       kind.error2 += static_cast<double>(pixel.error2);
-      kind.detail += static_cast<double>(pixel.error2 * power_(pixel.samples));
+      kind.detail += static_cast<double>(pixel.error2 / inverse_power_(pixel.samples));
     }
   }
 
@@ -133,13 +117,13 @@ class Kinds {
  private:
   std::size_t cell(const RoughPixel& pixel) {
     const auto row = std::find(rows_.begin(), rows_.end(), pixel.samples) - rows_.begin();
-    const int step = step_of_detail(pixel.error2 * power_(pixel.samples));
+    const int step = step_of_detail(pixel.error2 / inverse_power_(pixel.samples));
     return static_cast<std::size_t>(row * (step_end_ - step_begin_) + step - step_begin_);
   }
 
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  Power power_;
+  InversePower inverse_power_;
   std::vector<Kind> kinds_;
   std::vector<std::size_t> table_;  ///< of places among them
   std::vector<int> rows_;           ///< their samples
