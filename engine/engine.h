@@ -16,7 +16,6 @@
 #include "engine/image/encode.h"            // IWYU pragma: export
 #include "engine/image/image.h"             // IWYU pragma: export
 #include "engine/measure/processor.h"       // IWYU pragma: export
-#include "engine/memory/page_allocator.h"   // IWYU pragma: export
 #include "engine/parallel/worker_pool.h"    // IWYU pragma: export
 #include "engine/plan/explain.h"            // IWYU pragma: export
 #include "engine/plan/machine.h"            // IWYU pragma: export

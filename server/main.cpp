@@ -17,7 +17,6 @@ namespace {
 using namespace raytracer;
 
 int serve(const Config& config) {
-  keep_freed_memory();
   hold_signals();
   Services services(config);
   const RouteTable routes = make_routes(services);

@@ -6,9 +6,6 @@
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace raytracer {
 namespace {
@@ -33,14 +30,5 @@ void* allocate_pages(std::size_t bytes) {
 }
 
 void free_pages(void* memory) { std::free(memory); }
-
-void keep_freed_memory() {
-#ifdef __GLIBC__
-  constexpr int most = 1 << 25;
-  mallopt(M_MMAP_THRESHOLD, most);
-  mallopt(M_TRIM_THRESHOLD, most);
-  mallopt(M_ARENA_MAX, 2);  // each keeps as much of its own, but small renders queue for one
-#endif
-}
 
 }  // namespace raytracer

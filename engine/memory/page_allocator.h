@@ -17,12 +17,6 @@ namespace raytracer {
 void* allocate_pages(std::size_t bytes);
 void free_pages(void* memory);
 
-/// Lets the process keep up to 32 MB of freed memory for the next use, for programs that render
-/// again and again: to give it back and get it anew, zeroed, page by page, takes as long as tracing
-/// a simple picture. What is larger belongs to scenes or pictures that take much longer, in which
-/// keeping it was not seen to save time. Of the whole process; does something with glibc only.
-void keep_freed_memory();
-
 /// For vectors whose elements are all written after they were made: it leaves them as they are.
 template <typename T>
 struct PageAllocator {

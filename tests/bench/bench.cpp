@@ -14,7 +14,6 @@
 #include <set>
 #include <thread>
 
-#include "engine/memory/page_allocator.h"
 #include "tests/bench/measure_case.h"
 #include "tests/bench/report.h"
 #include "tests/bench/written_file.h"
@@ -157,7 +156,6 @@ int main(int argc, char** argv) {
   try {
     Options options;
     if (const auto status = parse_arguments(argc, argv, options)) return *status;
-    keep_freed_memory();  // as the server does; for all peers
     std::cout << to_markdown(measure_all(options, command_text(argc, argv)));
   } catch (const std::exception& error) {
     std::cerr << "bench: " << error.what() << '\n';

@@ -223,7 +223,6 @@ int main(int argc, char** argv) {
   try {
     Options options;
     if (const auto status = parse_arguments(argc, argv, options)) return *status;
-    keep_freed_memory();  // as the server does; for all peers
     std::cout << to_markdown(measure_all(options, command_text(argc, argv)));
   } catch (const std::exception& error) {
     std::cerr << "published_tradeoff: " << error.what() << '\n';
