@@ -4,6 +4,8 @@
 #include <chrono>
 #include <exception>
 
+#include "engine/parallel/processors.h"
+
 namespace raytracer {
 
 /// One caller's tasks. Guarded by the pool's mutex, but for `task` and `stop`.
@@ -86,6 +88,8 @@ void WorkerPool::run_next_task(std::unique_lock<std::mutex>& lock,
   const std::size_t index = batch->begun++;
   ++batch->running;
   ++running_;
+  const int processor = current_processor();
+  busy_processors_.push_back(processor);
   if (!batch->has_more()) std::erase(batches_, batch);
   const bool wakes_another = has_turn();
 
@@ -105,8 +109,18 @@ void WorkerPool::run_next_task(std::unique_lock<std::mutex>& lock,
   if (failure) batch->failure = failure;
   --batch->running;
   --running_;
+  busy_processors_.erase(std::find(busy_processors_.begin(), busy_processors_.end(), processor));
   if (batch->running == 0 && !batch->has_more()) batch->finished.notify_all();
   if (closing_) work_arrived_.notify_all();
+}
+
+void WorkerPool::spread_out(std::unique_lock<std::mutex>& lock) const {
+  const int here = current_processor();
+  if (here < 0 || std::count(busy_processors_.begin(), busy_processors_.end(), here) == 0) return;
+  const std::vector<int> busy = busy_processors_;
+  lock.unlock();
+  leave_processors(busy);
+  lock.lock();
 }
 
 void WorkerPool::work() {
@@ -120,7 +134,8 @@ void WorkerPool::work() {
     }
     work_arrived_.wait(lock, [this] { return has_turn() || (closing_ && batches_.empty()); });
     if (batches_.empty()) return;
-    run_next_task(lock, next_batch());
+    spread_out(lock);
+    if (has_turn()) run_next_task(lock, next_batch());
   }
 }
 

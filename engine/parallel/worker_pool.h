@@ -54,6 +54,8 @@ class WorkerPool {
   bool has_turn() const { return !batches_.empty() && running_ < thread_count_; }
   /// Runs the batch's next task, if it has one, with `lock` released meanwhile.
   void run_next_task(std::unique_lock<std::mutex>& lock, const std::shared_ptr<Batch>& batch);
+  /// Moves this thread off a processor on which a task runs already, with `lock` released meanwhile.
+  void spread_out(std::unique_lock<std::mutex>& lock) const;
   /// Returns when a batch has arrived after the one numbered `seen`, or soon: a render is several
   /// batches in a row, and waking a thread takes as long as a small one.
   void watch_for_arrival(std::uint64_t seen) const;
@@ -63,6 +65,7 @@ class WorkerPool {
   std::condition_variable work_arrived_;
   std::vector<std::shared_ptr<Batch>> batches_;  ///< those with tasks not yet begun
   std::size_t running_ = 0;                      ///< tasks, of all batches
+  std::vector<int> busy_processors_;             ///< those that the tasks began on, -1 if unknown
   double virtual_time_s_ = 0;                    ///< where the batch stood that was served last
   std::atomic<std::uint64_t> arrivals_{0};       ///< batches so far
   bool closing_ = false;
