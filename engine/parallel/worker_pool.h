@@ -54,7 +54,8 @@ class WorkerPool {
   bool has_turn() const { return !batches_.empty() && running_ < thread_count_; }
   /// Runs the batch's next task, if it has one, with `lock` released meanwhile.
   void run_next_task(std::unique_lock<std::mutex>& lock, const std::shared_ptr<Batch>& batch);
-  /// Moves this thread off a processor on which a task runs already, with `lock` released meanwhile.
+  /// Moves this thread off a processor on which a task runs already, with `lock` released
+  /// meanwhile.
   void spread_out(std::unique_lock<std::mutex>& lock) const;
   /// Returns when a batch has arrived after the one numbered `seen`, or soon: a render is several
   /// batches in a row, and waking a thread takes as long as a small one.
