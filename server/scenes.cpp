@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::size_t id_length = 32;
 
+/// In bytes of its text. To read what is shorter takes as long as to look it up, and less than to
+/// remember it; that would only push out the texts that take long.
+constexpr std::size_t least_remembered = 4096;
+
 /// No shipped scene is called like this.
 bool is_scene_id(std::string_view name) {
   return name.size() == id_length && name.find_first_not_of("0123456789abcdef") == name.npos;
@@ -29,14 +33,20 @@ Scenes::Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_ke
     : catalog_(catalog), limits_(limits), kept_(most_kept), read_(most_read) {}
 
 SceneView Scenes::read(std::string_view document, const Overrides& overrides) {
+  if (document.size() < least_remembered) return read_anew(document, overrides);
   const std::string text_digest = sha256_hex(document);
   if (auto known = read_.find(text_digest)) return view(std::move(known), overrides);
+  SceneView read = read_anew(document, overrides);
+  read_.keep(text_digest, read.known, bytes_of(*read.known) + text_digest.size());
+  return read;
+}
+
+SceneView Scenes::read_anew(std::string_view document, const Overrides& overrides) const {
   Result<ViewedScene> read = read_viewed_scene(document, limits_, overrides);
   if (!read.ok()) throw Refusal(scene_problem(read.errors()));
   auto known = std::make_shared<KnownScene>();
   known->scene = read.value().scene;
   known->content_digest = content_digest(known->scene);
-  read_.keep(text_digest, known, bytes_of(*known) + text_digest.size());
   return {std::move(known), read.value().view};
 }
 

@@ -2,7 +2,7 @@
 //
 // A scene is read from its text once, without the query's values; a view of it shares what was
 // read. Two bounded memories: the posted scenes by their ids, which clients count on, and scenes
-// by the digests of their texts, which nobody sees: a text that comes again is not read again.
+// by the digests of their texts, which nobody sees: a long text that comes again is not read again.
 #pragma once
 
 #include <cstddef>
@@ -65,6 +65,7 @@ class Scenes {
 
  private:
   std::shared_ptr<const KeptScene> kept_at(std::string_view id);
+  SceneView read_anew(std::string_view document, const Overrides& overrides) const;
   SceneView view(std::shared_ptr<const KnownScene> known, const Overrides& overrides) const;
 
   const Catalog& catalog_;

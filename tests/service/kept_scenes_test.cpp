@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <regex>
@@ -155,22 +156,27 @@ TEST_F(KeptScenes, view_of_a_large_scene_does_not_read_it) {
   const std::string document = crowd(200'000, 0);
   const ServerProcess fresh;
   const double reading_ms = stage_ms(test::post(fresh, "/render", document), "parse");
-  const Answer kept = test::post(fresh, "/scenes", document);
-  const std::string target = json_of(kept).at("render");
-  for (const char* const view : {"&width=13", "&origin=1,0,-5"}) {
-    const Answer answer = test::get(fresh, target + view);
-    ASSERT_EQ(answer.status, 200) << answer.body;
-    EXPECT_LT(stage_ms(answer, "parse"), reading_ms / 20);
-  }
+  double least_ms = reading_ms;  // other programs may hold up one of them
+  for (const char* query : {"?width=13", "?width=14", "?width=15"})
+    least_ms = std::min(
+        least_ms, stage_ms(test::post(fresh, "/render" + std::string(query), document), "parse"));
+  EXPECT_LT(least_ms, reading_ms / 2);
+  EXPECT_EQ(test::post(fresh, "/render?width=16", document).body,
+            test::post(ServerProcess(), "/render?width=16", document).body);
 }
 
-TEST_F(KeptScenes, body_that_came_before_is_not_read_again) {
-  const std::string document = crowd(200'000, 0);
+TEST_F(KeptScenes, short_bodies_are_not_remembered) {
   const ServerProcess fresh;
-  const double reading_ms = stage_ms(test::post(fresh, "/render", document), "parse");
-  const Answer again = test::post(fresh, "/render?width=13", document);
-  EXPECT_LT(stage_ms(again, "parse"), reading_ms / 2);
-  EXPECT_EQ(again.body, test::post(ServerProcess(), "/render?width=13", document).body);
+  const auto remembered = [&] {
+    const std::string metrics = test::get(fresh, "/metrics").body;
+    const std::string name = R"(raytracer_cache_entries{cache="read_scenes"} )";
+    return std::stoi(metrics.substr(metrics.find(name) + name.size()));
+  };
+  for (int number = 0; number < 3; ++number)
+    EXPECT_EQ(test::post(fresh, "/render", as_another_picture(small_scene, number)).status, 200);
+  EXPECT_EQ(remembered(), 0);
+  EXPECT_EQ(test::post(fresh, "/render", crowd(1'000, 0)).status, 200);
+  EXPECT_EQ(remembered(), 1);
 }
 
 TEST_F(KeptScenes, limit_is_listed) {

@@ -1,0 +1,63 @@
+// The processor that a thread runs on, and how it gets off one.
+
+#include "engine/parallel/processors.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+namespace raytracer::test {
+namespace {
+
+#ifdef __linux__
+
+/// What this thread may run on.
+cpu_set_t allowed_processors() {
+  cpu_set_t allowed;
+  EXPECT_EQ(sched_getaffinity(0, sizeof allowed, &allowed), 0);
+  return allowed;
+}
+
+TEST(LeaveProcessors, MovesToAnotherAndMayRunOnAllAgain) {
+  const cpu_set_t allowed = allowed_processors();
+  if (CPU_COUNT(&allowed) < 2) GTEST_SKIP() << "there is one processor";
+  // The scheduler may move the thread back between the two lines, though not time after time.
+  bool moved = false;
+  for (int i = 0; i < 50 && !moved; ++i) {
+    const int before = current_processor();
+    leave_processors({before});
+    moved = current_processor() != before;
+  }
+  EXPECT_TRUE(moved);
+  const cpu_set_t after = allowed_processors();
+  EXPECT_TRUE(CPU_EQUAL(&after, &allowed));
+}
+
+TEST(LeaveProcessors, StaysWhereAllAreBusy) {
+  std::thread([] {
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(static_cast<unsigned>(current_processor()), &one);
+    ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+    const int here = current_processor();
+    leave_processors({here});
+    EXPECT_EQ(current_processor(), here);
+    const cpu_set_t after = allowed_processors();
+    EXPECT_TRUE(CPU_EQUAL(&after, &one));
+  }).join();
+}
+
+#else
+
+TEST(LeaveProcessors, DoesNothingWhereProcessorsAreUnknown) {
+  EXPECT_EQ(current_processor(), -1);
+  leave_processors({0});
+}
+
+#endif
+
+}  // namespace
+}  // namespace raytracer::test
