@@ -7,6 +7,18 @@
 #include "engine/parallel/processors.h"
 
 namespace raytracer {
+namespace {
+
+/// Returns when the condition is true, or soon: a render is several batches in a row, and to wake a
+/// thread takes as long as a small one.
+template <typename Condition>
+void watch_for(const Condition& is_true) {
+  constexpr std::chrono::microseconds longest{50};
+  const auto end = std::chrono::steady_clock::now() + longest;
+  while (!is_true() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+}
+
+}  // namespace
 
 /// One caller's tasks. Guarded by the pool's mutex, but for `task` and `stop`.
 struct WorkerPool::Batch {
@@ -22,6 +34,7 @@ struct WorkerPool::Batch {
   double had_s = 0;    ///< where the batch stands in virtual time: its begin and what it was given
   double ended_s = 0;  ///< what its ended tasks took
   std::exception_ptr failure{};
+  std::atomic<bool> is_finished{false};
   std::condition_variable finished{};
 
   double mean_task_s() const {
@@ -29,6 +42,11 @@ struct WorkerPool::Batch {
     return ended == 0 ? 0 : ended_s / static_cast<double>(ended);
   }
   bool has_more() const { return begun < count && !failure && !stop; }
+  bool has_ended() const { return running == 0 && !has_more(); }
+  void tell_end() {
+    is_finished = true;
+    finished.notify_all();
+  }
 };
 
 WorkerPool::WorkerPool(std::size_t thread_count)
@@ -58,16 +76,15 @@ void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)>& 
   while (batches_.size() == 1 && batches_.front() == batch && has_turn())
     run_next_task(lock, batch);
   if (has_turn()) work_arrived_.notify_one();
-  batch->finished.wait(lock, [&] { return batch->running == 0 && !batch->has_more(); });
+  if (!batch->has_ended()) {
+    lock.unlock();
+    watch_for([&] { return batch->is_finished.load(); });
+    lock.lock();
+  }
+  batch->finished.wait(lock, [&] { return batch->has_ended(); });
   // A batch that was stopped may still stand in the queue; its task must not outlive this call.
   std::erase(batches_, batch);
   if (batch->failure) std::rethrow_exception(batch->failure);
-}
-
-void WorkerPool::watch_for_arrival(std::uint64_t seen) const {
-  constexpr std::chrono::microseconds longest{50};
-  const auto end = std::chrono::steady_clock::now() + longest;
-  while (arrivals_ == seen && std::chrono::steady_clock::now() < end) std::this_thread::yield();
 }
 
 std::shared_ptr<WorkerPool::Batch> WorkerPool::next_batch() const {
@@ -79,7 +96,7 @@ void WorkerPool::run_next_task(std::unique_lock<std::mutex>& lock,
                                const std::shared_ptr<Batch>& batch) {
   if (!batch->has_more()) {
     std::erase(batches_, batch);
-    if (batch->running == 0) batch->finished.notify_all();
+    if (batch->running == 0) batch->tell_end();
     return;
   }
   const double expected_s = batch->mean_task_s();
@@ -110,7 +127,7 @@ void WorkerPool::run_next_task(std::unique_lock<std::mutex>& lock,
   --batch->running;
   --running_;
   busy_processors_.erase(std::find(busy_processors_.begin(), busy_processors_.end(), processor));
-  if (batch->running == 0 && !batch->has_more()) batch->finished.notify_all();
+  if (batch->has_ended()) batch->tell_end();
   if (closing_) work_arrived_.notify_all();
 }
 
@@ -129,7 +146,7 @@ void WorkerPool::work() {
     if (!closing_ && batches_.empty()) {
       const std::uint64_t seen = arrivals_;
       lock.unlock();
-      watch_for_arrival(seen);
+      watch_for([&] { return arrivals_ != seen; });
       lock.lock();
     }
     work_arrived_.wait(lock, [this] { return has_turn() || (closing_ && batches_.empty()); });

@@ -57,9 +57,6 @@ class WorkerPool {
   /// Moves this thread off a processor on which a task runs already, with `lock` released
   /// meanwhile.
   void spread_out(std::unique_lock<std::mutex>& lock) const;
-  /// Returns when a batch has arrived after the one numbered `seen`, or soon: a render is several
-  /// batches in a row, and waking a thread takes as long as a small one.
-  void watch_for_arrival(std::uint64_t seen) const;
 
   const std::size_t thread_count_;
   std::mutex mutex_;

@@ -31,9 +31,15 @@ namespace raytracer {
 /// Squared errors fall as this power of a number of samples, -3/2.
 double error_power(int samples);
 
-/// Of the halves' squared differences, before any refinement: of random samples all, where spheres
-/// are small; otherwise between those and where edges cross pixels.
-double first_scale(const Census& census);
+/// What share of the halves' squared differences the squared errors are.
+struct ErrorScale {
+  double first;  ///< before any refinement
+  double least;  ///< that refinements are believed
+};
+
+/// Where spheres are small, samples do hardly better than random ones, whose scale is 1; otherwise
+/// they do as between those and where edges cross pixels.
+ErrorScale error_scale(const Census& census);
 
 /// The sum of these squared errors with its own uncertainty, which counts where few have an error:
 /// that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself, of which
@@ -62,7 +68,7 @@ class InversePower {
 class PixelErrors {
  public:
   /// Of an image so many pixels wide and high, none of which has samples yet.
-  PixelErrors(int width, int height, double scale, WorkerPool& pool);
+  PixelErrors(int width, int height, const ErrorScale& scale, WorkerPool& pool);
 
   /// For whoever gives all pixels as many samples, and says so by set_all().
   PixelSpreads& spreads() { return spreads_; }
@@ -176,7 +182,7 @@ class PixelErrors {
   }
 
   /// Of the part that begins at this pixel.
-  Sums sums_of(std::size_t first) const;
+  Sums sums_of(std::size_t first, InversePower& inverse_power) const;
   /// From the sums of the parts around a place.
   float rate_at(std::size_t place) const;
   float least_at(std::size_t place) const;
@@ -189,6 +195,7 @@ class PixelErrors {
   std::size_t rows_;
   std::size_t stride_;  ///< of a row of `sums_`
   double scale_;
+  double least_scale_;
   PixelSpreads spreads_;
   std::vector<int> samples_;
   std::vector<float> variances_;  ///< those that count

@@ -86,47 +86,68 @@ struct Kind {
 class Kinds {
  public:
   explicit Kinds(std::span<const RoughPixel> pixels) {
-    step_begin_ = std::numeric_limits<int>::max();
-    for (const RoughPixel& pixel : pixels) {
-      const int step = step_of_detail(pixel.error2 / inverse_power_(pixel.samples));
-      step_begin_ = std::min(step_begin_, step);
-      step_end_ = std::max(step_end_, step + 1);
-      if (std::find(rows_.begin(), rows_.end(), pixel.samples) == rows_.end())
-        rows_.push_back(pixel.samples);
-    }
-    table_.resize(rows_.size() * static_cast<std::size_t>(step_end_ - step_begin_), none);
-    for (const RoughPixel& pixel : pixels) {
-      std::size_t& place = table_[cell(pixel)];
+    const std::vector<Wish> wishes = wishes_of(pixels);
+    const auto width = static_cast<std::size_t>(step_end_ - step_begin_);
+    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> table(rows_.size() * width, none);
+    kind_of_.reserve(pixels.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const Wish& wish = wishes[i];
+      std::uint32_t& place =
+          table[wish.row * width + static_cast<std::size_t>(wish.step - step_begin_)];
       if (place == none) {
-        place = kinds_.size();
-        kinds_.push_back({.samples = pixel.samples,
-                          .step = step_of_detail(pixel.error2 / inverse_power_(pixel.samples))});
+        place = static_cast<std::uint32_t>(kinds_.size());
+        kinds_.push_back({.samples = pixels[i].samples, .step = wish.step});
       }
       Kind& kind = kinds_[place];
       kind.count += 1;
-      kind.error2 += static_cast<double>(pixel.error2);
-      kind.detail += static_cast<double>(pixel.error2 / inverse_power_(pixel.samples));
+      kind.error2 += static_cast<double>(pixels[i].error2);
+      kind.detail += static_cast<double>(wish.detail);
+      kind_of_.push_back(place);
     }
   }
 
   std::vector<Kind>& all() { return kinds_; }
-  const Kind& of(const RoughPixel& pixel) { return kinds_[table_[cell(pixel)]]; }
+  /// That of the pixel so many places from the first.
+  const Kind& of(std::size_t place) const { return kinds_[kind_of_[place]]; }
   int step_begin() const { return step_begin_; }
   int step_end() const { return step_end_; }
 
  private:
-  std::size_t cell(const RoughPixel& pixel) {
-    const auto row = std::find(rows_.begin(), rows_.end(), pixel.samples) - rows_.begin();
-    const int step = step_of_detail(pixel.error2 / inverse_power_(pixel.samples));
-    return static_cast<std::size_t>(row * (step_end_ - step_begin_) + step - step_begin_);
+  /// What tells a pixel's kind.
+  struct Wish {
+    float detail;
+    int step;
+    std::size_t row;
+  };
+
+  std::vector<Wish> wishes_of(std::span<const RoughPixel> pixels) {
+    std::vector<Wish> wishes;
+    wishes.reserve(pixels.size());
+    InversePower inverse_power;
+    step_begin_ = std::numeric_limits<int>::max();
+    std::size_t row = 0;
+    for (const RoughPixel& pixel : pixels) {
+      const float detail = pixel.error2 / inverse_power(pixel.samples);
+      const int step = step_of_detail(detail);
+      step_begin_ = std::min(step_begin_, step);
+      step_end_ = std::max(step_end_, step + 1);
+      if (row == rows_.size() || rows_[row] != pixel.samples) row = row_of(pixel.samples);
+      wishes.push_back({detail, step, row});
+    }
+    return wishes;
   }
 
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::size_t row_of(int samples) {
+    const auto row =
+        static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), samples) - rows_.begin());
+    if (row == rows_.size()) rows_.push_back(samples);
+    return row;
+  }
 
-  InversePower inverse_power_;
   std::vector<Kind> kinds_;
-  std::vector<std::size_t> table_;  ///< of places among them
-  std::vector<int> rows_;           ///< their samples
+  std::vector<std::uint32_t> kind_of_;  ///< each pixel's place among them
+  std::vector<int> rows_;               ///< their samples
   int step_begin_ = 0;
   int step_end_ = 0;
 };
@@ -213,9 +234,9 @@ std::vector<PixelSamples> next_samples(std::span<const RoughPixel> pixels,
       first_true(lowest, enough + 1, [&](int level) { return !levels.is_affordable(level); });
   const int level = std::min(enough, too_dear - 1);
   for (Kind& kind : kinds.all()) kind.next = levels.samples_at(level, kind);
-  for (const RoughPixel& pixel : pixels)
-    if (const int samples = kinds.of(pixel).next; samples > 0)
-      refined.push_back({pixel.pixel, samples});
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    if (const int samples = kinds.of(i).next; samples > 0)
+      refined.push_back({pixels[i].pixel, samples});
   return refined;
 }
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int width = 37;  // no multiple of a block
 constexpr int height = 21;
+constexpr ErrorScale scale{.first = 1, .least = 0.4};
 
 /// An image whose pixels all have 4 samples, which tell nothing but in some.
 class PixelErrorsTest : public testing::Test {
@@ -33,7 +34,7 @@ class PixelErrorsTest : public testing::Test {
 
   WorkerPool pool_{1};
   PixelSpreads spreads_{width, height};
-  PixelErrors errors_{width, height, 1, pool_};
+  PixelErrors errors_{width, height, scale, pool_};
 };
 
 TEST_F(PixelErrorsTest, AreNoneWhereSamplesAreEqual) {
@@ -100,7 +101,7 @@ TEST_F(PixelErrorsTest, AreWhatARefinementChanged) {
       pixels.push_back(static_cast<std::uint32_t>(spreads_.index(x, y)));
     }
   const auto refined_with_change = [&](double share) {
-    PixelErrors refined(width, height, 1, pool_);
+    PixelErrors refined(width, height, scale, pool_);
     refined.spreads() = spreads_;
     refined.set_all(4);
     refined.expect();
@@ -123,7 +124,7 @@ TEST_F(PixelErrorsTest, AreWhatARefinementChanged) {
 
 /// At the rim parts have fewer pixels, and fewer beside them: what is beside counts as much.
 TEST_F(PixelErrorsTest, RiseBesideDetailAtARim) {
-  PixelErrors thin(64, 1, 1, pool_);
+  PixelErrors thin(64, 1, scale, pool_);
   const std::size_t detailed = thin.index(17, 0);
   thin.spreads().set(detailed, {0.01F, 0.2F});
   thin.set_all(4);
@@ -154,12 +155,14 @@ TEST(ConservativeSum, AddsLessWhereManyHaveAnError) {
   EXPECT_DOUBLE_EQ(conservative_sum(std::vector<double>(100, 0.01)), 1 + 0.2 * std::sqrt(2));
 }
 
-TEST(FirstScale, IsLessWhereEdgesCrossPixels) {
+TEST(ErrorScale, IsLessWhereEdgesCrossPixels) {
   Census census;
   census.small_spheres = 1;
-  EXPECT_EQ(first_scale(census), 1);
+  const ErrorScale of_small = error_scale(census);
+  EXPECT_EQ(of_small.first, 1);
   census.small_spheres = 0;
-  EXPECT_LT(first_scale(census), 1);
+  EXPECT_LT(error_scale(census).first, 1);
+  EXPECT_LT(error_scale(census).least, of_small.least);
 }
 
 }  // namespace
