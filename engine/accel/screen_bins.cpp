@@ -160,7 +160,7 @@ void bin_triangles(const View& view, std::span<const PackedTriangle> triangles, 
 }  // namespace
 
 ScreenBins build_screen_bins(const View& view, std::span<const PackedSphere> spheres,
-                             const std::vector<PackedSquare>& squares,
+                             const Numbering& numbers, const std::vector<PackedSquare>& squares,
                              std::span<const PackedTriangle> triangles, WorkerPool& pool) {
   ScreenBins bins;
   bins.blocks = {(view.width + block_side - 1) / block_side,
@@ -172,7 +172,8 @@ ScreenBins build_screen_bins(const View& view, std::span<const PackedSphere> sph
   const auto entry_of = [&](std::size_t i) {
     // Rounded down: by more than the rounding of the distance and of the cast.
     const double nearest = (length(spheres[i].center) - spheres[i].radius) * (1 - 1e-6);
-    return BinnedEntry{{static_cast<float>(std::max(nearest, 0.0)), static_cast<std::uint32_t>(i)},
+    return BinnedEntry{{static_cast<float>(std::max(nearest, 0.0)),
+                        static_cast<std::uint32_t>(numbers(spheres[i].id))},
                        0};
   };
   const auto entry_in = [](BinnedEntry binned, const CellRectangle& parts, int column, int row) {

@@ -18,7 +18,7 @@ namespace raytracer {
 /// A sphere or triangle in a block.
 struct ScreenEntry {
   float nearest;            ///< a lower bound of its distance from the eye
-  std::uint32_t primitive;  ///< index into the spheres or triangles
+  std::uint32_t primitive;  ///< a sphere's number; a triangle's index into the triangles
 };
 
 /// Those of a block, nearest first.
@@ -63,9 +63,9 @@ struct ScreenBins {
   }
 };
 
-/// Uses the pool's threads.
+/// `numbers` are those of the scene. Uses the pool's threads.
 ScreenBins build_screen_bins(const View& view, std::span<const PackedSphere> spheres,
-                             const std::vector<PackedSquare>& squares,
+                             const Numbering& numbers, const std::vector<PackedSquare>& squares,
                              std::span<const PackedTriangle> triangles, WorkerPool& pool);
 
 }  // namespace raytracer

@@ -34,7 +34,7 @@ struct BlockContents {
     for (const BlockEntries& block : {spheres, triangles})
       for (std::size_t i = 0; i < block.entries.size(); ++i) parts |= block.parts[i];
     const bool by_tree = (scene.has_triangles && !scene.has_triangle_bins) ||
-                         (!scene.spheres.empty() && !scene.has_sphere_bins);
+                         (scene.has_spheres && !scene.has_sphere_bins);
     if (!scene.planes.empty() || by_tree) parts = all;
   }
 };
@@ -65,7 +65,7 @@ class EyeRays {
     Nearest<V> nearest{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
     if (scene_.has_sphere_bins)
       show_spheres_to_eye(d, scene_, contents.spheres, part, direction, active, nearest);
-    else if (!scene_.spheres.empty())
+    else if (scene_.has_spheres)
       show_tree(d, scene_.sphere_tree, eye, direction, active, nearest);
     if (scene_.has_triangle_bins)
       show_triangles_to_eye(d, scene_, contents.triangles, part, direction, active, nearest);

@@ -7,6 +7,7 @@
 #define RAYTRACER_KERNEL_SIMD_SCREEN_INL_H_
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -24,14 +25,18 @@ HWY_INLINE void for_each_in_part(const BlockEntries& block, int part, const floa
                                  const Visit& visit) {
   const hn::CappedTag<std::uint16_t, 16> d;
   constexpr std::size_t lanes = hn::MaxLanes(decltype(d)());
+  constexpr std::size_t word = 64;
   const auto bit = hn::Set(d, static_cast<std::uint16_t>(1U << part));
   const std::size_t count = block.entries.size();
-  for (std::size_t i = 0; i < count; i += lanes) {
-    if (block.entries[i].nearest > t_max) return;
-    std::uint64_t here = bits_of(d, hn::TestBit(hn::LoadU(d, block.parts + i), bit));
-    if (count - i < lanes) here &= (std::uint64_t{1} << (count - i)) - 1;
+  for (std::size_t begin = 0; begin < count; begin += word) {
+    if (block.entries[begin].nearest > t_max) return;
+    const std::size_t here_count = std::min(word, count - begin);
+    std::uint64_t here = 0;
+    for (std::size_t i = 0; i < here_count; i += lanes)
+      here |= bits_of(d, hn::TestBit(hn::LoadU(d, block.parts + begin + i), bit)) << i;
+    if (here_count < word) here &= (std::uint64_t{1} << here_count) - 1;
     for (; here != 0; here &= here - 1) {
-      const ScreenEntry& entry = block.entries[i + hwy::Num0BitsBelowLS1Bit_Nonzero64(here)];
+      const ScreenEntry& entry = block.entries[begin + hwy::Num0BitsBelowLS1Bit_Nonzero64(here)];
       if (entry.nearest > t_max) return;
       visit(entry.primitive);
     }

@@ -31,10 +31,8 @@ Triple<T> saturated(const Rgb& emission) {
 
 template <typename T>
 SimdSphere<T> pack(const PackedSphere& sphere, std::int32_t number) {
-  const double r = sphere.radius;
-  const double distance = length(sphere.center);
-  return {narrowed<T>(sphere.center), static_cast<T>(r), static_cast<T>(r * r),
-          static_cast<T>((distance - r) * (distance + r)), static_cast<T>(number)};
+  return {narrowed<T>(sphere.center), static_cast<T>(sphere.radius * sphere.radius),
+          static_cast<T>(number)};
 }
 
 template <typename T>
@@ -114,34 +112,42 @@ MaterialTable<T> pack_materials(const PackedScene& scene) {
   return table;
 }
 
-/// Notes what a hit needs of each primitive, by their numbers.
+/// Notes what is needed of each primitive, by their numbers.
 template <typename T>
-class SurfaceNotes {
+class PrimitiveNotes {
  public:
-  SurfaceNotes(const PackedScene& scene, SurfaceTable<T>& table) : scene_(scene), table_(table) {
-    table.memory.share_out(scene.numbers.count(),
-                           {&table.x, &table.y, &table.z, &table.curvature, &table.material});
+  PrimitiveNotes(const PackedScene& scene, PrimitiveTable<T>& table)
+      : scene_(scene), table_(table) {
+    table.values.resize(Table::row_size * scene.numbers.count());
   }
 
-  std::int32_t note(const PackedSphere& s) { return note(s.id, s.center, 1 / s.radius); }
-  std::int32_t note(const PackedPlane& p) { return note(p.id, -p.normal, 0); }
-  std::int32_t note(const PackedTriangle& t) { return note(t.id, -t.normal, 0); }
-  std::int32_t note(const PackedSquare& s) { return note({s.object, 0}, s.center, 1 / s.radius); }
+  std::int32_t note(const PackedSphere& s) {
+    const double distance = length(s.center);
+    return note(s.id, s.center, s.radius, (distance - s.radius) * (distance + s.radius));
+  }
+  std::int32_t note(const PackedPlane& p) { return note(p.id, -p.normal); }
+  std::int32_t note(const PackedTriangle& t) { return note(t.id, -t.normal); }
+  std::int32_t note(const PackedSquare& s) { return note({s.object, 0}, s.center, s.radius, 0); }
 
  private:
-  std::int32_t note(const PrimitiveId& id, const Vec3& place, double curvature) {
+  using Table = PrimitiveTable<T>;
+
+  std::int32_t note(const PrimitiveId& id, const Vec3& place,
+                    double radius = std::numeric_limits<double>::infinity(), double eye_c = 0) {
     const std::int32_t number = scene_.numbers(id);
-    const auto row = static_cast<std::size_t>(number);
-    table_.x[row] = static_cast<T>(place.x);
-    table_.y[row] = static_cast<T>(place.y);
-    table_.z[row] = static_cast<T>(place.z);
-    table_.curvature[row] = finite<T>(curvature);
-    table_.material[row] = static_cast<T>(scene_.material_of_object[id.object]);
+    T* const row = table_.values.data() + Table::row_size * static_cast<std::size_t>(number);
+    row[Table::x] = static_cast<T>(place.x);
+    row[Table::y] = static_cast<T>(place.y);
+    row[Table::z] = static_cast<T>(place.z);
+    row[Table::curvature] = finite<T>(1 / radius);
+    row[Table::material] = static_cast<T>(scene_.material_of_object[id.object]);
+    row[Table::radius2] = finite<T>(radius * radius);
+    row[Table::eye_c] = static_cast<T>(eye_c);
     return number;
   }
 
   const PackedScene& scene_;
-  SurfaceTable<T>& table_;
+  PrimitiveTable<T>& table_;
 };
 
 template <typename T>
@@ -161,14 +167,19 @@ TriangleCone<T> eye_cone(const PackedTriangle& triangle) {
 }
 
 template <typename T>
-void pack_primitives(const PackedScene& scene, const Structures& structures, WorkerPool& pool,
-                     SimdScene<T>& packed) {
-  SurfaceNotes<T> notes(scene, packed.surfaces);
-  packed.spheres.resize(scene.spheres.size());
+void pack_primitives(const PackedScene& scene, const Features& features,
+                     const Structures& structures, WorkerPool& pool, SimdScene<T>& packed) {
+  PrimitiveNotes<T> notes(scene, packed.primitives);
   for_each_range(scene.spheres.size(), pool, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      packed.spheres[i] = pack<T>(scene.spheres[i], notes.note(scene.spheres[i]));
+    for (std::size_t i = begin; i < end; ++i) notes.note(scene.spheres[i]);
   });
+  packed.has_spheres = !scene.spheres.empty();
+  const bool tries_each =
+      !structures.sphere_tree &&
+      (features.reflects || (features.casts_shadows && !structures.light_grids));
+  if (tries_each)
+    for (const PackedSphere& sphere : scene.spheres)
+      packed.spheres.push_back(pack<T>(sphere, scene.numbers(sphere.id)));
   for (const PackedSquare& square : scene.squares)
     packed.squares.push_back(pack<T>(square, notes.note(square)));
   for (const PackedPlane& plane : scene.planes)
@@ -197,18 +208,18 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
   packed.forward = narrowed<T>(scene.view.forward);
   packed.right = narrowed<T>(scene.view.right);
   packed.up = narrowed<T>(scene.view.up);
-  pack_primitives(scene, structures, pool, packed);
+  pack_primitives(scene, features, structures, pool, packed);
   packed.has_triangles = !scene.triangles.empty();
   packed.bins = build_screen_bins(
       scene.view,
       structures.sphere_bins ? std::span(scene.spheres) : std::span<const PackedSphere>(),
-      scene.squares,
+      scene.numbers, scene.squares,
       structures.triangle_bins ? std::span(scene.triangles) : std::span<const PackedTriangle>(),
       pool);
   packed.has_sphere_bins = structures.sphere_bins;
   // There may be none left of those that the structures were chosen for.
-  packed.has_light_grids = structures.light_grids && !scene.spheres.empty();
-  if (structures.sphere_tree && !scene.spheres.empty())
+  packed.has_light_grids = structures.light_grids && packed.has_spheres;
+  if (structures.sphere_tree && packed.has_spheres)
     packed.sphere_tree = make_sphere_tree<T>(scene.spheres, scene.numbers, pool);
   if (structures.triangle_tree && packed.has_triangles)
     packed.triangle_tree = make_triangle_tree<T>(scene.triangles, scene.numbers, pool);

@@ -41,10 +41,8 @@ struct Triple {
 template <typename T>
 struct SimdSphere {
   Triple<T> center;
-  T radius;
   T radius2;
-  T eye_c;  ///< |center|^2 - radius^2
-  T id;     ///< numbers of primitives are kept as T: they are small
+  T id;  ///< numbers of primitives are kept as T: they are small
 };
 
 template <typename T>
@@ -151,13 +149,25 @@ struct ColumnMemory : LargeArray<T> {
   }
 };
 
-/// What is needed of each primitive once it was hit, in columns by id.
+/// What rays from the eye and their hits need of each primitive, in rows by id: neighbouring rays
+/// meet primitives that lie far from each other in memory, and of each all values come at once.
 template <typename T>
-struct SurfaceTable {
-  Column<T> x, y, z;    ///< a sphere's centre; the opposite of a plane's normal
-  Column<T> curvature;  ///< 1 / radius; 0 for a plane
-  Column<T> material;   ///< index into MaterialTable
-  ColumnMemory<T> memory;
+struct PrimitiveTable {
+  enum Value : std::size_t {
+    x,  ///< of a sphere's centre; of the opposite of a plane's normal
+    y,
+    z,
+    curvature,  ///< 1 / radius; 0 for a plane
+    material,   ///< index into MaterialTable
+    radius2,    ///< a sphere's
+    eye_c,      ///< a sphere's |center|^2 - radius^2
+    row_size = 8,
+  };
+  LargeArray<T> values;
+
+  const T* row(std::size_t id) const { return values.data() + row_size * id; }
+  /// That value of all rows, to be looked up by `row_size` times the id.
+  Column<const T> column(Value value) const { return Column<const T>(values).subspan(value); }
 };
 
 template <typename T>
@@ -174,10 +184,11 @@ struct SimdScene {
   Triple<T> forward;  ///< the view's basis, in T
   Triple<T> right;
   Triple<T> up;
-  LargeArray<SimdSphere<T>> spheres;
-  ScreenBins bins;       ///< of the spheres, for rays from the eye
-  bool has_sphere_bins;  ///< else rays from the eye find spheres by the tree
-  bool has_light_grids;  ///< for shadows of spheres; else their tree, or every sphere
+  bool has_spheres;
+  std::vector<SimdSphere<T>> spheres;  ///< where rays but those from the eye try each
+  ScreenBins bins;                     ///< of the spheres, for rays from the eye
+  bool has_sphere_bins;                ///< else rays from the eye find spheres by the tree
+  bool has_light_grids;                ///< for shadows of spheres; else their tree, or every sphere
   std::vector<SimdSquare<T>> squares;
   std::vector<SimdPlane<T>> planes;
   SimdTree<SphereBlock<T>> sphere_tree;      ///< empty where nothing needs it
@@ -187,7 +198,7 @@ struct SimdScene {
   LargeArray<SimdTriangle<T>> triangles;  ///< where they are found by bins or grids
   LargeArray<TriangleCone<T>> eye_cones;  ///< where they are found by bins
   std::vector<SimdLight<T>> lights;
-  SurfaceTable<T> surfaces;
+  PrimitiveTable<T> primitives;
   MaterialTable<T> materials;
   Triple<T> background;
   Shadows shadows;

@@ -24,18 +24,21 @@ HWY_INLINE void show_spheres_to_eye(D d, const SimdScene<T>& scene, const BlockE
                                     Nearest<V>& nearest) {
   const V zero = hn::Zero(d);
   float t_max = farthest(d, nearest, active);
+  using Table = PrimitiveTable<T>;
   for_each_in_part(block, part, t_max, [&](std::uint32_t primitive) HWY_ATTR {
-    const SimdSphere<T>& sphere = scene.spheres[primitive];
-    const V3<V> center = broadcast(d, sphere.center);
+    const T* const row = scene.primitives.row(primitive);
+    const V3<V> center{hn::Set(d, row[Table::x]), hn::Set(d, row[Table::y]),
+                       hn::Set(d, row[Table::z])};
     const V b = dot(center, direction);
     const V3<V> l{hn::MulSub(direction.x, b, center.x), hn::MulSub(direction.y, b, center.y),
                   hn::MulSub(direction.z, b, center.z)};
-    const V discriminant = hn::Sub(hn::Set(d, sphere.radius2), dot(l, l));
+    const V discriminant = hn::Sub(hn::Set(d, row[Table::radius2]), dot(l, l));
     const M hit = hn::And(hn::Ge(discriminant, zero), hn::Gt(b, zero));
-    if (hn::AllFalse(d, hit)) return;
+    // Also where no lane hits: a wrong guess of the processor, which of small spheres there would
+    // be many, costs more than a division.
     const V t =
-        hn::Div(hn::Set(d, sphere.eye_c), hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
-    const V id = hn::Set(d, sphere.id);
+        hn::Div(hn::Set(d, row[Table::eye_c]), hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
+    const V id = hn::Set(d, static_cast<T>(primitive));
     take(nearest, is_nearer(nearest, t, id, hit), t, id);
     t_max = farthest(d, nearest, active);
   });

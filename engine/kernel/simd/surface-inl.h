@@ -40,13 +40,13 @@ class Rows {
     rows_ = hn::ConvertTo(hn::RebindToSigned<D>(), hn::IfThenElseZero(active, rows));
   }
 
-  HWY_INLINE V operator()(D d, const Column<T>& column) const {
+  HWY_INLINE V operator()(D d, const Column<const T>& column) const {
     if (is_shared_) return hn::Set(d, column[shared_]);
     return hn::GatherIndex(d, column.data(), rows_);
   }
 
   /// The rows that the column names.
-  HWY_INLINE Rows followed(D d, const Column<T>& column, M active) const {
+  HWY_INLINE Rows followed(D d, const Column<const T>& column, M active) const {
     if (HWY_LIKELY(is_shared_)) return Rows(d, column[shared_]);
     return Rows(d, hn::GatherIndex(d, column.data(), rows_), active);
   }
@@ -89,21 +89,25 @@ struct Surface {
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE Surface<D> surface_at(D d, const SimdScene<T>& scene, const Start<V>& from,
                                  const V3<V>& direction, const Nearest<V>& nearest, M hit) {
-  const SurfaceTable<T>& table = scene.surfaces;
-  const Rows<D> primitive(d, nearest.id, hit);
+  using Table = PrimitiveTable<T>;
+  const Table& table = scene.primitives;
+  const V rows = hn::Mul(nearest.id, hn::Set(d, static_cast<T>(Table::row_size)));
+  const Rows<D> primitive(d, rows, hit);
   const V t = hn::IfThenElseZero(hit, nearest.t);
   // Made where it is returned: copies of so large a structure wait for what was just stored.
   Surface<D> surface{{mul_add(direction, t, from.point), nearest.normal, nearest.id, nearest.first,
                       nearest.second},
-                     primitive.followed(d, table.material, hit)};
+                     primitive.followed(d, table.column(Table::material), hit)};
   Start<V>& at = surface.at;
   M of_squares = hn::Lt(t, t);
   for (const SimdSquare<T>& square : scene.squares)
     of_squares = hn::Or(of_squares, hn::Eq(nearest.id, hn::Set(d, square.id)));
   const M others = hn::AndNot(of_squares, hit);
   if (!hn::AllFalse(d, others)) {
-    const V curvature = primitive(d, table.curvature);
-    const V3<V> place{primitive(d, table.x), primitive(d, table.y), primitive(d, table.z)};
+    const auto value = [&](typename Table::Value column)
+                           HWY_ATTR { return primitive(d, table.column(column)); };
+    const V curvature = value(Table::curvature);
+    const V3<V> place{value(Table::x), value(Table::y), value(Table::z)};
     V3<V> normal = scale(sub(at.point, place), curvature);
     if (!scene.planes.empty() || scene.has_triangles) {
       const M flat = hn::Eq(curvature, hn::Zero(d));
