@@ -18,7 +18,7 @@ namespace raytracer {
 
 inline constexpr const char* kept_meaning = "bytes of posted scenes that are kept";
 inline constexpr const char* cache_meaning =
-    "bytes of finished images, and as many of scenes read from bodies, to answer again from";
+    "bytes of finished images, and as many of scenes read from long bodies, to answer again from";
 
 struct Config {
   std::string host = "127.0.0.1";

@@ -2,6 +2,7 @@
 
 #ifdef __linux__
 #include <sched.h>
+#include <unistd.h>
 #endif
 
 namespace raytracer {
@@ -12,8 +13,10 @@ int current_processor() { return sched_getcpu(); }
 
 void leave_processors(const std::vector<int>& busy) {
   cpu_set_t allowed;
-  // Fails on a machine of more than 1,024 processors; they have others that are idle.
-  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
+  // The first thread's, which nobody narrows here: what this one may run on is fixed by being set,
+  // and would not follow when the process gets other processors. Fails where there may be more than
+  // 1,024; they have others that are idle.
+  if (sched_getaffinity(getpid(), sizeof allowed, &allowed) != 0) return;
   cpu_set_t others = allowed;
   for (const int processor : busy) CPU_CLR(static_cast<unsigned>(processor), &others);
   if (CPU_COUNT(&others) == 0 || sched_setaffinity(0, sizeof others, &others) != 0) return;

@@ -12,8 +12,9 @@ namespace raytracer {
 /// The number of the processor that runs this thread; -1 where the system does not say.
 int current_processor();
 
-/// Moves this thread to a processor that is not in `busy`, if there is one that it may run on, for
-/// the scheduler to leave it there or not.
+/// Moves this thread to a processor that is not in `busy`, if there is one that the process's first
+/// thread may run on, for the scheduler to leave it there or not. What this thread may run on is
+/// then as for the first.
 void leave_processors(const std::vector<int>& busy);
 
 }  // namespace raytracer

@@ -9,8 +9,8 @@
 namespace raytracer {
 namespace {
 
-/// Returns when the condition is true, or soon: a render is several batches in a row, and to wake a
-/// thread takes as long as a small one.
+/// Returns when the condition is true, or soon: a render is several batches in a row, the last task
+/// of one may end any moment, and to wake a thread takes as long as a small render.
 template <typename Condition>
 void watch_for(const Condition& is_true) {
   constexpr std::chrono::microseconds longest{50};
@@ -51,6 +51,7 @@ struct WorkerPool::Batch {
 
 WorkerPool::WorkerPool(std::size_t thread_count)
     : thread_count_(std::max<std::size_t>(thread_count, 1)) {
+  busy_processors_.reserve(thread_count_);  // nothing is allocated where a task begins
   threads_.reserve(thread_count_);
   while (threads_.size() < thread_count_) threads_.emplace_back([this] { work(); });
 }
@@ -131,18 +132,21 @@ void WorkerPool::run_next_task(std::unique_lock<std::mutex>& lock,
   if (closing_) work_arrived_.notify_all();
 }
 
-void WorkerPool::spread_out(std::unique_lock<std::mutex>& lock) const {
+void WorkerPool::spread_out(std::unique_lock<std::mutex>& lock, std::vector<int>& busy) const {
   const int here = current_processor();
   if (here < 0 || std::count(busy_processors_.begin(), busy_processors_.end(), here) == 0) return;
-  const std::vector<int> busy = busy_processors_;
+  busy = busy_processors_;
   lock.unlock();
   leave_processors(busy);
   lock.lock();
 }
 
 void WorkerPool::work() {
+  std::vector<int> busy;
+  busy.reserve(thread_count_);
   std::unique_lock lock(mutex_);
   for (;;) {
+    const bool was_idle = !has_turn();
     if (!closing_ && batches_.empty()) {
       const std::uint64_t seen = arrivals_;
       lock.unlock();
@@ -151,7 +155,7 @@ void WorkerPool::work() {
     }
     work_arrived_.wait(lock, [this] { return has_turn() || (closing_ && batches_.empty()); });
     if (batches_.empty()) return;
-    spread_out(lock);
+    if (was_idle) spread_out(lock, busy);
     if (has_turn()) run_next_task(lock, next_batch());
   }
 }

@@ -55,8 +55,8 @@ class WorkerPool {
   /// Runs the batch's next task, if it has one, with `lock` released meanwhile.
   void run_next_task(std::unique_lock<std::mutex>& lock, const std::shared_ptr<Batch>& batch);
   /// Moves this thread off a processor on which a task runs already, with `lock` released
-  /// meanwhile.
-  void spread_out(std::unique_lock<std::mutex>& lock) const;
+  /// meanwhile; `busy` is memory for that.
+  void spread_out(std::unique_lock<std::mutex>& lock, std::vector<int>& busy) const;
 
   const std::size_t thread_count_;
   std::mutex mutex_;

@@ -25,6 +25,9 @@ Structures choose_structures(const Features& features, const Census& census) {
       features.spheres > 0 && census.sphere_blocks <= most_blocks(features.spheres);
   structures.sphere_tree = (features.spheres > few_for_reflections && features.reflects) ||
                            (features.spheres > 0 && !structures.sphere_bins);
+  structures.each_sphere =
+      !structures.sphere_tree &&
+      (features.reflects || (features.casts_shadows && !structures.light_grids));
   structures.triangle_bins =
       has_triangles && census.triangle_blocks <= most_blocks(features.triangles);
   structures.triangle_grids = has_triangles && features.casts_shadows;

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 
 #include "engine/plan/sampling.h"
@@ -118,7 +119,7 @@ class Kinds {
   struct Wish {
     float detail;
     int step;
-    std::size_t row;
+    std::uint32_t row;
   };
 
   std::vector<Wish> wishes_of(std::span<const RoughPixel> pixels) {
@@ -126,7 +127,7 @@ class Kinds {
     wishes.reserve(pixels.size());
     InversePower inverse_power;
     step_begin_ = std::numeric_limits<int>::max();
-    std::size_t row = 0;
+    std::uint32_t row = 0;
     for (const RoughPixel& pixel : pixels) {
       const float detail = pixel.error2 / inverse_power(pixel.samples);
       const int step = step_of_detail(detail);
@@ -138,11 +139,10 @@ class Kinds {
     return wishes;
   }
 
-  std::size_t row_of(int samples) {
-    const auto row =
-        static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), samples) - rows_.begin());
-    if (row == rows_.size()) rows_.push_back(samples);
-    return row;
+  std::uint32_t row_of(int samples) {
+    const auto row = std::find(rows_.begin(), rows_.end(), samples) - rows_.begin();
+    if (row == std::ssize(rows_)) rows_.push_back(samples);
+    return static_cast<std::uint32_t>(row);
   }
 
   std::vector<Kind> kinds_;

@@ -156,6 +156,19 @@ TEST_F(KeptScenes, view_of_a_large_scene_does_not_read_it) {
   const std::string document = crowd(200'000, 0);
   const ServerProcess fresh;
   const double reading_ms = stage_ms(test::post(fresh, "/render", document), "parse");
+  const Answer kept = test::post(fresh, "/scenes", document);
+  const std::string target = json_of(kept).at("render");
+  for (const char* const view : {"&width=13", "&origin=1,0,-5"}) {
+    const Answer answer = test::get(fresh, target + view);
+    ASSERT_EQ(answer.status, 200) << answer.body;
+    EXPECT_LT(stage_ms(answer, "parse"), reading_ms / 20);
+  }
+}
+
+TEST_F(KeptScenes, body_that_came_before_is_not_read_again) {
+  const std::string document = crowd(200'000, 0);
+  const ServerProcess fresh;
+  const double reading_ms = stage_ms(test::post(fresh, "/render", document), "parse");
   double least_ms = reading_ms;  // other programs may hold up one of them
   for (const char* query : {"?width=13", "?width=14", "?width=15"})
     least_ms = std::min(

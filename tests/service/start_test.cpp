@@ -114,6 +114,16 @@ TEST(Start, help_names_every_flag_and_variable) {
     EXPECT_NE(help.out.find(name), std::string::npos) << name;
 }
 
+#ifdef RAYTRACER_HAS_JEMALLOC
+TEST(Start, jemalloc_allocates_as_the_server_wants_it) {
+  ServerProcess server({}, {{"MALLOC_CONF", "stats_print:true"}});  // when it ends
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.wait(), 0);
+  EXPECT_NE(server.log().find("opt.oversize_threshold: 67108864"), std::string::npos)
+      << server.log().substr(0, 5000);
+}
+#endif
+
 TEST(Start, version_is_printed) {
   const Outcome outcome = run_server({"--version"});
   EXPECT_EQ(outcome.status, 0);

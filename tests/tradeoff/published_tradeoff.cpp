@@ -224,8 +224,8 @@ int main(int argc, char** argv) {
   try {
     Options options;
     if (const auto status = parse_arguments(argc, argv, options)) return *status;
-    // Not by the main thread: jemalloc 5.3 gives back that one's blocks of 8 MB at once, whatever
-    // the server's options say, and no request runs on it there.
+    // Not by the main thread: jemalloc 5.3 makes its arena before it has read the options, and
+    // gives back its blocks of 8 MB at once; most of the server's threads have others.
     const auto measure = [&] { return measure_all(options, command_text(argc, argv)); };
     std::cout << to_markdown(std::async(std::launch::async, measure).get());
   } catch (const std::exception& error) {

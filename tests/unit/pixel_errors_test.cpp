@@ -100,8 +100,8 @@ TEST_F(PixelErrorsTest, AreWhatARefinementChanged) {
       tell(x, y, 0.01, 0.2);
       pixels.push_back(static_cast<std::uint32_t>(spreads_.index(x, y)));
     }
-  const auto refined_with_change = [&](double share) {
-    PixelErrors refined(width, height, scale, pool_);
+  const auto refined_with_change = [&](double share, double least = scale.least) {
+    PixelErrors refined(width, height, {scale.first, least}, pool_);
     refined.spreads() = spreads_;
     refined.set_all(4);
     refined.expect();
@@ -119,6 +119,7 @@ TEST_F(PixelErrorsTest, AreWhatARefinementChanged) {
   EXPECT_NEAR(refined_with_change(2), 1.9, 0.1) << "as far as so many pixels are believed";
   EXPECT_NEAR(refined_with_change(0.8), 0.8, 0.05);
   EXPECT_DOUBLE_EQ(refined_with_change(0), 0.6) << "luck may be a part of it";
+  EXPECT_DOUBLE_EQ(refined_with_change(0, 0.85), 0.85) << "less is not believed";
   EXPECT_DOUBLE_EQ(refined_with_change(1000), 4);
 }
 

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <thread>
+#include <atomic>
+
+#include "engine/parallel/worker_pool.h"
 #ifdef __linux__
 #include <sched.h>
 #endif
@@ -37,17 +39,33 @@ TEST(LeaveProcessors, MovesToAnotherAndMayRunOnAllAgain) {
 }
 
 TEST(LeaveProcessors, StaysWhereAllAreBusy) {
-  std::thread([] {
-    cpu_set_t one;
-    CPU_ZERO(&one);
-    CPU_SET(static_cast<unsigned>(current_processor()), &one);
-    ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
-    const int here = current_processor();
-    leave_processors({here});
-    EXPECT_EQ(current_processor(), here);
-    const cpu_set_t after = allowed_processors();
-    EXPECT_TRUE(CPU_EQUAL(&after, &one));
-  }).join();
+  const cpu_set_t before = allowed_processors();
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(static_cast<unsigned>(current_processor()), &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);  // of the first thread
+  const int here = current_processor();
+  leave_processors({here});
+  EXPECT_EQ(current_processor(), here);
+  const cpu_set_t after = allowed_processors();
+  EXPECT_TRUE(CPU_EQUAL(&after, &one));
+  EXPECT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
+}
+
+TEST(LeaveProcessors, ThreadsOfAPoolMayRunOnAll) {
+  const cpu_set_t allowed = allowed_processors();
+  const std::atomic<bool> never{false};
+  std::atomic<int> narrowed{0};
+  WorkerPool pool(3);
+  for (int batch = 0; batch < 200; ++batch)
+    pool.run(
+        8,
+        [&](std::size_t) {
+          const cpu_set_t own = allowed_processors();
+          if (!CPU_EQUAL(&own, &allowed)) ++narrowed;
+        },
+        never);
+  EXPECT_EQ(narrowed, 0);
 }
 
 #else

@@ -167,17 +167,14 @@ TriangleCone<T> eye_cone(const PackedTriangle& triangle) {
 }
 
 template <typename T>
-void pack_primitives(const PackedScene& scene, const Features& features,
-                     const Structures& structures, WorkerPool& pool, SimdScene<T>& packed) {
+void pack_primitives(const PackedScene& scene, const Structures& structures, WorkerPool& pool,
+                     SimdScene<T>& packed) {
   PrimitiveNotes<T> notes(scene, packed.primitives);
   for_each_range(scene.spheres.size(), pool, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) notes.note(scene.spheres[i]);
   });
   packed.has_spheres = !scene.spheres.empty();
-  const bool tries_each =
-      !structures.sphere_tree &&
-      (features.reflects || (features.casts_shadows && !structures.light_grids));
-  if (tries_each)
+  if (structures.each_sphere)
     for (const PackedSphere& sphere : scene.spheres)
       packed.spheres.push_back(pack<T>(sphere, scene.numbers(sphere.id)));
   for (const PackedSquare& square : scene.squares)
@@ -208,7 +205,7 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
   packed.forward = narrowed<T>(scene.view.forward);
   packed.right = narrowed<T>(scene.view.right);
   packed.up = narrowed<T>(scene.view.up);
-  pack_primitives(scene, features, structures, pool, packed);
+  pack_primitives(scene, structures, pool, packed);
   packed.has_triangles = !scene.triangles.empty();
   packed.bins = build_screen_bins(
       scene.view,

@@ -1,4 +1,4 @@
-// The scene as the SIMD kernels read it: structures of arrays in the kernel's own precision.
+// The scene as the SIMD kernels read it, in their own precision.
 //
 // Everything that needs more than that precision (differences of coordinates, the constant C of
 // each sphere as the eye sees it) is computed once, in double, when the scene is packed.
@@ -149,8 +149,8 @@ struct ColumnMemory : LargeArray<T> {
   }
 };
 
-/// What rays from the eye and their hits need of each primitive, in rows by id: neighbouring rays
-/// meet primitives that lie far from each other in memory, and of each all values come at once.
+/// What rays from the eye and all hits need of each primitive, in rows by id: neighbouring rays
+/// meet primitives that lie far from each other in memory, and a row is in one or two cache lines.
 template <typename T>
 struct PrimitiveTable {
   enum Value : std::size_t {
