@@ -15,7 +15,8 @@ namespace raytracer {
 /// Memory for `bytes`, in huge pages if it fills some and the system has them. Throws
 /// std::bad_alloc.
 void* allocate_pages(std::size_t bytes);
-void free_pages(void* memory);
+/// Of so many bytes, as they were asked for.
+void free_pages(void* memory, std::size_t bytes);
 
 /// For vectors whose elements are all written after they were made: it leaves them as they are.
 template <typename T>
@@ -28,7 +29,7 @@ struct PageAllocator {
   explicit PageAllocator(const PageAllocator<U>&) {}
 
   T* allocate(std::size_t count) { return static_cast<T*>(allocate_pages(count * sizeof(T))); }
-  void deallocate(T* memory, std::size_t) { free_pages(memory); }
+  void deallocate(T* memory, std::size_t count) { free_pages(memory, count * sizeof(T)); }
 
   template <typename U>
   void construct(U* /*place*/) {

@@ -1,0 +1,51 @@
+#include "engine/memory/page_allocator.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+using namespace raytracer;
+
+namespace {
+
+constexpr std::size_t bytes = std::size_t{8} << 20;
+
+/// What Linux notes of the mapping that holds the address ("VmFlags" in proc(5)); empty if there is
+/// none, or nothing to ask.
+std::string flags_of(std::uintptr_t address) {
+  std::ifstream maps("/proc/self/smaps");
+  bool is_here = false;
+  for (std::string line; std::getline(maps, line);) {
+    std::istringstream words(line);
+    std::uintptr_t begin = 0;
+    std::uintptr_t end = 0;
+    char dash = 0;
+    if (words >> std::hex >> begin >> dash >> end && dash == '-')
+      is_here = begin <= address && address < end;
+    else if (is_here && line.starts_with("VmFlags:"))
+      return line + " ";
+  }
+  return "";
+}
+
+bool wants_huge_pages(std::uintptr_t address) {
+  return flags_of(address).find(" hg ") != std::string::npos;
+}
+
+}  // namespace
+
+// Who gets a few bytes of what was freed would take a huge page for them, and a server grow.
+TEST(PageAllocator, TakesTheWishForHugePagesBackWithTheMemory) {
+  // From the second time on glibc keeps so large a block, as other allocators do.
+  free_pages(allocate_pages(bytes), bytes);
+  void* const memory = allocate_pages(bytes);
+  const LargeArray<char> behind(1000);
+  const auto middle = reinterpret_cast<std::uintptr_t>(memory) + bytes / 2;
+  const bool were_wanted = wants_huge_pages(middle);
+  free_pages(memory, bytes);
+  if (!were_wanted) GTEST_SKIP() << "there are no huge pages to ask for";
+  EXPECT_FALSE(wants_huge_pages(middle)) << flags_of(middle);
+}
