@@ -1,3 +1,5 @@
+// Memory for large arrays: what the system is told of its pages.
+
 #include "engine/memory/page_allocator.h"
 
 #include <gtest/gtest.h>
