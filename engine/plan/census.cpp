@@ -206,10 +206,12 @@ class Counter {
   double farthest_but_squares_ = 0;
 };
 
-/// How high above or below a square's spheres anything else may receive their shadow: heights
-/// along `axis` over the plane through `center`; the farthest extent where that is not known.
-double receiver_height(const Scene& scene, const Frame& frame, const Vec3& axis, const Vec3& center,
+/// How high above or below a square's spheres anything else may receive their shadow: heights over
+/// the plane through its centre; the farthest extent where that is not known.
+double receiver_height(const Scene& scene, const Frame& frame, const SphereSquare& square,
                        double farthest) {
+  const Vec3 axis = axis_across(square);
+  const Vec3 center = frame.frame_from_scene(square.center);
   double highest = 0;
   const auto height_of = [&](const Vec3& point) {
     return std::abs(dot(axis, frame.frame_from_scene(point) - center));
@@ -221,7 +223,12 @@ double receiver_height(const Scene& scene, const Frame& frame, const Vec3& axis,
     } else if (const auto* plane = std::get_if<Plane>(&object.shape)) {
       const bool parallel = cross(unit(plane->normal), axis) == Vec3{};
       highest = std::max(highest, parallel ? height_of(plane->point) : farthest);
-    } else if (!std::holds_alternative<SphereSquare>(object.shape)) {
+    } else if (const auto* other = std::get_if<SphereSquare>(&object.shape)) {
+      if (other == &square) continue;
+      const double cells = axis_across(*other) == axis ? 1 : 2 * static_cast<double>(other->n);
+      highest = std::max(highest,
+                         height_of(other->center) + cells * frame.frame_from_scene(other->radius));
+    } else {
       highest = farthest;
     }
   }
@@ -237,12 +244,9 @@ double shadow_path(const Scene& scene, const Frame& frame, double farthest,
   for (const Object& object : scene.objects) {
     const auto* square = std::get_if<SphereSquare>(&object.shape);
     if (square == nullptr) continue;
-    const Vec3 axis = square->axes == Axes::xz   ? Vec3{0, 1, 0}
-                      : square->axes == Axes::xy ? Vec3{0, 0, 1}
-                                                 : Vec3{1, 0, 0};
-    const double height =
-        receiver_height(scene, frame, axis, frame.frame_from_scene(square->center), farthest) +
-        2 * frame.frame_from_scene(square->radius);
+    const Vec3 axis = axis_across(*square);
+    const double height = receiver_height(scene, frame, *square, farthest) +
+                          2 * frame.frame_from_scene(square->radius);
     for (const Light& light : scene.lights) {
       const auto* distant = std::get_if<DistantLight>(&light.source);
       const double slope = distant ? std::abs(dot(unit(distant->direction), axis)) : 0;

@@ -58,11 +58,12 @@ double least_gap_of_planes(const Scene& scene, const Frame& frame) {
     Vec3 normal;
     double height;
   };
+  constexpr std::size_t most_planes = 100;
   std::vector<PlacedPlane> planes;
   double least = nothing_near;
   for (const Object& object : scene.objects) {
     const auto* plane = std::get_if<Plane>(&object.shape);
-    if (plane == nullptr || planes.size() == 100) continue;
+    if (plane == nullptr || planes.size() == most_planes) continue;
     const Vec3 normal = unit(plane->normal);
     const double height = dot(normal, frame.frame_from_scene(plane->point));
     for (const PlacedPlane& other : planes) {

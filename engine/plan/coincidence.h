@@ -1,7 +1,7 @@
 // Surfaces that nearly coincide: which of them is seen is a matter of digits.
 //
-// Limits: spheres that are objects or members of a set, up to 10,000 of them, and planes. Triangles
-// and the spheres of squares are not looked at.
+// Limits: spheres that are objects or members of a set, up to 10,000 of them, and the first 100
+// planes. Triangles and the spheres of squares are not looked at.
 #pragma once
 
 #include "engine/plan/frame.h"

@@ -86,15 +86,19 @@ class Report {
   }
 
   void say_what_light_grazes() {
-    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    constexpr std::size_t most_named = 10;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < scene_.objects.size() && count < most_named; ++i) {
       const auto* const plane = std::get_if<Plane>(&scene_.objects[i].shape);
       if (plane == nullptr) continue;
-      for (std::size_t k = 0; k < scene_.lights.size(); ++k)
-        if (grazes(scene_.lights[k], *plane))
-          add(
-              fmt::format("Light {} shines along the plane that is object {}, and rounding decides "
-                          "which of its points it reaches: move or turn one of them a little.",
-                          k, i));
+      for (std::size_t k = 0; k < scene_.lights.size() && count < most_named; ++k) {
+        if (!grazes(scene_.lights[k], *plane)) continue;
+        ++count;
+        add(
+            fmt::format("Light {} shines along the plane that is object {}, and rounding decides "
+                        "which of its points it reaches: move or turn one of them a little.",
+                        k, i));
+      }
     }
   }
 

@@ -55,11 +55,15 @@ ArithmeticError foresee_arithmetic_error(Precision precision, const Features& fe
 Choice<Precision> choose_precision(Precision wish, const Features& features, const Census& census) {
   using enum Precision;
   constexpr double least_in_single = 0x1p-60;  // a square of it is still a normal number
-  if (wish == single_precision && census.smallest < least_in_single)
-    return {double_precision,
-            because("single, which is asked for, does not hold the square of a size that is "
-                    "{:.2g} of the extent",
-                    census.smallest)};
+  if (wish != double_precision && census.smallest < least_in_single)
+    return {double_precision, because("single does not hold the square of a size that is {:.2g} of "
+                                      "the extent",
+                                      census.smallest)};
+  constexpr std::size_t most_numbered = std::size_t{1} << 24;  // integers that a single holds
+  const std::size_t primitives =
+      features.spheres + features.squares + features.planes + features.triangles;
+  if (wish != double_precision && primitives > most_numbered)
+    return {double_precision, because("single cannot number {} primitives apart", primitives)};
   if (wish != automatic) return {wish, because("it is asked for")};
 
   const double tolerance_px = features.triangles > 0 ? triangle_tolerance_px : sphere_tolerance_px;
@@ -102,12 +106,6 @@ Choice<Precision> choose_precision(Precision wish, const Features& features, con
             because("single could not tell apart two surfaces that are {:.2g} of their "
                     "distance from each other",
                     census.gap)};
-
-  constexpr std::size_t most_numbered = std::size_t{1} << 24;  // integers that a single holds
-  const std::size_t primitives =
-      features.spheres + features.squares + features.planes + features.triangles;
-  if (primitives > most_numbered)
-    return {double_precision, because("single cannot number {} primitives apart", primitives)};
 
   constexpr double half_level = 0.5 / 255;
   const double highlight_error = kappa * single_rounding * features.shininess;

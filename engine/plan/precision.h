@@ -20,7 +20,8 @@ ArithmeticError foresee_arithmetic_error(Precision precision, const Features& fe
 
 /// Single where its errors stay below a small part of a pixel and half a level of shading, else
 /// double.
-/// `wish` other than automatic is granted, unless single cannot hold the scene's sizes at all.
+/// `wish` other than automatic is granted, unless single cannot hold the scene's sizes or
+/// number its primitives.
 Choice<Precision> choose_precision(Precision wish, const Features& features, const Census& census);
 
 }  // namespace raytracer

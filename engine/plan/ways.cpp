@@ -11,18 +11,6 @@
 namespace raytracer {
 namespace {
 
-Vec3 axis_across(const SphereSquare& square) {
-  switch (square.axes) {
-    case Axes::xz:
-      return {0, 1, 0};
-    case Axes::xy:
-      return {0, 0, 1};
-    case Axes::yz:
-      break;
-  }
-  return {1, 0, 0};
-}
-
 /// The sine of the lowest distant light's elevation over any square; 1 without such lights.
 double lowest_slope(const Scene& scene) {
   double lowest = 1;

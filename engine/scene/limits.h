@@ -14,6 +14,7 @@ struct Limits {
   std::int64_t body = 128LL << 20;
   std::int64_t pixels = 4096LL * 4096;
   std::int64_t objects = 4'000'000;
+  std::int64_t lights = 1'000;
   std::int64_t samples = 65'536;
   std::int64_t work = 4'000'000'000;
 };
@@ -29,12 +30,16 @@ struct LimitRow {
 
 inline constexpr std::int64_t deepest_nesting = 64;  ///< of JSON values; a scene needs 6
 
-inline constexpr std::array<LimitRow, 5> limit_table{{
+inline constexpr std::array<LimitRow, 6> limit_table{{
     {&Limits::body, "--max-body", "RAYTRACER_MAX_BODY", "bytes in a request's body", 1LL << 31},
-    // A float image of 2^29 pixels is 6 GiB; stb_image_write counts bytes in an int.
-    {&Limits::pixels, "--max-pixels", "RAYTRACER_MAX_PIXELS", "pixels in an image", 1LL << 29},
+    // A float image of 2^29 pixels is 6 GiB; stb_image_write counts bytes in an int, one more than
+    // the pixels' for each row.
+    {&Limits::pixels, "--max-pixels", "RAYTRACER_MAX_PIXELS", "pixels in an image",
+     (1LL << 29) - 1},
     {&Limits::objects, "--max-objects", "RAYTRACER_MAX_OBJECTS",
      "objects in a scene, each sphere of a set and each triangle of a mesh counted", 1'000'000'000},
+    // A plan looks at all objects from each point light.
+    {&Limits::lights, "--max-lights", "RAYTRACER_MAX_LIGHTS", "lights in a scene", 1'000'000},
     {&Limits::samples, "--max-samples", "RAYTRACER_MAX_SAMPLES", "samples per pixel", 1 << 30},
     {&Limits::work, "--max-work", "RAYTRACER_MAX_WORK",
      "rays in all: pixels x samples x (1 + reflections)", 1LL << 62},

@@ -172,10 +172,6 @@ Scene read_document(const Field& root) {
 
 }  // namespace
 
-SphereSquare make_sphere_square(const Vec3& center, double radius, std::int64_t n, Axes axes) {
-  return {center, radius, n, axes};
-}
-
 Result<ViewedScene> read_viewed_scene(std::string_view text, const Limits& limits,
                                       const Overrides& overrides) {
   Result<Document> parsed = parse_document(text);
@@ -192,6 +188,8 @@ Result<ViewedScene> read_viewed_scene(std::string_view text, const Limits& limit
   check_view_limits(view, limits, errors);
   demand_at_most(static_cast<double>(count_objects(scene)), &Limits::objects, limits,
                  root.child("objects"), errors);
+  demand_at_most(static_cast<double>(scene.lights.size()), &Limits::lights, limits,
+                 root.child("lights"), errors);
   if (!errors.empty()) return std::move(errors).take();
   return ViewedScene{scene, view};
 }

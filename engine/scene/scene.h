@@ -65,10 +65,12 @@ struct SphereSquare {
   Axes axes = Axes::xz;
 };
 
-/// The sphere square of the specification: 2n x 2n spheres of `radius` around `center`.
-/// Takes the same few bytes for every n.
-SphereSquare make_sphere_square(const Vec3& center, double radius, std::int64_t n,
-                                Axes axes = Axes::xz);
+/// The unit vector along the coordinate that does not span the square.
+constexpr Vec3 axis_across(const SphereSquare& square) {
+  if (square.axes == Axes::xz) return {0, 1, 0};
+  if (square.axes == Axes::xy) return {0, 0, 1};
+  return {1, 0, 0};
+}
 
 struct Plane {
   Vec3 point;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
 #include "tests/relations/varied_scene.h"
 
@@ -81,6 +82,17 @@ TEST(Range, SingleIsRefusedWhereItHoldsNoSquareOfARadius) {
   const Plan plan = make_plan(scene_of(text), this_machine(1));
   EXPECT_EQ(plan.precision.value, Precision::double_precision);
   EXPECT_NE(plan.precision.reason().find("does not hold"), std::string::npos);
+}
+
+// As bright on the sphere as one that is near: the light is so far that to it the sphere has no
+// size in single.
+TEST(Range, AVeryFarLightShinesAsInDouble) {
+  json text = document(camera_json(32, 24, 0.9, {0, 1, -6}, {}), {sphere_json({-1, 0, 0}, 1)},
+                       {point_json({0, 1e30, -1e30}, 8e60)});
+  text["render"] = {{"precision", "double"}};
+  const Image exact = image_of(text);
+  text["render"] = {{"precision", "auto"}};
+  EXPECT_EQ(image_of(text).values, exact.values);
 }
 
 }  // namespace

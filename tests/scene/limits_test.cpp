@@ -56,6 +56,12 @@ TEST(Limit, OfObjectsCountsEachSphereOfASetAndEachTriangle) {
   expect_limit(errors_of(text, {.objects = 7}), "/objects", "--max-objects");
 }
 
+TEST(Limit, OfLightsIsInclusive) {
+  const json text = document(camera_json(), {}, {distant_json({0, 0, 1}), distant_json({0, 1, 0})});
+  EXPECT_TRUE(errors_of(text, {.lights = 2}).empty());
+  expect_limit(errors_of(text, {.lights = 1}), "/lights", "--max-lights");
+}
+
 TEST(Limit, OfWorkIsPixelsTimesSamples) {
   EXPECT_TRUE(errors_of(with_samples(10, 10, 5), {.work = 500}).empty());
   expect_limit(errors_of(with_samples(10, 10, 5), {.work = 499}), "/render", "--max-work");
@@ -82,6 +88,7 @@ TEST(Limit, ExceededStandsBesideTheDocumentsErrors) {
 TEST(Limit, RowsNameTheirFlags) {
   EXPECT_STREQ(row_of(&Limits::pixels).flag, "--max-pixels");
   EXPECT_STREQ(row_of(&Limits::objects).flag, "--max-objects");
+  EXPECT_STREQ(row_of(&Limits::lights).flag, "--max-lights");
   EXPECT_STREQ(row_of(&Limits::samples).flag, "--max-samples");
   EXPECT_STREQ(row_of(&Limits::work).flag, "--max-work");
   EXPECT_STREQ(row_of(&Limits::body).flag, "--max-body");

@@ -178,13 +178,5 @@ TEST(Values, AMaxDepthBeyondAnIntIsValid) {
   EXPECT_EQ(scene_of(text).render.max_depth, std::numeric_limits<int>::max());
 }
 
-TEST(Values, TheHelperMakesTheSquareOfTheSpecification) {
-  const SphereSquare square = make_sphere_square({1, 2, 3}, 0.5, 500, Axes::xy);
-  EXPECT_EQ(square.center, (Vec3{1, 2, 3}));
-  EXPECT_EQ(square.radius, 0.5);
-  EXPECT_EQ(square.n, 500);
-  EXPECT_EQ(square.axes, Axes::xy);
-}
-
 }  // namespace
 }  // namespace raytracer::test

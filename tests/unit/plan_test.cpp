@@ -97,6 +97,28 @@ TEST(Plan, WalksASquareUnderALowLight) {
             "cell walk");
 }
 
+TEST(Plan, TakesDoubleForShadowsFromSquareToSquareAsFromASphere) {
+  const auto precision_with = [](std::vector<Object> over_it) {
+    over_it.push_back({SphereSquare{{}, 1, 1000}, 0});
+    Scene scene = scene_with(std::move(over_it));
+    scene.lights = {{DistantLight{{0, -0.2, 1}}}};
+    return make_plan(scene, machine).precision.value;
+  };
+  EXPECT_EQ(precision_with({}), Precision::single_precision);
+  EXPECT_EQ(precision_with({{Sphere{{0, 10, 0}, 0.1}, 0}}), Precision::double_precision);
+  EXPECT_EQ(precision_with({{SphereSquare{{0, 10, 0}, 0.1, 5}, 0}}), Precision::double_precision);
+}
+
+TEST(Plan, NumbersNoMorePrimitivesInSingleThanItTellsApart) {
+  Features features;
+  features.spheres = std::size_t{1} << 24;
+  EXPECT_EQ(choose_precision(Precision::single_precision, features, {}).value,
+            Precision::single_precision);
+  ++features.spheres;
+  for (const Precision wish : {Precision::single_precision, Precision::automatic})
+    EXPECT_EQ(choose_precision(wish, features, {}).value, Precision::double_precision);
+}
+
 TEST(Plan, TakesThePlainKernelInsideASphere) {
   const Plan plan = make_plan(scene_with({{Sphere{{}, 1000}, 0}}), machine);
   EXPECT_NE(plan.kernel.value, Kernel::simd);
