@@ -45,18 +45,16 @@ void demand_token(const httplib::Request& request, const std::string& token) {
 
 }  // namespace
 
-RouteTable::Match pass_gate(const httplib::Request& request, const RouteTable& routes,
-                            const Config& config) {
+void pass_gate(const httplib::Request& request, const RouteTable& routes, const Config& config) {
   demand_short_target(request);
   demand_plain_field_names(request);
   demand_one_host(request);
   demand_token(request, config.token);
-  RouteTable::Match match = routes.match(request.method, request.path);
+  const RouteTable::Match match = routes.match(request.method, request.path);
   if (match.route.body == RequestBody::none)
     demand_no_body(request);
   else
     demand_scene_body(request, config.limits.body);
-  return match;
 }
 
 }  // namespace raytracer

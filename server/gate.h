@@ -8,10 +8,9 @@
 
 namespace raytracer {
 
-/// The route that the request belongs to. Throws Refusal, in this order: 414 for a long target,
-/// 400 for field names that proxies read otherwise, 401 without the token, 404, 405, and what
-/// body.h says about the body.
-RouteTable::Match pass_gate(const httplib::Request& request, const RouteTable& routes,
-                            const Config& config);
+/// Throws Refusal, in this order: 414 for a long target, 400 for field names that proxies read
+/// otherwise and for none or several Hosts, 401 without the token, 404, 405, and what body.h says
+/// about the body.
+void pass_gate(const httplib::Request& request, const RouteTable& routes, const Config& config);
 
 }  // namespace raytracer

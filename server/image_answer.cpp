@@ -100,9 +100,10 @@ ImageFormat demand_format(const httplib::Request& request) {
 }
 
 bool answer_not_modified(Call& call, const Representation& wanted) {
-  if (!wanted.tag || !call.request.has_header("If-None-Match")) return false;
-  if (wants_anew(call.request)) return false;
-  if (!names_tag(header_list(call.request, "If-None-Match"), *wanted.tag)) return false;
+  if (!call.request.has_header("If-None-Match") || wants_anew(call.request)) return false;
+  const std::string named = header_list(call.request, "If-None-Match");
+  // Any image at all has a client who names "*", be it one that has no tag.
+  if (named != "*" && !(wanted.tag && names_tag(named, *wanted.tag))) return false;
   call.response.status = 304;
   set_caching(call.response, wanted);
   return true;

@@ -119,10 +119,17 @@ Jobs::Jobs(Admission& admission, WorkerPool& pool, const Limits& limits, std::si
       limits_(limits),
       metrics_(metrics),
       note_(std::move(note)) {
-  while (runners_.size() < runner_count) runners_.emplace_back([this] { run_jobs(); });
+  try {
+    while (runners_.size() < runner_count) runners_.emplace_back([this] { run_jobs(); });
+  } catch (...) {  // the system grants no more threads
+    close();
+    throw;
+  }
 }
 
-Jobs::~Jobs() {
+Jobs::~Jobs() { close(); }
+
+void Jobs::close() {
   {
     const std::scoped_lock lock(mutex_);
     closing_ = true;

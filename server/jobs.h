@@ -131,6 +131,8 @@ class Jobs {
 
  private:
   void run_jobs();
+  /// Stops all jobs, and waits for the runners to end.
+  void close();
   void run(Job& job);
   bool make_result(Job& job);
   void keep(const std::shared_ptr<Job>& job);

@@ -259,13 +259,15 @@ std::string Listener::bind() {
 
 bool Listener::run() {
   const bool served = server_.listen_after_bind();
+  has_ended_ = true;
   return served && stopping_;
 }
 
 void Listener::stop() {
   stopping_ = true;
-  // httplib ignores a stop() that comes before it listens.
-  while (!server_.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  // httplib ignores a stop() that comes before it listens; it may have failed meanwhile.
+  while (!server_.is_running() && !has_ended_)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   server_.stop();
   // Otherwise a client that says nothing, or says it slowly, keeps its thread and run() waiting.
   hang_up_all(port_);

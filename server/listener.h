@@ -51,6 +51,7 @@ class Listener {
   int listening_socket_ = -1;
   int port_ = 0;
   std::atomic<bool> stopping_{false};
+  std::atomic<bool> has_ended_{false};  ///< run() has
 };
 
 }  // namespace raytracer

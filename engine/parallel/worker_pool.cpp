@@ -53,10 +53,17 @@ WorkerPool::WorkerPool(std::size_t thread_count)
     : thread_count_(std::max<std::size_t>(thread_count, 1)) {
   busy_processors_.reserve(thread_count_);  // nothing is allocated where a task begins
   threads_.reserve(thread_count_);
-  while (threads_.size() < thread_count_) threads_.emplace_back([this] { work(); });
+  try {
+    while (threads_.size() < thread_count_) threads_.emplace_back([this] { work(); });
+  } catch (...) {  // the system grants no more threads
+    close();
+    throw;
+  }
 }
 
-WorkerPool::~WorkerPool() {
+WorkerPool::~WorkerPool() { close(); }
+
+void WorkerPool::close() {
   {
     const std::lock_guard lock(mutex_);
     closing_ = true;

@@ -49,6 +49,8 @@ class WorkerPool {
   using Clock = std::chrono::steady_clock;
 
   void work();
+  /// Has the threads end, and waits for them.
+  void close();
   /// The batch whose turn it is.
   std::shared_ptr<Batch> next_batch() const;
   bool has_turn() const { return !batches_.empty() && running_ < thread_count_; }

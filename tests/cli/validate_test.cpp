@@ -26,6 +26,12 @@ TEST_F(Validate, renders_nothing) {
   EXPECT_EQ(run_with_server({"validate", "-"}, endless_scene()).status, 0);
 }
 
+TEST_F(Validate, scene_with_a_budget_whose_picture_has_no_tag_is_valid_too) {
+  std::string scene = small_scene;
+  scene.insert(scene.rfind('}'), R"(, "render": {"budget_ms": 5})");
+  EXPECT_EQ(run_with_server({"validate", "-"}, scene).out, "standard input: valid\n");
+}
+
 TEST_F(Validate, each_error_is_a_line_with_place_and_pointer) {
   const std::string file = folder_.write("wrong.json", wrong_scene);
   for (const char* const command : {"validate", "render"}) {

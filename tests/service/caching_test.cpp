@@ -79,6 +79,14 @@ TEST_F(Caching, known_picture_is_not_rendered_again) {
   EXPECT_EQ(answer.status, 304);
 }
 
+TEST_F(Caching, picture_without_a_tag_is_any_but_no_named_one) {
+  const auto status_for = [this](const char* known) {
+    return post("/render?budget_ms=5", small_scene, {{"If-None-Match", known}}).status;
+  };
+  EXPECT_EQ(status_for("*"), 304);
+  EXPECT_EQ(status_for("\"other\""), 200);
+}
+
 TEST_F(Caching, other_picture_is_sent) {
   const Answer answer = post("/render", small_scene, {{"If-None-Match", "\"other\""}});
   EXPECT_EQ(answer.status, 200);

@@ -40,7 +40,7 @@ TEST_F(Jobs, accepted_job_says_where_it_is) {
   EXPECT_EQ(job.at("task"), "render");
 }
 
-TEST_F(Jobs, done_job_says_all_that_http_md_lists) {
+TEST_F(Jobs, done_job_has_all_its_fields) {
   const std::string path = start(small_scene, "?samples=3");
   ASSERT_TRUE(becomes(path, "done"));
   const nlohmann::json job = json_of(get(path));

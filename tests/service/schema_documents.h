@@ -1,4 +1,4 @@
-// Documents that break one rule of scene.md each, as changes of a valid one.
+// Documents that break one rule of scenes each, as changes of a valid one.
 #pragma once
 
 #include <nlohmann/json.hpp>

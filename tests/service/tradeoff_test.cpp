@@ -46,7 +46,7 @@ TEST_F(Tradeoff, accepted_job_says_its_task_and_counts_up_to_1) {
   EXPECT_EQ(last, 1);
 }
 
-TEST_F(Tradeoff, curve_has_all_that_http_md_lists) {
+TEST_F(Tradeoff, curve_has_all_its_fields) {
   const nlohmann::json curve = curve_of(start(small_scene));
   const nlohmann::json& reference = curve.at("reference");
   EXPECT_EQ(reference.at("samples"), reference.at("settings").at("samples"));
