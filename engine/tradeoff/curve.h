@@ -11,7 +11,7 @@
 namespace raytracer {
 
 /// The least samples per pixel of what all points are compared with.
-inline constexpr int least_reference_samples = 48;
+inline constexpr int least_reference_samples = 60;
 
 /// The samples per pixel in all that the shortest curve takes.
 inline constexpr int least_curve_samples = 128;
@@ -56,8 +56,7 @@ struct Curve {
 };
 
 /// Sets `pareto` where no point that keeps the picture is at least as fast and as accurate, and
-/// better in one of the two. Errors that differ by less than 1 % are the same: a slower point has
-/// to give more than that. A point that changes the picture takes the mark from no other.
+/// better in one of the two. A point that changes the picture takes the mark from no other.
 void mark_pareto(std::vector<CurvePoint>& points);
 
 }  // namespace raytracer

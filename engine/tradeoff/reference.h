@@ -1,9 +1,9 @@
 // The picture that all others are compared with, and how far off it is itself.
 //
-// Images of 12, 48, 192 ... samples per pixel in double precision, until the last one's error is
+// Images of 15, 60, 240 ... samples per pixel in double precision, until the last one's error is
 // below what is asked for or the allowance ends; the last may have only two or three times as many
-// as the one before. No power of two is among them: a picture of the reference's own samples would
-// seem to be without an error.
+// as the one before. All are multiples of five, which neither fixed numbers nor refinements here
+// are: a pixel of the reference's own samples would seem to be without an error.
 //
 // The error of one is estimated from its difference to the one before: errors fall at least as the
 // root of the number of samples, so that of a fourth of the samples is at least twice as large, and

@@ -192,12 +192,12 @@ TEST(MeasureCurve, PlainBackgroundNeedsOneSample) {
 TEST(MeasureCurve, KeepsWithinTheLimits) {
   Limits limits;
   limits.samples = 100;
-  EXPECT_EQ(*measure(mirror_scene(), limits).curve.reference.settings.samples, 96);
+  EXPECT_EQ(*measure(mirror_scene(), limits).curve.reference.settings.samples, 60);
   limits = {};
   // The least that is allowed; a ray may be reflected five times.
   limits.work = std::int64_t{24} * 16 * 6 * least_curve_samples;
   const Curve least = measure(mirror_scene(), limits).curve;
-  double samples = 48 + 12;
+  double samples = 60 + 15;
   for (const CurvePoint& each : least.points)
     samples += each.samples_per_pixel * static_cast<double>(each.repetitions);
   EXPECT_LE(samples, least_curve_samples);
