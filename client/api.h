@@ -1,4 +1,4 @@
-// The service as the client uses it: requests as functions, answers as values. See http.md.
+// The service as the client uses it: requests as functions, answers as values.
 #pragma once
 
 #include <chrono>

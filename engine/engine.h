@@ -15,6 +15,7 @@
 #include "engine/forecast/machine_costs.h"  // IWYU pragma: export
 #include "engine/image/encode.h"            // IWYU pragma: export
 #include "engine/image/image.h"             // IWYU pragma: export
+#include "engine/kernel/this_machine.h"     // IWYU pragma: export
 #include "engine/measure/processor.h"       // IWYU pragma: export
 #include "engine/parallel/worker_pool.h"    // IWYU pragma: export
 #include "engine/plan/explain.h"            // IWYU pragma: export

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/forecast/rehearsal.h"
+#include "engine/kernel/this_machine.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/plan/counted.h"
 #include "engine/sample/refinement.h"

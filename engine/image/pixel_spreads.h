@@ -14,7 +14,7 @@ struct PixelSpread {
   float variance = 0;  ///< of its samples, the sum over the channels
 };
 
-/// The same of all pixels of an image, row by row, the rows and columns filled up to whole blocks
+/// The same of all pixels of an image, row by row, the rows and columns filled up to whole parts
 /// by pixels that tell nothing.
 struct PixelSpreads {
   int stride;  ///< from row to row, a multiple of part_side

@@ -1,4 +1,4 @@
-// What a ray sees: Blinn-Phong under hard shadows, and mirrors (scene.md, "Lights and shading").
+// What a ray sees: Blinn-Phong under hard shadows, and mirrors.
 //
 // The reference: plain, in double, one ray at a time. Faster kernels are held to its pixels.
 #pragma once

@@ -11,7 +11,7 @@ namespace raytracer {
 struct Illumination {
   Vec3 towards;     ///< unit; zero where the light is exactly at the point
   double distance;  ///< infinite for a distant light
-  Rgb intensity;    ///< i in scene.md; finite
+  Rgb intensity;    ///< that arrives; finite
 };
 
 Illumination illuminate(const PackedLight& light, const Departure& point);

@@ -23,7 +23,7 @@ struct SphereHit {
   bool inside;   ///< the ray meets the sphere's back
 };
 
-/// The nearest hit at t > 0 of the sphere that `is_left` says is the one the ray departs from.
+/// The nearest hit at t > 0. `is_left`: the ray departs from this sphere's surface.
 std::optional<SphereHit> intersect_sphere(const Ray& ray, const Vec3& center, double radius,
                                           bool is_left);
 

@@ -1,4 +1,4 @@
-// The pinhole camera: image points to directions (scene.md, "Camera").
+// The pinhole camera: image points to directions.
 #pragma once
 
 #include "engine/math/vec.h"

@@ -14,12 +14,7 @@ struct InstructionSet {
 
 struct Machine {
   InstructionSet instruction_set;
-  std::size_t thread_count = 1;
+  std::size_t thread_count = 1;  ///< decides nothing but speed
 };
-
-/// The machine that this process runs on: of what was compiled, the best that it can run. The
-/// kernels define it, because they are what was compiled. It decides nothing but speed how many
-/// threads there are.
-Machine this_machine(std::size_t thread_count = 1);
 
 }  // namespace raytracer

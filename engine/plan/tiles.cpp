@@ -33,6 +33,8 @@ bool is_one_tile(int width, int height, int samples, std::size_t light_count) {
   return static_cast<double>(width) * height * rays_per_pixel(samples, light_count) <= few_rays;
 }
 
+namespace {
+
 int tile_side_px(int width, int height, int samples, std::size_t light_count,
                  std::size_t thread_count) {
   if (is_one_tile(width, height, samples, light_count)) return std::max(width, height);
@@ -43,6 +45,8 @@ int tile_side_px(int width, int height, int samples, std::size_t light_count,
     side /= 2;
   return side;
 }
+
+}  // namespace
 
 Choice<int> choose_tile_side(const Scene& scene, int samples, std::size_t thread_count) {
   const Camera& camera = scene.camera;

@@ -16,12 +16,8 @@ int interruptible_side_px(int samples, std::size_t light_count);
 /// 64 x 48 take 5 us here and 14 us on the pool's threads, which have to wake up.
 bool is_one_tile(int width, int height, int samples, std::size_t light_count);
 
-/// At most that, and as large as leaves each thread enough tiles to share the work evenly, because
-/// a tile costs a lock. `samples` are those of one pass, per pixel.
-int tile_side_px(int width, int height, int samples, std::size_t light_count,
-                 std::size_t thread_count);
-
-/// Of a render's first pass, which takes so many samples per pixel.
+/// Of a render's first pass, which takes so many samples per pixel: interruptible, and as large as
+/// leaves each thread enough tiles to share the work evenly, because a tile costs a lock.
 Choice<int> choose_tile_side(const Scene& scene, int samples, std::size_t thread_count);
 
 }  // namespace raytracer

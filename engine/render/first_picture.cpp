@@ -63,9 +63,7 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
   FirstPicture first{Image(camera.width, camera.height), std::vector<char>(columns * rows, 0)};
   const SamplePattern pattern = sample_pattern(1);
   const std::vector<Tile> tiles =
-      split_into_tiles(camera.width, camera.height,
-                       tile_side_px(camera.width, camera.height, 1, tracing.scene.lights.size(),
-                                    tracing.pool.thread_count()));
+      split_into_tiles(camera.width, camera.height, tracing.plan.tile_side_px.value);
   std::vector<BeyondRange> beyond(tiles.size());
   std::atomic<bool> stop{false};
   const auto trace = [&](std::size_t i, std::uint16_t parts) {

@@ -6,6 +6,7 @@
 
 #include "engine/image/encode.h"
 #include "engine/image/part_errors.h"
+#include "engine/kernel/this_machine.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/plan/plan.h"
 #include "engine/plan/sampling.h"
@@ -73,7 +74,7 @@ void render_fixed(Tracing& tracing, BasicRendering<Channel>& rendering) {
 Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
                  RenderProgress& progress) {
   return make_rendering<float>(scene, pool, progress, [&](Tracing& tracing, Rendering& rendering) {
-    if (sampling_of(scene.render) == Sampling::contract)
+    if (tracing.plan.sampling.value == Sampling::contract)
       refine_to_contract(most_samples(scene, limits), tracing, rendering);
     else
       render_fixed(tracing, rendering);

@@ -9,8 +9,10 @@
 namespace raytracer {
 namespace {
 
+/// What is no number becomes 1, as a kernel of vectors has it.
 Rgb clamped(const Rgb& c) {
-  return {std::clamp(c.x, 0.0, 1.0), std::clamp(c.y, 0.0, 1.0), std::clamp(c.z, 0.0, 1.0)};
+  const auto channel = [](double value) { return std::fmax(0.0, std::fmin(value, 1.0)); };
+  return {channel(c.x), channel(c.y), channel(c.z)};
 }
 
 Rgb encoded(const Rgb& linear, Transfer transfer) {

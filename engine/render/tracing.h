@@ -49,9 +49,8 @@ struct Tracing {
   std::optional<Raster<Channel>> pass(const SamplePattern& pattern, const TileErrors& errors) {
     Raster<Channel> image(scene.camera.width, scene.camera.height);
     const auto samples = static_cast<int>(pattern.points.size());
-    const std::vector<Tile> tiles = split_into_tiles(
-        image.width, image.height,
-        tile_side_px(image.width, image.height, samples, scene.lights.size(), pool.thread_count()));
+    const std::vector<Tile> tiles =
+        split_into_tiles(image.width, image.height, plan.tile_side_px.value);
     std::vector<BeyondRange> beyond_in_tiles(tiles.size());
     std::atomic<bool> stop{progress.stop.load()};
     std::atomic<std::size_t> done{0};
@@ -67,7 +66,7 @@ struct Tracing {
       if (preview) preview->finished(i);
       report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
     };
-    if (is_one_tile(image.width, image.height, samples, scene.lights.size()))
+    if (tiles.size() == 1 && is_one_tile(image.width, image.height, samples, scene.lights.size()))
       trace(0);
     else
       pool.run(tiles.size(), trace, stop);

@@ -12,7 +12,7 @@
 
 namespace raytracer {
 
-/// What a request's query says over the document's own; see http.md's query parameters.
+/// What a request's query says over the document's own.
 /// Values are taken as they are and judged with the document's.
 struct Overrides {
   std::optional<int> width;

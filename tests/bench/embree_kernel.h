@@ -14,7 +14,7 @@ namespace raytracer::bench {
 /// without the promise that they are coherent, in packets half as wide, or one by one.
 enum class EmbreeMode { coherent_packets, incoherent_packets, narrow_packets, single_rays };
 
-/// scene.md's materials, without names.
+/// A scene's materials, without names.
 struct EmbreeMaterial {
   float color[3];
   float ka;

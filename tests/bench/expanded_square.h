@@ -5,7 +5,7 @@
 
 namespace raytracer::bench {
 
-/// 2n x 2n spheres, as scene.md places them.
+/// 2n x 2n touching spheres, as a square places them.
 Spheres expanded(const SphereSquare& square);
 
 }  // namespace raytracer::bench

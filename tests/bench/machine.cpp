@@ -38,7 +38,7 @@ Machine describe_machine() {
   return {.processor = processor_entry("model name"),
           .cores = std::thread::hardware_concurrency(),
           .vectors = widest_vectors(),
-          .system = fmt::format("{} {}", system.sysname, system.release),
+          .system = fmt::format("{} {}", system.sysname, system.machine),
 #ifdef __clang__
           .compiler = "clang " __clang_version__
 #else

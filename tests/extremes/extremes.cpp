@@ -14,6 +14,7 @@
 #include <set>
 #include <thread>
 
+#include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
 #include "tests/extremes/cases.h"
 #include "tests/extremes/comparison.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
 #include "tests/extremes/cases.h"
 #include "tests/extremes/comparison.h"

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
 #include "tests/extremes/cases.h"
 #include "tests/extremes/comparison.h"

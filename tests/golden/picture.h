@@ -21,7 +21,7 @@ struct Picture {
 /// Each throws std::runtime_error that says what is wrong with the bytes.
 Picture decode_png(std::string_view bytes);
 Picture decode_ppm(std::string_view bytes);
-/// Rounded as scene.md says: floor(255 c + 1/2).
+/// Rounded: floor(255 c + 1/2).
 Picture decode_pfm(std::string_view bytes);
 
 /// How far two pictures of one size are apart.

@@ -1,4 +1,4 @@
-// What scene.md allows at the edges of each row is accepted.
+// What lies at the edges of each value's range is accepted.
 
 #include <gtest/gtest.h>
 

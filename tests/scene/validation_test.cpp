@@ -1,4 +1,4 @@
-// Every row of scene.md's validation table, once right and once wrong.
+// Every rule that a scene document keeps, once kept and once broken.
 //
 // A row changes one value of a document that uses every key, so that an error can only come from
 // that change; the whole list of errors is compared, so that one cause is reported once.

@@ -77,6 +77,13 @@ TEST(Tidiness, headers_define_each_type_once) {
   EXPECT_GT(defined_in.size(), 100U);
 }
 
+TEST(Tidiness, document_that_is_named_exists) {
+  static const std::regex name(R"(\b[a-z_]+\.md\b)");
+  for (const SourceFile& file : all_files())
+    for (std::sregex_iterator i(file.text.begin(), file.text.end(), name), end; i != end; ++i)
+      EXPECT_EQ(i->str(), "extremes.md") << file.path << " names it";
+}
+
 TEST(Tidiness, no_file_name_says_nothing) {
   for (const SourceFile& file : all_files())
     for (const char* const word : {"util", "helper", "manager", "common", "misc"})

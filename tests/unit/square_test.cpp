@@ -22,7 +22,7 @@ PackedSquare square_of(const Vec3& center, double radius, std::int64_t n,
   return {center, radius, 2 * n, 0, axes[0], axes[1], axes[2]};
 }
 
-/// The spheres of scene.md's definition with indices in [i_begin, i_end) x [k_begin, k_end).
+/// The spheres that define a square, with indices in [i_begin, i_end) x [k_begin, k_end).
 std::vector<PackedSphere> spheres_of(const PackedSquare& square, std::int64_t i_begin,
                                      std::int64_t i_end, std::int64_t k_begin, std::int64_t k_end) {
   std::vector<PackedSphere> spheres;

@@ -1,4 +1,4 @@
-// The camera of scene.md: which way each pixel looks.
+// The camera: which way each pixel looks.
 
 #include "engine/pack/view.h"
 

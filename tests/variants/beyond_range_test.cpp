@@ -90,6 +90,24 @@ TEST(BeyondRange, whatIsNoNumberIsCountedThoughItIsClamped) {
   }
 }
 
+TEST(BeyondRange, whatIsNoNumberIsTheSameByteInEveryKernel) {
+  Scene scene = lit_ball();
+  Material material = scene.materials[0];
+  material.kd = std::numeric_limits<double>::quiet_NaN();
+  scene.materials = {material};
+  WorkerPool pool(1);
+  std::vector<unsigned char> of_reference;
+  for (const Plan& plan : all_plans(scene)) {
+    ByteImage image(scene.camera.width, scene.camera.height);
+    for (const Tile& tile : split_into_tiles(image.width, image.height, 64))
+      render_tile(make_tracer(plan, scene, pool), sample_pattern(1), Transfer::linear, tile,
+                  &image);
+    const std::vector<unsigned char> bytes(image.values.begin(), image.values.end());
+    if (of_reference.empty()) of_reference = bytes;
+    EXPECT_EQ(bytes, of_reference) << plan.instruction_set.name;
+  }
+}
+
 TEST(BeyondRange, aRenderReportsItsPixels) {
   const Scene scene = lit_ball();
   WorkerPool pool(2);

@@ -14,6 +14,7 @@
 #include "engine/image/encode.h"
 #include "engine/kernel/radiance.h"
 #include "engine/kernel/simd/instruction_sets.h"
+#include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
 #include "engine/render/tracer.h"
 #include "engine/scene/read_scene.h"

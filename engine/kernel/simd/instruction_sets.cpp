@@ -2,6 +2,8 @@
 
 #include <hwy/highway.h>
 
+#include "engine/kernel/this_machine.h"
+
 namespace raytracer {
 
 std::vector<InstructionSet> supported_instruction_sets() {

@@ -61,7 +61,7 @@ void note_discs(const PackedLight& light, const PackedScene& scene, SimdLight<T>
 template <typename T>
 void prepare_plain_light(const PackedScene& scene, SimdScene<T>& packed) {
   packed.is_plainly_lit = is_plainly_lit(packed);
-  if (!packed.is_plainly_lit) return;
+  if (!packed.is_plainly_lit || scene.shadows == Shadows::off) return;
   for (std::size_t i = 0; i < packed.squares.size(); ++i) {
     note_inner_cells(packed.lights, i, packed.squares[i]);
     note_clear_heights(packed.lights, packed.squares[i]);

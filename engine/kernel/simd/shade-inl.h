@@ -1,4 +1,4 @@
-// Blinn-Phong for a packet of points (scene.md, "Lights and shading").
+// Blinn-Phong for a packet of points.
 
 #if defined(RAYTRACER_KERNEL_SIMD_SHADE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYTRACER_KERNEL_SIMD_SHADE_INL_H_
