@@ -258,9 +258,11 @@ std::string Listener::bind() {
 }
 
 bool Listener::run() {
-  const bool served = server_.listen_after_bind();
-  has_ended_ = true;
-  return served && stopping_;
+  struct AtEnd {
+    std::atomic<bool>& has_ended;
+    ~AtEnd() { has_ended = true; }
+  } const at_end{has_ended_};  // whatever ends it
+  return server_.listen_after_bind() && stopping_;
 }
 
 void Listener::stop() {

@@ -229,7 +229,7 @@ double receiver_height(const Scene& scene, const Frame& frame, const SphereSquar
       highest = std::max(highest,
                          height_of(other->center) + cells * frame.frame_from_scene(other->radius));
     } else {
-      highest = farthest;
+      highest = std::max(highest, farthest);
     }
   }
   return highest;
@@ -237,9 +237,16 @@ double receiver_height(const Scene& scene, const Frame& frame, const SphereSquar
 
 /// The longest way from a point to an occluder that can matter. A square shadows itself from cell
 /// to cell, which no distance makes less accurate; other things it shadows only from as far as a
-/// light's slope takes a ray from their height to the square's.
+/// light's slope takes a ray from their height to the square's. Of very many objects it is not
+/// known.
 double shadow_path(const Scene& scene, const Frame& frame, double farthest,
                    double farthest_but_squares) {
+  constexpr double most_pairs = 1e7;  // a few hundredths of a second
+  const auto squares = static_cast<double>(std::count_if(
+      scene.objects.begin(), scene.objects.end(),
+      [](const Object& object) { return std::holds_alternative<SphereSquare>(object.shape); }));
+  if (squares * static_cast<double>(scene.objects.size()) > most_pairs)
+    return std::max(farthest_but_squares, 2 * farthest);
   double longest = farthest_but_squares;
   for (const Object& object : scene.objects) {
     const auto* square = std::get_if<SphereSquare>(&object.shape);

@@ -177,8 +177,7 @@ class Series {
            point.error.rmse > margin * reference_.description.estimated_error;
   }
 
-  /// For a target: beyond the reference's samples little can be told. A refinement that is cut to
-  /// the most is not one of the reference's own samples, which would seem to be without an error.
+  /// For a target: beyond the reference's samples little can be told.
   int most_samples() const { return *reference_.description.settings.samples / 3 * growth; }
 
   /// Whether it can tell more than its cheaper neighbour did, and will probably be done in time.

@@ -2,8 +2,8 @@
 //
 // Images of 15, 60, 240 ... samples per pixel in double precision, until the last one's error is
 // below what is asked for or the allowance ends; the last may have only two or three times as many
-// as the one before. All are multiples of five, which neither fixed numbers nor refinements here
-// are: a pixel of the reference's own samples would seem to be without an error.
+// as the one before. All are multiples of five, which no other picture's samples are (trials.cpp):
+// a pixel of the reference's own samples would seem to be without an error.
 //
 // The error of one is estimated from its difference to the one before: errors fall at least as the
 // root of the number of samples, so that of a fourth of the samples is at least twice as large, and

@@ -84,13 +84,13 @@ TEST(Range, SingleIsRefusedWhereItHoldsNoSquareOfARadius) {
   EXPECT_NE(plan.precision.reason().find("does not hold"), std::string::npos);
 }
 
-// As bright on the sphere as one that is near: the light is so far that to it the sphere has no
-// size in single.
+// In single the sphere would have no size beside the light's distance.
 TEST(Range, AVeryFarLightShinesAsInDouble) {
   json text = document(camera_json(32, 24, 0.9, {0, 1, -6}, {}), {sphere_json({-1, 0, 0}, 1)},
                        {point_json({0, 1e30, -1e30}, 8e60)});
   text["render"] = {{"precision", "double"}};
   const Image exact = image_of(text);
+  EXPECT_GT(count_lit(exact), 50);
   text["render"] = {{"precision", "auto"}};
   EXPECT_EQ(image_of(text).values, exact.values);
 }

@@ -79,7 +79,8 @@ TEST_F(Information, version_says_build_instruction_set_threads_and_limits) {
   }
   EXPECT_EQ(values["--max-pixels"], 12345);
   EXPECT_EQ(values["--max-queue"], 7);
-  for (const char* const flag : {"--max-body", "--max-objects", "--max-samples", "--max-work"})
+  for (const char* const flag :
+       {"--max-body", "--max-objects", "--max-lights", "--max-samples", "--max-work"})
     EXPECT_TRUE(values.contains(flag)) << flag;
 }
 

@@ -35,6 +35,13 @@ TEST(Limit, pixels) {
 
 TEST(Limit, samples) { expect_limit("--max-samples", "8", square_scene(4, 9), square_scene(4, 8)); }
 
+TEST(Limit, lights) {
+  std::string two = small_scene;
+  const std::string light = R"({"type": "distant", "direction": [-1, -1, 2]})";
+  two.replace(two.find(light), light.size(), light + "," + light);
+  expect_limit("--max-lights", "1", two, small_scene);
+}
+
 TEST(Limit, work) { expect_limit("--max-work", "1600", square_scene(20, 5), square_scene(20, 4)); }
 
 TEST(Limit, objects_count_each_sphere_of_a_set) {

@@ -61,11 +61,22 @@ TEST(Start, port_of_a_server_that_ended_is_free_again) {
 
 TEST(Start, wrong_flags_are_refused_with_their_name_and_range) {
   const std::vector<std::pair<std::string, std::string>> table{
-      {"--port", "65536"},     {"--port", "-1"},      {"--port", "http"},
-      {"--port", ""},          {"--threads", "0"},    {"--threads", "two"},
-      {"--max-body", "0"},     {"--max-pixels", "0"}, {"--max-objects", "1.5"},
-      {"--max-samples", "-2"}, {"--max-work", "1e9"}, {"--max-work", "99999999999999999999"},
-      {"--max-queue", "-1"},   {"--token", ""},       {"--token", "two words"},
+      {"--port", "65536"},
+      {"--port", "-1"},
+      {"--port", "http"},
+      {"--port", ""},
+      {"--threads", "0"},
+      {"--threads", "two"},
+      {"--max-body", "0"},
+      {"--max-pixels", "0"},
+      {"--max-objects", "1.5"},
+      {"--max-lights", "0"},
+      {"--max-samples", "-2"},
+      {"--max-work", "1e9"},
+      {"--max-work", "99999999999999999999"},
+      {"--max-queue", "-1"},
+      {"--token", ""},
+      {"--token", "two words"},
       {"--host", ""}};
   for (const auto& [flag, value] : table) {
     SCOPED_TRACE(testing::PrintToString(std::pair(flag, value)));
@@ -79,8 +90,8 @@ TEST(Start, wrong_flags_are_refused_with_their_name_and_range) {
 TEST(Start, wrong_variables_are_refused_with_their_name) {
   for (const char* const variable :
        {"RAYTRACER_PORT", "RAYTRACER_THREADS", "RAYTRACER_MAX_BODY", "RAYTRACER_MAX_PIXELS",
-        "RAYTRACER_MAX_OBJECTS", "RAYTRACER_MAX_SAMPLES", "RAYTRACER_MAX_WORK",
-        "RAYTRACER_MAX_QUEUE"})
+        "RAYTRACER_MAX_OBJECTS", "RAYTRACER_MAX_LIGHTS", "RAYTRACER_MAX_SAMPLES",
+        "RAYTRACER_MAX_WORK", "RAYTRACER_MAX_QUEUE"})
     expect_refusal(run_server({}, {{variable, "many"}}), variable);
 }
 
@@ -109,8 +120,9 @@ TEST(Start, help_names_every_flag_and_variable) {
   EXPECT_EQ(help.status, 0);
   for (const char* const name :
        {"--host", "--port", "--threads", "--max-body", "--max-pixels", "--max-objects",
-        "--max-samples", "--max-work", "--max-queue", "--token", "RAYTRACER_HOST", "RAYTRACER_PORT",
-        "RAYTRACER_THREADS", "RAYTRACER_MAX_BODY", "RAYTRACER_MAX_QUEUE", "RAYTRACER_TOKEN"})
+        "--max-lights", "--max-samples", "--max-work", "--max-queue", "--token", "RAYTRACER_HOST",
+        "RAYTRACER_PORT", "RAYTRACER_THREADS", "RAYTRACER_MAX_BODY", "RAYTRACER_MAX_QUEUE",
+        "RAYTRACER_TOKEN"})
     EXPECT_NE(help.out.find(name), std::string::npos) << name;
 }
 

@@ -129,7 +129,9 @@ TEST_F(Tradeoff, work_is_limited) {
   EXPECT_EQ(test::post(enough, "/jobs?task=tradeoff", small_scene).status, 202);
   const ServerProcess too_little({"--max-work", "12287"});
   expect_problem(test::post(too_little, "/jobs?task=tradeoff", small_scene), 413, "--max-work");
-  const ServerProcess few_samples({"--max-samples", "47"});
+  const ServerProcess some_samples({"--max-samples", "60"});
+  EXPECT_EQ(test::post(some_samples, "/jobs?task=tradeoff", small_scene).status, 202);
+  const ServerProcess few_samples({"--max-samples", "59"});
   expect_problem(test::post(few_samples, "/jobs?task=tradeoff", small_scene), 413, "--max-samples");
 }
 

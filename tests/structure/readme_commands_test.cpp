@@ -106,9 +106,13 @@ class Reader {
         std::regex_replace(command, std::regex(R"((127\.0\.0\.1|localhost):\d{4,5})"), address_));
     // The mistakes are made on purpose, and the answer is to name both.
     if (command.find("objcets") == std::string::npos) return;
+    ++mistakes_;
     for (const char* const place : {"\"/camera/fov\"", "\"/objcets\""})
       EXPECT_NE(out.find(place), std::string::npos) << out;
   }
+
+  /// How many commands were mistakes on purpose.
+  int mistakes() const { return mistakes_; }
 
  private:
   static bool is_question(const std::string& command) {
@@ -143,6 +147,7 @@ class Reader {
   const TemporaryFolder folder_;
   std::unique_ptr<Process> server_;
   std::string address_ = "127.0.0.1:8080";
+  int mistakes_ = 0;
 };
 
 TEST(Readme, every_command_works) {
@@ -151,6 +156,7 @@ TEST(Readme, every_command_works) {
   EXPECT_GE(commands.size(), 3U) << "README.md has no ```sh blocks to speak of";
   Reader reader;
   for (const std::string& command : commands) reader.obey(command);
+  EXPECT_EQ(reader.mistakes(), 1);
 }
 
 TEST(Readme, every_file_that_it_links_to_is_there) {
