@@ -239,12 +239,10 @@ double receiver_height(const Scene& scene, const Frame& frame, const SphereSquar
 /// to cell, which no distance makes less accurate; other things it shadows only from as far as a
 /// light's slope takes a ray from their height to the square's. Of very many objects it is not
 /// known.
-double shadow_path(const Scene& scene, const Frame& frame, double farthest,
-                   double farthest_but_squares) {
+double shadow_path(const Scene& scene, const Frame& frame, std::size_t square_count,
+                   double farthest, double farthest_but_squares) {
   constexpr double most_pairs = 1e7;  // a few hundredths of a second
-  const auto squares = static_cast<double>(std::count_if(
-      scene.objects.begin(), scene.objects.end(),
-      [](const Object& object) { return std::holds_alternative<SphereSquare>(object.shape); }));
+  const auto squares = static_cast<double>(square_count);
   if (squares * static_cast<double>(scene.objects.size()) > most_pairs)
     return std::max(farthest_but_squares, 2 * farthest);
   double longest = farthest_but_squares;
@@ -293,7 +291,8 @@ Census take_census(const Scene& scene, const Frame& frame, const Features& featu
     census.brightest =
         std::max(census.brightest, emitted / (4 * std::numbers::pi) / clearance / clearance);
   }
-  census.shadow_path = shadow_path(scene, frame, census.farthest, counter.farthest_but_squares());
+  census.shadow_path =
+      shadow_path(scene, frame, features.squares, census.farthest, counter.farthest_but_squares());
   if (features.reflects)
     census.magnification = magnification(scene, frame, features, census.farthest);
   census.gap = least_gap(scene, frame);
