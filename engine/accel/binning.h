@@ -54,11 +54,17 @@ struct BinGrid {
   }
 };
 
+/// An item on its way to its bins.
+template <typename Entry>
+struct Placed {
+  CellRectangle cells;  ///< if empty, the item comes into no bin
+  Entry entry;          ///< the same for all its bins
+};
+
 /// How items are entered into bins.
-template <typename Entry, typename CellsOf, typename EntryOf, typename EntryIn, typename Arrange>
+template <typename Entry, typename Place, typename EntryIn, typename Arrange>
 struct Binning {
-  CellsOf cells_of;  ///< (item) -> CellRectangle
-  EntryOf entry_of;  ///< (item) -> Entry, the same for all its bins
+  Place place;       ///< (item) -> Placed<Entry>
   EntryIn entry_in;  ///< (Entry, its cells, column, row) -> Entry, as it is in that bin
   Arrange arrange;   ///< (span of a bin's entries, in the items' order): puts them into order
 };
@@ -69,13 +75,6 @@ Binning<Entry, Functions...> make_binning(const Functions&... functions) {
 }
 
 namespace binning {
-
-/// An item on its way to the bins of a band.
-template <typename Entry>
-struct Record {
-  CellRectangle cells;
-  Entry entry;
-};
 
 /// What a chunk of the items puts into each band, in the items' order: in blocks, because how much
 /// it will be is not known before.
@@ -89,12 +88,11 @@ class ChunkRecords {
         block_size_(std::min(item_count, most_in_block)),
         slab_size_(std::clamp(item_count, band_count * block_size_, most_in_slab)) {}
 
-  /// The place of the band's next record, which is not yet set.
-  Record<Entry>& add(std::size_t band, std::size_t entry_count) {
+  void add(std::size_t band, const Placed<Entry>& record, std::size_t entry_count) {
     Band& to = bands_[band];
     if (to.next == to.end) begin_block(to);
     to.entry_count += entry_count;
-    return *to.next++;
+    *to.next++ = record;
   }
 
   /// Of all the band's records.
@@ -102,10 +100,10 @@ class ChunkRecords {
 
   template <typename Visit>
   void for_each(std::size_t band, const Visit& visit) const {
-    for (const Record<Entry>* const block : bands_[band].blocks) {
+    for (const Placed<Entry>* const block : bands_[band].blocks) {
       const bool is_last = block == bands_[band].blocks.back();
-      const Record<Entry>* const end = is_last ? bands_[band].next : block + block_size_;
-      for (const Record<Entry>* record = block; record != end; ++record) visit(*record);
+      const Placed<Entry>* const end = is_last ? bands_[band].next : block + block_size_;
+      for (const Placed<Entry>* record = block; record != end; ++record) visit(*record);
     }
   }
 
@@ -114,10 +112,10 @@ class ChunkRecords {
   static constexpr std::size_t most_in_slab = 1 << 16;
 
   struct Band {
-    Record<Entry>* next = nullptr;  ///< in the last block
-    Record<Entry>* end = nullptr;   ///< of the last block
+    Placed<Entry>* next = nullptr;  ///< in the last block
+    Placed<Entry>* end = nullptr;   ///< of the last block
     std::size_t entry_count = 0;
-    std::vector<Record<Entry>*> blocks;
+    std::vector<Placed<Entry>*> blocks;
   };
 
   void begin_block(Band& band) {
@@ -135,7 +133,7 @@ class ChunkRecords {
   std::size_t block_size_ = 0;  ///< in records
   std::size_t slab_size_ = 0;   ///< likewise
   std::size_t used_ = 0;        ///< of the last slab
-  std::vector<LargeArray<Record<Entry>>> slabs_;
+  std::vector<LargeArray<Placed<Entry>>> slabs_;
 };
 
 /// The rows of a grid, cut into at most `most_bands` bands of 2^k rows.
@@ -151,23 +149,14 @@ class Bands {
   int row_begin(std::size_t band) const { return static_cast<int>(band) << height_log2_; }
   int row_end(std::size_t band) const { return std::min(row_begin(band + 1), grid_.rows); }
 
-  /// The bins of `cells`, not empty, that are in the band.
-  CellRectangle bins_in(const CellRectangle& cells, std::size_t band) const {
-    CellRectangle bins = grid_.bins_of(cells);
+  /// Those of `bins` that are in the band.
+  CellRectangle part_in(CellRectangle bins, std::size_t band) const {
     bins.y_begin = std::max(bins.y_begin, row_begin(band));
     bins.y_end = std::min(bins.y_end, row_end(band));
     return bins;
   }
 
-  /// Calls visit(band) for each band that `cells` touches.
-  template <typename Visit>
-  void for_each(const CellRectangle& cells, const Visit& visit) const {
-    if (cells.empty()) return;
-    const CellRectangle bins = grid_.bins_of(cells);
-    const int end = ((bins.y_end - 1) >> height_log2_) + 1;
-    for (int band = bins.y_begin >> height_log2_; band < end; ++band)
-      visit(static_cast<std::size_t>(band));
-  }
+  std::size_t of_row(int row) const { return static_cast<std::size_t>(row >> height_log2_); }
 
  private:
   BinGrid grid_;
@@ -180,13 +169,12 @@ class Bands {
 /// several threads write(first, entries) for all entries of each bin that has some, of which
 /// `first` come in bins before it.
 /// Returns where each bin's entries begin, and the end of the last.
-template <typename Entry, typename CellsOf, typename EntryOf, typename EntryIn, typename Arrange,
-          typename Resize, typename Write>
-std::vector<std::uint32_t> sort_into_bins(
-    std::size_t item_count, const BinGrid& grid, WorkerPool& pool,
-    const Binning<Entry, CellsOf, EntryOf, EntryIn, Arrange>& how, const Resize& resize,
-    const Write& write) {
-  using Record = binning::Record<Entry>;
+template <typename Entry, typename Place, typename EntryIn, typename Arrange, typename Resize,
+          typename Write>
+std::vector<std::uint32_t> sort_into_bins(std::size_t item_count, const BinGrid& grid,
+                                          WorkerPool& pool,
+                                          const Binning<Entry, Place, EntryIn, Arrange>& how,
+                                          const Resize& resize, const Write& write) {
   constexpr std::size_t few_bins = 1024;  // their counts are in the first cache
   const std::size_t chunk_count = item_count < few_items ? 1 : pool.thread_count();
   const binning::Bands bands(grid, chunk_count == 1 && grid.bin_count() <= few_bins ? 1 : 64);
@@ -195,15 +183,16 @@ std::vector<std::uint32_t> sort_into_bins(
   for_each_chunk(item_count, chunk_count, pool,
                  [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                    binning::ChunkRecords<Entry> records(bands.count(), end - begin);
+                   const Place place = how.place;  // own copies are kept in registers
+                   const binning::Bands to = bands;
+                   const BinGrid bins = grid;
                    for (std::size_t item = begin; item < end; ++item) {
-                     const CellRectangle cells = how.cells_of(item);
-                     if (cells.empty()) continue;
-                     const Entry entry = how.entry_of(item);
-                     bands.for_each(cells, [&](std::size_t band) {
-                       Record& record = records.add(band, bands.bins_in(cells, band).cell_count());
-                       record.cells = cells;
-                       record.entry = entry;
-                     });
+                     const Placed<Entry> record = place(item);
+                     if (record.cells.empty()) continue;
+                     const CellRectangle touched = bins.bins_of(record.cells);
+                     const std::size_t last_band = to.of_row(touched.y_end - 1);
+                     for (std::size_t band = to.of_row(touched.y_begin); band <= last_band; ++band)
+                       records.add(band, record, to.part_in(touched, band).cell_count());
                    }
                    chunks[chunk] = std::move(records);
                  });
@@ -223,8 +212,8 @@ std::vector<std::uint32_t> sort_into_bins(
   const auto sort_band = [&](std::size_t band) {
     const auto for_each_entry = [&](const auto& visit) {
       for (const auto& chunk : chunks)
-        chunk.for_each(band, [&](const Record& record) {
-          const CellRectangle bins = bands.bins_in(record.cells, band);
+        chunk.for_each(band, [&](const Placed<Entry>& record) {
+          const CellRectangle bins = bands.part_in(grid.bins_of(record.cells), band);
           for (int row = bins.y_begin; row < bins.y_end; ++row)
             for (int column = bins.x_begin; column < bins.x_end; ++column)
               visit(record, column, row);
@@ -233,7 +222,7 @@ std::vector<std::uint32_t> sort_into_bins(
     const std::size_t first_bin = grid.index(0, bands.row_begin(band));
     const std::size_t last_bin = grid.index(0, bands.row_end(band));
     std::vector<std::uint32_t> next(last_bin - first_bin + 1, 0);
-    for_each_entry([&](const Record&, int column, int row) {
+    for_each_entry([&](const Placed<Entry>&, int column, int row) {
       ++next[grid.index(column, row) - first_bin + 1];
     });
     for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
@@ -242,7 +231,7 @@ std::vector<std::uint32_t> sort_into_bins(
       bin_begins[bin] = band_begin + next[bin - first_bin];
 
     LargeArray<Entry> entries(next.back());
-    for_each_entry([&](const Record& record, int column, int row) {
+    for_each_entry([&](const Placed<Entry>& record, int column, int row) {
       entries[next[grid.index(column, row) - first_bin]++] =
           how.entry_in(record.entry, record.cells, column, row);
     });

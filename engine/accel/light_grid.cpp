@@ -20,6 +20,10 @@ struct Disc {
   double w;
 };
 
+Disc disc_of(const PackedSphere& s, const std::array<Vec3, 3>& axes) {
+  return {dot(s.center, axes[0]), dot(s.center, axes[1]), dot(s.center, axes[2])};
+}
+
 struct Bounds {
   double u_low = std::numeric_limits<double>::infinity();
   double v_low = std::numeric_limits<double>::infinity();
@@ -47,8 +51,8 @@ struct Bounds {
   }
 };
 
-template <typename Place>
-Bounds bounds_of(std::span<const PackedSphere> spheres, const Place& place, WorkerPool& pool) {
+Bounds bounds_of(std::span<const PackedSphere> spheres, const std::array<Vec3, 3>& axes,
+                 WorkerPool& pool) {
   // The same sums whatever the number of threads.
   std::array<Bounds, 16> parts;
   const std::size_t part_count = spheres.size() < few_items ? 1 : parts.size();
@@ -56,7 +60,7 @@ Bounds bounds_of(std::span<const PackedSphere> spheres, const Place& place, Work
                  [&](std::size_t part, std::size_t begin, std::size_t end) {
                    Bounds own;
                    for (const PackedSphere& s : spheres.subspan(begin, end - begin))
-                     own.include(place(s), s.radius);
+                     own.include(disc_of(s, axes), s.radius);
                    parts[part] = own;
                  });
   Bounds all;
@@ -86,11 +90,7 @@ DistantGrid<T> build_distant_grid(const Vec3& towards, std::span<const PackedSph
   DistantGrid<T> grid{};
   const Across plane = across(towards);
   grid.axes = {plane.u, plane.v, towards};
-  const auto place = [&](const PackedSphere& s) {
-    return Disc{dot(s.center, grid.axes[0]), dot(s.center, grid.axes[1]),
-                dot(s.center, grid.axes[2])};
-  };
-  const Bounds bounds = bounds_of(spheres, place, pool);
+  const Bounds bounds = bounds_of(spheres, grid.axes, pool);
   // A disc is entered a little beyond its rim, because a point finds its cell in precision T.
   const double margin = 64 * static_cast<double>(std::numeric_limits<T>::epsilon()) * bounds.reach;
   const double cell = cell_width(bounds, spheres.size(), margin);
@@ -101,18 +101,6 @@ DistantGrid<T> build_distant_grid(const Vec3& towards, std::span<const PackedSph
   grid.columns = static_cast<int>((bounds.u_high - bounds.u_low) / cell) + 1;
   grid.rows = static_cast<int>((bounds.v_high - bounds.v_low) / cell) + 1;
 
-  const auto cells_of = [&](std::size_t i) {
-    const Disc disc = place(spheres[i]);
-    const double reach = spheres[i].radius + margin;
-    const auto index = [&](double offset, int cells) {
-      return static_cast<int>(std::clamp(offset * cells_per_unit, 0.0, static_cast<double>(cells)));
-    };
-    return CellRectangle{index(disc.u - reach - bounds.u_low, grid.columns - 1),
-                         index(disc.v - reach - bounds.v_low, grid.rows - 1),
-                         index(disc.u + reach - bounds.u_low + cell, grid.columns),
-                         index(disc.v + reach - bounds.v_low + cell, grid.rows)};
-  };
-
   struct Entry {
     T u;
     T v;
@@ -120,11 +108,20 @@ DistantGrid<T> build_distant_grid(const Vec3& towards, std::span<const PackedSph
     T radius2;
     T id;
   };
-  const auto entry_of = [&](std::size_t i) {
-    const Disc disc = place(spheres[i]);
-    const double r = spheres[i].radius;
-    return Entry{static_cast<T>(disc.u), static_cast<T>(disc.v), static_cast<T>(disc.w),
-                 static_cast<T>(r * r), static_cast<T>(numbers(spheres[i].id))};
+  const auto enter = [=, axes = grid.axes, columns = static_cast<double>(grid.columns),
+                      rows = static_cast<double>(grid.rows), &numbers](std::size_t i) {
+    const PackedSphere& s = spheres[i];
+    const Disc disc = disc_of(s, axes);
+    const double reach = s.radius + margin;
+    const auto index = [=](double offset, double most) {
+      return static_cast<int>(std::min(std::max(0.0, offset * cells_per_unit), most));
+    };
+    return Placed<Entry>{{index(disc.u - reach - bounds.u_low, columns - 1),
+                          index(disc.v - reach - bounds.v_low, rows - 1),
+                          index(disc.u + reach - bounds.u_low + cell, columns),
+                          index(disc.v + reach - bounds.v_low + cell, rows)},
+                         {static_cast<T>(disc.u), static_cast<T>(disc.v), static_cast<T>(disc.w),
+                          static_cast<T>(s.radius * s.radius), static_cast<T>(numbers(s.id))}};
   };
   const auto entry_in = [](const Entry& entry, const CellRectangle&, int, int) { return entry; };
   const auto arrange = [](std::span<Entry> entries) {
@@ -136,7 +133,7 @@ DistantGrid<T> build_distant_grid(const Vec3& towards, std::span<const PackedSph
                                                                     &Entry::radius2, &Entry::id};
   grid.begins = sort_into_bins(
       spheres.size(), BinGrid{grid.columns, grid.rows, 0}, pool,
-      make_binning<Entry>(cells_of, entry_of, entry_in, arrange),
+      make_binning<Entry>(enter, entry_in, arrange),
       [&](std::size_t count) { grid.discs.resize(count); },
       [&](std::size_t first, std::span<const Entry> entries) {
         grid.discs.write(first, entries, members);

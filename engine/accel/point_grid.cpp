@@ -61,24 +61,6 @@ PointGrid<T> build_point_grid(const Vec3& light, std::span<const PackedSphere> s
   const double margin =
       64 * static_cast<double>(std::numeric_limits<T>::epsilon()) * static_cast<double>(grid.side);
   const double side = static_cast<double>(grid.side);
-  const auto cells_of = [&](std::size_t item) {
-    const auto face = static_cast<int>(item % faces);
-    const PackedSphere& s = spheres[item / faces];
-    const Vec3 center = s.center - light;
-    if (!may_reach(center, s.radius, face)) return CellRectangle{};
-    const PixelRectangle seen =
-        projections[static_cast<std::size_t>(face)].of_sphere(center, s.radius);
-    if (!(seen.x_begin < seen.x_end && seen.y_begin < seen.y_end)) return CellRectangle{};
-    const auto index = [&](double place) { return static_cast<int>(std::clamp(place, 0.0, side)); };
-    const int row = face * grid.side;
-    CellRectangle cells{index(seen.x_begin - margin), index(seen.y_begin - margin),
-                        index(seen.x_end + margin + 1), index(seen.y_end + margin + 1)};
-    if (cells.empty()) return cells;
-    cells.y_begin += row;
-    cells.y_end += row;
-    return cells;
-  };
-
   struct Entry {
     T x;
     T y;
@@ -87,14 +69,25 @@ PointGrid<T> build_point_grid(const Vec3& light, std::span<const PackedSphere> s
     T nearest;
     T id;
   };
-  const auto entry_of = [&](std::size_t item) {
-    const std::size_t i = item / faces;
-    const PackedSphere& s = spheres[i];
+  const auto place = [&](std::size_t item) -> Placed<Entry> {
+    const auto face = static_cast<int>(item % faces);
+    const PackedSphere& s = spheres[item / faces];
     const Vec3 c = s.center - light;
+    if (!may_reach(c, s.radius, face)) return {};
+    const PixelRectangle seen = projections[static_cast<std::size_t>(face)].of_sphere(c, s.radius);
+    if (!(seen.x_begin < seen.x_end && seen.y_begin < seen.y_end)) return {};
+    const auto index = [&](double at) { return static_cast<int>(std::clamp(at, 0.0, side)); };
+    CellRectangle cells{index(seen.x_begin - margin), index(seen.y_begin - margin),
+                        index(seen.x_end + margin + 1), index(seen.y_end + margin + 1)};
+    if (cells.empty()) return {};
+    const int row = face * grid.side;
+    cells.y_begin += row;
+    cells.y_end += row;
     const double nearest = std::max(length(c) - s.radius, 0.0) * (1 - 1e-6);
-    return Entry{static_cast<T>(c.x),     static_cast<T>(c.y),
-                 static_cast<T>(c.z),     static_cast<T>(s.radius * s.radius),
-                 static_cast<T>(nearest), static_cast<T>(numbers(spheres[i].id))};
+    return {cells,
+            {static_cast<T>(c.x), static_cast<T>(c.y), static_cast<T>(c.z),
+             static_cast<T>(s.radius * s.radius), static_cast<T>(nearest),
+             static_cast<T>(numbers(s.id))}};
   };
   const auto entry_in = [](const Entry& entry, const CellRectangle&, int, int) { return entry; };
   const auto arrange = [](std::span<Entry> entries) {
@@ -105,7 +98,7 @@ PointGrid<T> build_point_grid(const Vec3& light, std::span<const PackedSphere> s
       &Entry::x, &Entry::y, &Entry::z, &Entry::radius2, &Entry::nearest, &Entry::id};
   grid.begins = sort_into_bins(
       faces * spheres.size(), BinGrid{grid.side, faces * grid.side, 0}, pool,
-      make_binning<Entry>(cells_of, entry_of, entry_in, arrange),
+      make_binning<Entry>(place, entry_in, arrange),
       [&](std::size_t count) { grid.spheres.resize(count); },
       [&](std::size_t first, std::span<const Entry> entries) {
         grid.spheres.write(first, entries, members);

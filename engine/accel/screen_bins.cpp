@@ -107,14 +107,12 @@ void sort_by_distance(std::span<BinnedEntry> entries) {
 }
 
 /// As sort_into_bins, into `lists`.
-template <typename CellsOf, typename EntryOf, typename EntryIn>
+template <typename Place, typename EntryIn>
 void sort_into_lists(std::size_t item_count, const BinGrid& blocks, WorkerPool& pool,
-                     const CellsOf& cells_of, const EntryOf& entry_of, const EntryIn& entry_in,
-                     ScreenLists& lists) {
+                     const Place& place, const EntryIn& entry_in, ScreenLists& lists) {
   constexpr std::size_t padding = 64;  // longer than any vector of parts
   lists.begins = sort_into_bins(
-      item_count, blocks, pool,
-      make_binning<BinnedEntry>(cells_of, entry_of, entry_in, &sort_by_distance),
+      item_count, blocks, pool, make_binning<BinnedEntry>(place, entry_in, &sort_by_distance),
       [&](std::size_t count) {
         lists.entries.resize(count);
         lists.parts.resize(count + padding);
@@ -138,13 +136,12 @@ void bin_triangles(const View& view, std::span<const PackedTriangle> triangles, 
       distance_per_depth[blocks.index(column, row)] =
           static_cast<float>(projection.distance_per_depth(block_pixels(column, row)) * (1 - 1e-6));
 
-  const auto cells_of = [&](std::size_t i) {
-    return parts_touched(projection.of_triangle(triangles[i]), blocks);
-  };
-  const auto entry_of = [&](std::size_t i) {
-    return BinnedEntry{{static_cast<float>(projection.depth(triangles[i]) * (1 - 1e-6)),
-                        static_cast<std::uint32_t>(i)},
-                       0};
+  const auto place = [&](std::size_t i) {
+    const PackedTriangle& triangle = triangles[i];
+    return Placed<BinnedEntry>{parts_touched(projection.of_triangle(triangle), blocks),
+                               {{static_cast<float>(projection.depth(triangle) * (1 - 1e-6)),
+                                 static_cast<std::uint32_t>(i)},
+                                0}};
   };
   const auto entry_in = [&](BinnedEntry binned, const CellRectangle& parts, int column, int row) {
     binned.entry.nearest *= distance_per_depth[blocks.index(column, row)];
@@ -154,7 +151,7 @@ void bin_triangles(const View& view, std::span<const PackedTriangle> triangles, 
                                    block_pixels(column, row), binned.parts);
     return binned;
   };
-  sort_into_lists(triangles.size(), blocks, pool, cells_of, entry_of, entry_in, bins.triangles);
+  sort_into_lists(triangles.size(), blocks, pool, place, entry_in, bins.triangles);
 }
 
 }  // namespace
@@ -166,21 +163,20 @@ ScreenBins build_screen_bins(const View& view, std::span<const PackedSphere> sph
   bins.blocks = {(view.width + block_side - 1) / block_side,
                  (view.height + block_side - 1) / block_side, 2};
   const Projection projection(view);
-  const auto cells_of = [&](std::size_t i) {
-    return parts_touched(projection.of_sphere(spheres[i].center, spheres[i].radius), bins.blocks);
-  };
-  const auto entry_of = [&](std::size_t i) {
+  const auto place = [&](std::size_t i) {
+    const PackedSphere& s = spheres[i];
     // Rounded down: by more than the rounding of the distance and of the cast.
-    const double nearest = (length(spheres[i].center) - spheres[i].radius) * (1 - 1e-6);
-    return BinnedEntry{{static_cast<float>(std::max(nearest, 0.0)),
-                        static_cast<std::uint32_t>(numbers(spheres[i].id))},
-                       0};
+    const double nearest = (length(s.center) - s.radius) * (1 - 1e-6);
+    return Placed<BinnedEntry>{
+        parts_touched(projection.of_sphere(s.center, s.radius), bins.blocks),
+        {{static_cast<float>(std::max(nearest, 0.0)), static_cast<std::uint32_t>(numbers(s.id))},
+         0}};
   };
   const auto entry_in = [](BinnedEntry binned, const CellRectangle& parts, int column, int row) {
     binned.parts = part_mask(parts, column, row);
     return binned;
   };
-  sort_into_lists(spheres.size(), bins.blocks, pool, cells_of, entry_of, entry_in, bins.spheres);
+  sort_into_lists(spheres.size(), bins.blocks, pool, place, entry_in, bins.spheres);
 
   if (!triangles.empty()) bin_triangles(view, triangles, pool, bins);
 

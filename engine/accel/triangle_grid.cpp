@@ -148,20 +148,18 @@ TriangleGrid<T> build_triangle_grid(const Vec3& towards, std::span<const PackedT
   grid.columns = static_cast<int>(width / cell) + 1;
   grid.rows = static_cast<int>(height / cell) + 1;
 
-  const auto index = [&](T place, int most) {
-    return static_cast<int>(std::clamp(place * grid.cells_per_unit, T(0), static_cast<T>(most)));
+  const auto index = [&](T offset, int most) {
+    return static_cast<int>(std::clamp(offset * grid.cells_per_unit, T(0), static_cast<T>(most)));
   };
   const T margin = 2 * grid.noise;
   const auto side = static_cast<T>(cell);
-  const auto cells_of = [&](std::size_t i) {
+  const auto place = [&](std::size_t i) {
     const Extent<T>& extent = extents[i];
-    return CellRectangle{index(extent.u_low - margin - grid.u_low, grid.columns - 1),
-                         index(extent.v_low - margin - grid.v_low, grid.rows - 1),
-                         index(extent.u_high + margin - grid.u_low + side, grid.columns),
-                         index(extent.v_high + margin - grid.v_low + side, grid.rows)};
-  };
-  const auto entry_of = [&](std::size_t i) {
-    return GridTriangle<T>{extents[i].top + grid.noise, static_cast<std::uint32_t>(i)};
+    return Placed<GridTriangle<T>>{{index(extent.u_low - margin - grid.u_low, grid.columns - 1),
+                                    index(extent.v_low - margin - grid.v_low, grid.rows - 1),
+                                    index(extent.u_high + margin - grid.u_low + side, grid.columns),
+                                    index(extent.v_high + margin - grid.v_low + side, grid.rows)},
+                                   {extent.top + grid.noise, static_cast<std::uint32_t>(i)}};
   };
   const auto entry_in = [&](GridTriangle<T> entry, const CellRectangle& cells, int column,
                             int row) {
@@ -179,7 +177,7 @@ TriangleGrid<T> build_triangle_grid(const Vec3& towards, std::span<const PackedT
   };
   grid.begins = sort_into_bins(
       triangles.size(), BinGrid{grid.columns, grid.rows, 0}, pool,
-      make_binning<GridTriangle<T>>(cells_of, entry_of, entry_in, arrange),
+      make_binning<GridTriangle<T>>(place, entry_in, arrange),
       [&](std::size_t entry_count) { grid.entries.resize(entry_count); },
       [&](std::size_t first, std::span<const GridTriangle<T>> entries) {
         std::copy(entries.begin(), entries.end(),
