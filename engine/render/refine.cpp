@@ -7,12 +7,13 @@
 
 #include "engine/render/first_picture.h"
 #include "engine/render/refined_image.h"
+#include "engine/sample/pixel_errors.h"
 #include "engine/sample/refinement.h"
 
 namespace raytracer {
 namespace {
 
-/// The squared error to aim at, of what is allowed: a bound that is just missed costs one more
+/// The squared error to aim at, of what is sought: a bound that is just missed costs one more
 /// pass.
 constexpr double aim = 0.9;
 
@@ -44,13 +45,14 @@ void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering
   const double values = static_cast<double>(rendering.pixel_count) * 3;
   const double allowed2 =
       settings.target_rmse ? *settings.target_rmse * *settings.target_rmse * values : 0;
+  const double sought2 = error_scale(tracing.plan.census).trust * allowed2;
   RefinedImage refined(tracing, rendering.image);
   const int samples_everywhere = first_compared_samples(tracing.plan.census, most_samples);
   bool is_complete = probe(samples_everywhere, tracing, refined);
   const bool is_compared = is_complete && samples_everywhere > 1;
   if (is_compared) refined.look_for_missable_spheres();
-  while (is_complete && is_compared && refined.error2() > allowed2 && !tracing.is_over_time()) {
-    std::vector<PixelSamples> pixels = refined.next_samples(aim * allowed2, most_samples);
+  while (is_complete && is_compared && refined.error2() > sought2 && !tracing.is_over_time()) {
+    std::vector<PixelSamples> pixels = refined.next_samples(aim * sought2, most_samples);
     if (pixels.empty()) break;
     is_complete = refined.refine(std::move(pixels));
   }

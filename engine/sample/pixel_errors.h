@@ -33,8 +33,9 @@ double error_power(int samples);
 
 /// What share of the halves' squared differences the squared errors are.
 struct ErrorScale {
-  double first;  ///< before any refinement
-  double least;  ///< that refinements are believed
+  double first;      ///< before any refinement
+  double least;      ///< that refinements are believed
+  double trust = 1;  ///< the largest share of an allowed squared error that is taken to keep it
 };
 
 /// Where spheres are small, samples do hardly better than random ones, whose scale is 1; otherwise

@@ -161,9 +161,11 @@ TEST(ErrorScale, IsLessWhereEdgesCrossPixels) {
   census.small_spheres = 1;
   const ErrorScale of_small = error_scale(census);
   EXPECT_EQ(of_small.first, 1);
+  EXPECT_LT(of_small.trust, 0.8);
   census.small_spheres = 0;
   EXPECT_LT(error_scale(census).first, 1);
   EXPECT_LT(error_scale(census).least, of_small.least);
+  EXPECT_EQ(error_scale(census).trust, 1);
 }
 
 }  // namespace
