@@ -80,10 +80,9 @@ void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)>& 
   batch->had_s = virtual_time_s_;
   batches_.push_back(batch);
   ++arrivals_;
-  work_arrived_.notify_one();  // who takes a task wakes the next
   while (batches_.size() == 1 && batches_.front() == batch && has_turn())
     run_next_task(lock, batch);
-  if (has_turn()) work_arrived_.notify_one();
+  wake_another();
   if (!batch->has_ended()) {
     lock.unlock();
     watch_for([&] { return batch->is_finished.load(); });
@@ -116,10 +115,9 @@ void WorkerPool::run_next_task(std::unique_lock<std::mutex>& lock,
   const int processor = current_processor();
   busy_processors_.push_back(processor);
   if (!batch->has_more()) std::erase(batches_, batch);
-  const bool wakes_another = has_turn();
+  wake_another();  // who takes a task wakes the next
 
   lock.unlock();
-  if (wakes_another) work_arrived_.notify_one();
   std::exception_ptr failure;
   const auto began = Clock::now();
   try {
@@ -139,6 +137,19 @@ void WorkerPool::run_next_task(std::unique_lock<std::mutex>& lock,
   if (closing_) work_arrived_.notify_all();
 }
 
+void WorkerPool::wake_another() {
+  if (!has_turn() || running_ + looking_ + coming_ >= thread_count_ || sleeping_ == coming_) return;
+  ++coming_;
+  work_arrived_.notify_one();
+}
+
+void WorkerPool::sleep(std::unique_lock<std::mutex>& lock) {
+  ++sleeping_;
+  work_arrived_.wait(lock);
+  --sleeping_;
+  if (coming_ > 0) --coming_;
+}
+
 void WorkerPool::spread_out(std::unique_lock<std::mutex>& lock, std::vector<int>& busy) const {
   const int here = current_processor();
   if (here < 0 || std::count(busy_processors_.begin(), busy_processors_.end(), here) == 0) return;
@@ -156,11 +167,13 @@ void WorkerPool::work() {
     const bool was_idle = !has_turn();
     if (!closing_ && batches_.empty()) {
       const std::uint64_t seen = arrivals_;
+      ++looking_;
       lock.unlock();
       watch_for([&] { return arrivals_ != seen; });
       lock.lock();
+      --looking_;
     }
-    work_arrived_.wait(lock, [this] { return has_turn() || (closing_ && batches_.empty()); });
+    while (!has_turn() && !(closing_ && batches_.empty())) sleep(lock);
     if (batches_.empty()) return;
     if (was_idle) spread_out(lock, busy);
     if (has_turn()) run_next_task(lock, next_batch());

@@ -54,6 +54,11 @@ class WorkerPool {
   /// The batch whose turn it is.
   std::shared_ptr<Batch> next_batch() const;
   bool has_turn() const { return !batches_.empty() && running_ < thread_count_; }
+  /// Wakes one more thread up if there is something to do that none is on its way to: to wake one
+  /// that is not needed takes as long.
+  void wake_another();
+  /// Until woken up, with `lock` released meanwhile.
+  void sleep(std::unique_lock<std::mutex>& lock);
   /// Runs the batch's next task, if it has one, with `lock` released meanwhile.
   void run_next_task(std::unique_lock<std::mutex>& lock, const std::shared_ptr<Batch>& batch);
   /// Moves this thread off a processor on which a task runs already, with `lock` released
@@ -68,6 +73,9 @@ class WorkerPool {
   std::vector<int> busy_processors_;             ///< those that the tasks began on, -1 if unknown
   double virtual_time_s_ = 0;                    ///< where the batch stood that was served last
   std::atomic<std::uint64_t> arrivals_{0};       ///< batches so far
+  std::size_t looking_ = 0;                      ///< threads that look out for a batch
+  std::size_t sleeping_ = 0;                     ///< those that sleep, ...
+  std::size_t coming_ = 0;                       ///< ... and of them those that are being woken up
   bool closing_ = false;
   std::vector<std::thread> threads_;
 };

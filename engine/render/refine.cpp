@@ -7,7 +7,7 @@
 
 #include "engine/render/first_picture.h"
 #include "engine/render/refined_image.h"
-#include "engine/sample/pixel_errors.h"
+#include "engine/sample/error_rules.h"
 #include "engine/sample/refinement.h"
 
 namespace raytracer {

@@ -13,8 +13,8 @@
 #include "engine/render/refine.h"
 #include "engine/render/tracer.h"
 #include "engine/render/tracing.h"
+#include "engine/sample/error_rules.h"
 #include "engine/sample/neighbour_error.h"
-#include "engine/sample/pixel_errors.h"
 #include "engine/sample/refinement.h"
 
 namespace raytracer {

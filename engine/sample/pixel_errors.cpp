@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -23,26 +24,6 @@ constexpr double no_guess = -1;
 
 }  // namespace
 
-double error_power(int samples) { return samples * std::sqrt(samples); }
-
-ErrorScale error_scale(const Census& census) {
-  // Refinements said 0.4 to 2 on 19 scenes. Where spheres are small, with 0.9 every tenth estimate
-  // is more than twice the error; but that of lattices of them, which those of samples beat with,
-  // came down to 0.77 of it.
-  if (census.small_spheres > 0) return {.first = 1, .least = 0.85, .trust = 0.7};
-  return {.first = 1 / (std::exp2(1.25) - 1), .least = 0.4};
-}
-
-double conservative_sum(std::span<const double> errors2) {
-  double sum = 0;
-  double squares = 0;
-  for (const double error2 : errors2) {
-    sum += error2;
-    squares += error2 * error2;
-  }
-  return sum + 2 * std::sqrt(2 * squares);
-}
-
 PixelErrors::PixelErrors(int width, int height, const ErrorScale& scale, WorkerPool& pool)
     : pool_(pool),
       width_(width),
@@ -59,7 +40,19 @@ PixelErrors::PixelErrors(int width, int height, const ErrorScale& scale, WorkerP
       guesses_(parts_.size(), no_guess),
       rates_(parts_.size()),
       sums_(stride_ * (parts_across * rows_ + 2)),
-      details_(sums_.size()) {}
+      details_(sums_.size()),
+      counts_(sums_.size()),
+      is_rough_(columns_ * rows_),
+      has_errors_(columns_ * rows_) {
+  for (std::size_t row = 0; row < rows_; ++row)
+    for (std::size_t column = 0; column < columns_; ++column)
+      for_each_part_of(column, row, [this](std::size_t part, std::size_t place, std::size_t first) {
+        const int count =
+            std::min(part_side, width_ - x_of(first)) * std::min(part_side, height_ - y_of(first));
+        counts_[place] = static_cast<float>(count);
+        rates_[part].share_of_part = 1.0 / count;
+      });
+}
 
 void PixelErrors::set_all(int samples) {
   for (int y = 0; y < height_; ++y) std::fill_n(&samples_[index(0, y)], width_, samples);
@@ -86,6 +79,7 @@ void PixelErrors::expect_guesses() {
 
 void PixelErrors::set_missable(MissableSpheres spheres) {
   missable_ = std::move(spheres);
+  std::fill(has_errors_.begin(), has_errors_.end(), 1);
   expect_parts();
 }
 
@@ -128,6 +122,41 @@ void PixelErrors::for_each_row(const Visit& visit) const {
   pool_.run(rows_, visit, never);
 }
 
+void PixelErrors::find_rough_blocks(std::size_t row) {
+  const auto stride = static_cast<std::size_t>(spreads_.stride);
+  const auto rows = static_cast<std::size_t>(spreads_.rows());
+  std::vector<std::uint32_t> bits(stride);  // of all rows: a number is 0 if none is set
+  for (std::size_t y = block_side * row; y < std::min(block_side * (row + 1), rows); ++y) {
+    const float* const error2 = &spreads_.error2[y * stride];
+    const float* const variance = &spreads_.variance[y * stride];
+    for (std::size_t x = 0; x < stride; ++x)
+      bits[x] |=
+          std::bit_cast<std::uint32_t>(error2[x]) | std::bit_cast<std::uint32_t>(variance[x]);
+  }
+  std::fill_n(&is_rough_[columns_ * row], columns_, 0);
+  for (std::size_t x = 0; x < stride; ++x)
+    if (bits[x] != 0) is_rough_[columns_ * row + x / block_side] = 1;
+}
+
+void PixelErrors::choose_blocks(std::size_t row) {
+  const std::size_t row_begin = row > 0 ? row - 1 : row;
+  const std::size_t row_end = std::min(row + 2, rows_);
+  for (std::size_t column = 0; column < columns_; ++column) {
+    const std::size_t begin = column > 0 ? column - 1 : column;
+    const std::size_t end = std::min(column + 2, columns_);
+    bool has_errors = missable_.has_value();
+    for (std::size_t y = row_begin; y < row_end; ++y)
+      for (std::size_t x = begin; x < end; ++x) has_errors |= is_rough_[columns_ * y + x] != 0;
+    has_errors_[columns_ * row + column] = static_cast<char>(has_errors);
+    if (has_errors) continue;
+    for_each_part_of(column, row, [this](std::size_t part, std::size_t place, std::size_t) {
+      rates_[part].of_variance = rates_[part].least = 0;
+      sums_[place] = {};
+      details_[place] = 0;
+    });
+  }
+}
+
 void PixelErrors::spread_variances(std::size_t row) {
   const auto stride = static_cast<std::size_t>(spreads_.stride);
   std::vector<float> highest(stride + 2, 0.0F);  // of three rows, with a rim
@@ -161,7 +190,6 @@ PixelErrors::Sums PixelErrors::sums_of(std::size_t first, InversePower& inverse_
   Sums sums{.error2 = (error2[0] + error2[1]) + (error2[2] + error2[3]),
             .detail = (detail[0] + detail[1]) + (detail[2] + detail[3])};
   if (are_alike) {
-    sums.count = part_side * part_side;
     sums.variance = sums.detail * inverse_power(samples);
     return sums;
   }
@@ -170,7 +198,6 @@ PixelErrors::Sums PixelErrors::sums_of(std::size_t first, InversePower& inverse_
     for (int x = 0; x < part_side; ++x) {
       const std::size_t pixel = first + index(x, y);
       if (samples_[pixel] == 0) continue;
-      sums.count += 1;
       sums.variance += variances_[pixel] * inverse_power(samples_[pixel]);
       sums.detail += variances_[pixel];
     }
@@ -195,13 +222,15 @@ float PixelErrors::least_at(std::size_t place) const {
        {place - stride_ - 1, place - stride_, place - stride_ + 1, place - 1, place + 1,
         place + stride_ - 1, place + stride_, place + stride_ + 1}) {
     detail += details_[at];
-    count += sums_[at].count;
+    count += counts_[at];
   }
   return count > 0 ? parts_share * detail / count : 0;
 }
 
 void PixelErrors::expect() {
+  for_each_row([this](std::size_t row) { find_rough_blocks(row); });
   for_each_row([this](std::size_t row) {
+    choose_blocks(row);
     spread_variances(row);
     InversePower inverse_power;
     for_each_part_in(row, [&](std::size_t, std::size_t place, std::size_t first) {
@@ -211,7 +240,6 @@ void PixelErrors::expect() {
   for_each_row([this](std::size_t row) {
     for_each_part_in(row, [this](std::size_t part, std::size_t place, std::size_t) {
       rates_[part].of_variance = rate_at(place);
-      rates_[part].share_of_part = 1 / static_cast<double>(sums_[place].count);
       details_[place] = rates_[part].of_variance * sums_[place].detail;
     });
   });

@@ -23,46 +23,10 @@
 #include "engine/image/tile.h"
 #include "engine/math/block.h"
 #include "engine/parallel/worker_pool.h"
-#include "engine/plan/census.h"
+#include "engine/sample/error_rules.h"
 #include "engine/sample/missable_spheres.h"
 
 namespace raytracer {
-
-/// Squared errors fall as this power of a number of samples, -3/2.
-double error_power(int samples);
-
-/// What share of the halves' squared differences the squared errors are.
-struct ErrorScale {
-  double first;      ///< before any refinement
-  double least;      ///< that refinements are believed
-  double trust = 1;  ///< the largest share of an allowed squared error that is taken to keep it
-};
-
-/// Where spheres are small, samples do hardly better than random ones, whose scale is 1; otherwise
-/// they do as between those and where edges cross pixels.
-ErrorScale error_scale(const Census& census);
-
-/// The sum of these squared errors with its own uncertainty, which counts where few have an error:
-/// that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself, of which
-/// two are added.
-double conservative_sum(std::span<const double> errors2);
-
-/// 1 / error_power() of pixels one after another, most of which have the samples of the one before.
-/// Those without samples, beyond the rim, have no error.
-class InversePower {
- public:
-  float operator()(int samples) {
-    if (samples != samples_) {
-      samples_ = samples;
-      inverse_ = samples > 0 ? static_cast<float>(1 / error_power(samples)) : 0;
-    }
-    return inverse_;
-  }
-
- private:
-  int samples_ = 0;
-  float inverse_ = 0;
-};
 
 /// Pixels are numbered as those of PixelSpreads, parts as those of PartErrors; those beyond the
 /// image's rim have no error.
@@ -129,7 +93,6 @@ class PixelErrors {
  private:
   /// What the pixels of a part come to, those in the image.
   struct Sums {
-    float count = 0;
     float error2 = 0;    ///< by halves
     float variance = 0;  ///< over error_power()
     float detail = 0;    ///< the variance alone
@@ -143,26 +106,34 @@ class PixelErrors {
   };
 
   std::size_t part_of(std::size_t pixel) const;
+  void find_rough_blocks(std::size_t row);
+  /// Which blocks of a row have errors; forgets those of the others.
+  void choose_blocks(std::size_t row);
   void spread_variances(std::size_t row);
   double scaled(float unscaled, std::size_t part, int samples) const;
 
   /// Calls visit(row) for all rows of blocks, on the pool's threads.
   template <typename Visit>
   void for_each_row(const Visit& visit) const;
-  /// Calls visit(part, place, first pixel) for the parts of a row of blocks with their places among
+  /// Calls visit(part, place, first pixel) for the parts of the block with their places among
   /// `sums_`.
   template <typename Visit>
+  void for_each_part_of(std::size_t column, std::size_t row, const Visit& visit) const {
+    const std::size_t first_part = parts_in_block * (columns_ * row + column);
+    for (std::size_t i = 0; i < parts_in_block; ++i) {
+      const std::size_t x = parts_across * column + i % parts_across;
+      const std::size_t y = parts_across * row + i / parts_across;
+      const int first_x = static_cast<int>(part_side * x);
+      const int first_y = static_cast<int>(part_side * y);
+      if (first_x < width_ && first_y < height_)
+        visit(first_part + i, (y + 1) * stride_ + x + 1, index(first_x, first_y));
+    }
+  }
+  /// The same for the parts of a row of blocks, of those that have errors.
+  template <typename Visit>
   void for_each_part_in(std::size_t row, const Visit& visit) const {
-    std::size_t part = parts_in_block * columns_ * row;
     for (std::size_t column = 0; column < columns_; ++column)
-      for (std::size_t i = 0; i < parts_in_block; ++i, ++part) {
-        const std::size_t x = parts_across * column + i % parts_across;
-        const std::size_t y = parts_across * row + i / parts_across;
-        const int first_x = static_cast<int>(part_side * x);
-        const int first_y = static_cast<int>(part_side * y);
-        if (first_x < width_ && first_y < height_)
-          visit(part, (y + 1) * stride_ + x + 1, index(first_x, first_y));
-      }
+      if (has_errors_[columns_ * row + column] != 0) for_each_part_of(column, row, visit);
   }
   /// Calls visit(part, pixel, error2) for the pixels of those parts of a row of blocks that have an
   /// error.
@@ -203,8 +174,11 @@ class PixelErrors {
   std::vector<double> parts_;     ///< their squared errors
   std::vector<double> guesses_;   ///< likewise; negative where there is none
   std::vector<Rate> rates_;
-  std::vector<Sums> sums_;      ///< of the parts, row by row, with a rim of nothing
-  std::vector<float> details_;  ///< likewise: the squared error of one sample
+  std::vector<Sums> sums_;        ///< of the parts, row by row, with a rim of nothing
+  std::vector<float> details_;    ///< likewise: the squared error of one sample
+  std::vector<float> counts_;     ///< likewise: the pixels, those in the image
+  std::vector<char> is_rough_;    ///< of the blocks: whether samples differ in it
+  std::vector<char> has_errors_;  ///< likewise: or in one beside it, which is as far as they count
   std::optional<MissableSpheres> missable_{};
 };
 

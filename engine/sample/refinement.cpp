@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "engine/plan/sampling.h"
-#include "engine/sample/pixel_errors.h"
+#include "engine/sample/error_rules.h"
 #include "engine/scene/overrides.h"
 
 namespace raytracer {

@@ -69,6 +69,16 @@ TEST_F(PixelErrorsTest, RiseBesideDetail) {
   EXPECT_EQ(errors_.of_pixel(errors_.index(30, 9)), 0);
 }
 
+TEST_F(PixelErrorsTest, EndWhereMoreSamplesAreEqual) {
+  tell(15, 9, 0.01, 0.2);
+  const std::size_t pixel = errors().index(15, 9);
+  EXPECT_GT(errors_.of_pixel(errors_.index(16, 9)), 0);
+  errors_.set(pixel, 64, {});
+  errors_.expect();
+  EXPECT_EQ(errors_.error2(), 0);
+  EXPECT_EQ(errors_.of_pixel(errors_.index(16, 9)), 0);
+}
+
 TEST_F(PixelErrorsTest, AreLessWithMoreSamples) {
   for (int x = 8; x < 28; ++x) tell(x, 9, 0.01, 0.2);
   const std::size_t pixel = errors().index(16, 9);
@@ -149,23 +159,6 @@ TEST_F(PixelErrorsTest, AreGuessedUntilSamplesTell) {
   EXPECT_EQ(errors_.of_part(parts_in_block), 0.25);
   EXPECT_GT(errors_.of_part(0), 0.01);
   EXPECT_LT(errors_.of_part(0), 0.1);
-}
-
-TEST(ConservativeSum, AddsLessWhereManyHaveAnError) {
-  EXPECT_DOUBLE_EQ(conservative_sum(std::vector<double>{1}), 1 + 2 * std::sqrt(2));
-  EXPECT_DOUBLE_EQ(conservative_sum(std::vector<double>(100, 0.01)), 1 + 0.2 * std::sqrt(2));
-}
-
-TEST(ErrorScale, IsLessWhereEdgesCrossPixels) {
-  Census census;
-  census.small_spheres = 1;
-  const ErrorScale of_small = error_scale(census);
-  EXPECT_EQ(of_small.first, 1);
-  EXPECT_LT(of_small.trust, 0.8);
-  census.small_spheres = 0;
-  EXPECT_LT(error_scale(census).first, 1);
-  EXPECT_LT(error_scale(census).least, of_small.least);
-  EXPECT_EQ(error_scale(census).trust, 1);
 }
 
 }  // namespace

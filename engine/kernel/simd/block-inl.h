@@ -244,12 +244,23 @@ HWY_INLINE void fill_rows(const Channel* row, const Block& block, int x, int y, 
   }
 }
 
-template <class D, typename Channel>
-HWY_INLINE void fill_parts(D d, const V3<hn::Vec<D>>& colour, const Block& block,
-                           std::uint32_t parts, Raster<Channel>& image) {
-  HWY_ALIGN Channel row[std::size_t{3} * block_side + HWY_MAX_BYTES / sizeof(Channel)];
-  for (int x = 0; x < block_side; x += PacketShape<D>::lanes)
-    store_interleaved(d, colour, row + std::ptrdiff_t{3} * x);
+/// A block's row of pixels of one colour, as the images hold it.
+struct PlainRow {
+  HWY_ALIGN float floats[std::size_t{3} * block_side + HWY_MAX_BYTES / sizeof(float)];
+  HWY_ALIGN std::uint8_t bytes[std::size_t{3} * block_side + HWY_MAX_BYTES];
+
+  template <class D>
+  HWY_INLINE PlainRow(D d, const V3<hn::Vec<D>>& colour) {
+    for (int x = 0; x < block_side; x += PacketShape<D>::lanes) {
+      store_interleaved(d, colour, floats + std::ptrdiff_t{3} * x);
+      store_interleaved(d, colour, bytes + std::ptrdiff_t{3} * x);
+    }
+  }
+};
+
+template <typename Channel>
+HWY_INLINE void fill_parts(const Channel* row, const Block& block, std::uint32_t parts,
+                           Raster<Channel>& image) {
   // Lengths that the compiler knows.
   if (parts == Tile::all_parts) {
     fill_rows(row, block, 0, 0, block_side, image);
@@ -272,13 +283,12 @@ HWY_INLINE void store_block(D d, const BlockColours<T>& colours, const Block& bl
 }
 
 /// Stores one colour in all pixels of some of a block's parts.
-template <class D>
-HWY_INLINE void fill_parts(D d, const V3<hn::Vec<D>>& colour, const Block& block,
-                           std::uint32_t parts, const Canvas& canvas) {
+HWY_INLINE void fill_parts(const PlainRow& row, const Block& block, std::uint32_t parts,
+                           const Canvas& canvas) {
   if (Image* const* image = std::get_if<Image*>(&canvas))
-    fill_parts(d, colour, block, parts, **image);
+    fill_parts(row.floats, block, parts, **image);
   else
-    fill_parts(d, colour, block, parts, *std::get<ByteImage*>(canvas));
+    fill_parts(row.bytes, block, parts, *std::get<ByteImage*>(canvas));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -133,9 +133,8 @@ HWY_INLINE V3<V> resolved_background(D d, const SimdScene<T>& scene, std::size_t
 
 template <typename T>
 void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
-                  const Block& whole, const V3<hn::Vec<hn::ScalableTag<T>>>& background,
-                  const Canvas& canvas, const TileErrors& errors, BlockSpread<T>& spread,
-                  BeyondRange& beyond) {
+                  const Block& whole, const PlainRow& background, const Canvas& canvas,
+                  const TileErrors& errors, BlockSpread<T>& spread, BeyondRange& beyond) {
   using D = hn::ScalableTag<T>;
   const D d;
   using V = hn::Vec<D>;
@@ -144,7 +143,7 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
   Block block = whole;
   block.parts &= contents.parts;
   if (block.parts != whole.parts)
-    fill_parts(d, background, whole, whole.parts & ~contents.parts, canvas);
+    fill_parts(background, whole, whole.parts & ~contents.parts, canvas);
   if (block.parts == 0) return;
 
   const BlockRays<D> rays(d, scene, block, pattern.stagger);
@@ -191,7 +190,7 @@ TracedTile render_blocks(const SimdScene<T>& scene, const SamplePattern& pattern
                          const Tile& tile, const Canvas& canvas, const TileErrors& errors) {
   TracedTile traced{HWY_TARGET, {}};
   const hn::ScalableTag<T> d;
-  const auto background = resolved_background(d, scene, pattern.points.size(), transfer);
+  const PlainRow background(d, resolved_background(d, scene, pattern.points.size(), transfer));
   BlockSpread<T> spread;
   const TileErrors told = pattern.has_halves() ? errors : TileErrors{};
   for (int y = tile.y_begin; y < tile.y_end; y += block_side)

@@ -1,0 +1,46 @@
+// How the errors of samples fall, and how far an estimate of them is believed.
+#pragma once
+
+#include <span>
+
+#include "engine/plan/census.h"
+
+namespace raytracer {
+
+/// Squared errors fall as this power of a number of samples, -3/2.
+double error_power(int samples);
+
+/// What share of the halves' squared differences the squared errors are, and how far that holds.
+struct ErrorScale {
+  double first;      ///< before any refinement
+  double least;      ///< that refinements are believed
+  double trust = 1;  ///< the largest share of an allowed squared error that is taken to keep it
+};
+
+/// Where spheres are small, samples do hardly better than random ones, whose scale is 1; otherwise
+/// they do as between those and where edges cross pixels.
+ErrorScale error_scale(const Census& census);
+
+/// The sum of these squared errors with its own uncertainty, which counts where few have an error:
+/// that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself, of which
+/// two are added.
+double conservative_sum(std::span<const double> errors2);
+
+/// 1 / error_power() of pixels one after another, most of which have the samples of the one before.
+/// Those without samples, beyond the rim, have no error.
+class InversePower {
+ public:
+  float operator()(int samples) {
+    if (samples != samples_) {
+      samples_ = samples;
+      inverse_ = samples > 0 ? static_cast<float>(1 / error_power(samples)) : 0;
+    }
+    return inverse_;
+  }
+
+ private:
+  int samples_ = 0;
+  float inverse_ = 0;
+};
+
+}  // namespace raytracer
