@@ -165,13 +165,9 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
           visit(pixels[k].pixel, pixels[k].samples, sampled[k]);
   };
   std::vector<std::uint32_t> changed;
-  std::vector<float> before;
   changed.reserve(pixels.size());
-  before.reserve(pixels.size());
-  for_each_done([&](std::uint32_t pixel, int, const SampledPixel&) {
-    changed.push_back(pixel);
-    before.push_back(errors_.unscaled(pixel));
-  });
+  for_each_done([&](std::uint32_t pixel, int, const SampledPixel&) { changed.push_back(pixel); });
+  const std::vector<float> before = errors_.unscaled(changed);
   double change2 = 0;
   shown_.change([&](Image& image) {
     for_each_done([&](std::uint32_t pixel, int, const SampledPixel& by) {

@@ -268,11 +268,11 @@ void PixelErrors::calibrate(std::span<const std::uint32_t> pixels, std::span<con
   constexpr double pixels_of_doubt = 100;  // a refinement of fewer says little
   constexpr double most = 4;
   constexpr double least_fall = 0.6;
+  const std::vector<float> after = unscaled(pixels);
   double sum = 0;
   double squares = 0;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const double expected =
-        static_cast<double>(before[i]) + static_cast<double>(unscaled(pixels[i]));
+    const double expected = static_cast<double>(before[i]) + static_cast<double>(after[i]);
     sum += expected;
     squares += expected * expected;
   }
@@ -289,15 +289,23 @@ void PixelErrors::calibrate(std::span<const std::uint32_t> pixels, std::span<con
   for (double& error2 : parts_) error2 *= scale_ / before_it;
 }
 
-float PixelErrors::unscaled(std::size_t pixel) const {
-  const Rate& rate = rates_[part_of(pixel)];
+std::vector<float> PixelErrors::unscaled(std::span<const std::uint32_t> pixels) const {
+  std::vector<float> errors2;
+  errors2.reserve(pixels.size());
   InversePower inverse_power;
+  for (const std::uint32_t pixel : pixels) errors2.push_back(unscaled(pixel, inverse_power));
+  return errors2;
+}
+
+float PixelErrors::unscaled(std::size_t pixel, InversePower& inverse_power) const {
+  const Rate& rate = rates_[part_of(pixel)];
   return std::max(rate.of_variance * variances_[pixel], rate.least) *
          inverse_power(samples_[pixel]);
 }
 
 double PixelErrors::of_pixel(std::size_t pixel) const {
-  return scaled(unscaled(pixel), part_of(pixel), samples_[pixel]);
+  InversePower inverse_power;
+  return scaled(unscaled(pixel, inverse_power), part_of(pixel), samples_[pixel]);
 }
 
 double PixelErrors::scaled(float unscaled, std::size_t part, int samples) const {

@@ -70,10 +70,10 @@ class PixelErrors {
   /// Of all pixels.
   std::int64_t sample_count() const;
 
-  /// The squared error of a pixel, the sum of its channels', without what calibrate() and spheres
-  /// add.
-  float unscaled(std::size_t pixel) const;
-  /// With them.
+  /// The squared errors of these pixels, the sums of their channels', without what calibrate() and
+  /// spheres add.
+  std::vector<float> unscaled(std::span<const std::uint32_t> pixels) const;
+  /// That of one, with them.
   double of_pixel(std::size_t pixel) const;
   double of_part(std::size_t part) const { return parts_[part]; }
   /// That of the image, the sum over its values.
@@ -110,6 +110,7 @@ class PixelErrors {
   /// Which blocks of a row have errors; forgets those of the others.
   void choose_blocks(std::size_t row);
   void spread_variances(std::size_t row);
+  float unscaled(std::size_t pixel, InversePower& inverse_power) const;
   double scaled(float unscaled, std::size_t part, int samples) const;
 
   /// Calls visit(row) for all rows of blocks, on the pool's threads.

@@ -120,7 +120,7 @@ TEST_F(PixelErrorsTest, AreWhatARefinementChanged) {
     const std::vector<float> before(pixels.size(), 0.01F);
     for (const std::uint32_t pixel : pixels) refined.set(pixel, 16, {0.00125F, 0.2F});
     refined.expect();
-    const double unscaled = refined.unscaled(pixels[0]);
+    const double unscaled = refined.unscaled(pixels)[0];
     const double count = static_cast<double>(pixels.size());
     refined.calibrate(pixels, before, share * count * (0.01 + unscaled));
     return refined.of_pixel(pixels[0]) / unscaled;
