@@ -104,8 +104,10 @@ class Counter {
     census_.distance_in_radii = std::max(census_.distance_in_radii, reach / r);
     census_.coarseness =
         std::max(census_.coarseness, max_abs(s.center) * step_of_doubles / s.radius);
-    if (2 * r < reach * pixel_angle_)  // none of them is farther
+    if (2 * r < reach * pixel_angle_) {  // none of them is farther
       census_.small_spheres += 4 * std::pow(static_cast<double>(s.n), 2);
+      census_.has_small_squares = true;
+    }
   }
 
   void operator()(const Plane& p) {

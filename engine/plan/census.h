@@ -30,7 +30,8 @@ struct Census {
   double magnification = 1;
   double gap = std::numeric_limits<double>::infinity();  ///< as least_gap() says
   double coarseness = 0;  ///< the largest step between a centre's doubles, in radii of its sphere
-  double small_spheres = 0;  ///< that may be seen smaller than a pixel
+  double small_spheres = 0;        ///< that may be seen smaller than a pixel, ...
+  bool has_small_squares = false;  ///< ... and whether squares of them are among these
   /// Radius, or coordinate that a triangle reaches to, of those that the frame carries.
   double smallest = std::numeric_limits<double>::infinity();
   double lost = 0;         ///< spheres, squares and triangles that the frame cannot carry
