@@ -183,7 +183,7 @@ std::vector<std::uint32_t> sort_into_bins(std::size_t item_count, const BinGrid&
   for_each_chunk(item_count, chunk_count, pool,
                  [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                    binning::ChunkRecords<Entry> records(bands.count(), end - begin);
-                   const Place place = how.place;  // own copies are kept in registers
+                   const Place place = how.place;  // own copies: what they hold stays in registers
                    const binning::Bands to = bands;
                    const BinGrid bins = grid;
                    for (std::size_t item = begin; item < end; ++item) {

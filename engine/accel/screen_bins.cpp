@@ -136,12 +136,12 @@ void bin_triangles(const View& view, std::span<const PackedTriangle> triangles, 
       distance_per_depth[blocks.index(column, row)] =
           static_cast<float>(projection.distance_per_depth(block_pixels(column, row)) * (1 - 1e-6));
 
-  const auto place = [&](std::size_t i) {
+  const auto place = [&](std::size_t i) -> Placed<BinnedEntry> {
     const PackedTriangle& triangle = triangles[i];
-    return Placed<BinnedEntry>{parts_touched(projection.of_triangle(triangle), blocks),
-                               {{static_cast<float>(projection.depth(triangle) * (1 - 1e-6)),
-                                 static_cast<std::uint32_t>(i)},
-                                0}};
+    const CellRectangle parts = parts_touched(projection.of_triangle(triangle), blocks);
+    if (parts.empty()) return {};
+    const auto nearest = static_cast<float>(projection.depth(triangle) * (1 - 1e-6));
+    return {parts, {{nearest, static_cast<std::uint32_t>(i)}, 0}};
   };
   const auto entry_in = [&](BinnedEntry binned, const CellRectangle& parts, int column, int row) {
     binned.entry.nearest *= distance_per_depth[blocks.index(column, row)];
@@ -163,12 +163,15 @@ ScreenBins build_screen_bins(const View& view, std::span<const PackedSphere> sph
   bins.blocks = {(view.width + block_side - 1) / block_side,
                  (view.height + block_side - 1) / block_side, 2};
   const Projection projection(view);
-  const auto place = [&](std::size_t i) {
+  const auto place = [&](std::size_t i) -> Placed<BinnedEntry> {
     const PackedSphere& s = spheres[i];
+    const CellRectangle parts =
+        parts_touched(projection.of_sphere(s.center, s.radius), bins.blocks);
+    if (parts.empty()) return {};
     // Rounded down: by more than the rounding of the distance and of the cast.
     const double nearest = (length(s.center) - s.radius) * (1 - 1e-6);
-    return Placed<BinnedEntry>{
-        parts_touched(projection.of_sphere(s.center, s.radius), bins.blocks),
+    return {
+        parts,
         {{static_cast<float>(std::max(nearest, 0.0)), static_cast<std::uint32_t>(numbers(s.id))},
          0}};
   };

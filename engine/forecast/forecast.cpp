@@ -37,8 +37,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What render() would make of the contract: `probing` samples everywhere, under a budget fewer
 /// before them, and then more where they are needed.
-Expectation expect_contract(const RenderSettings& settings, int most, int probing,
-                            const PassModel& model) {
+Expectation expect_contract(const RenderSettings& settings, std::optional<double> sought_rmse,
+                            int most, int probing, const PassModel& model) {
   constexpr double overestimate = 1.3;     // of the error, mostly
   constexpr double all_refinements = 0.1;  // against the last one's samples
   constexpr double ignorance = 3;          // of what each pixel needs, which only samples tell
@@ -52,8 +52,8 @@ Expectation expect_contract(const RenderSettings& settings, int most, int probin
                            rehearsal.refined_sample_ms / model.threads;
 
   double even = probing;  // samples that would err as little as the refined image if all had them
-  if (settings.target_rmse)
-    even = std::max(even, std::pow(overestimate * rehearsal.error / *settings.target_rmse,
+  if (sought_rmse)
+    even = std::max(even, std::pow(overestimate * rehearsal.error / *sought_rmse,
                                    1 / rehearsal.error_exponent));
   // On average: the pixels that are not refined keep theirs.
   double samples = even > probing ? probing + share * even : probing;
@@ -61,7 +61,7 @@ Expectation expect_contract(const RenderSettings& settings, int most, int probin
   if (settings.budget_ms && sample_ms > 0)
     affordable =
         std::min(affordable, probing + std::max(*settings.budget_ms - probed_ms, 0.0) / sample_ms);
-  if (samples > affordable || !settings.target_rmse) {
+  if (samples > affordable || !sought_rmse) {
     samples = affordable;
     even = samples > probing ? std::max(static_cast<double>(probing), (samples - probing) / share)
                              : samples;
@@ -104,7 +104,8 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
   const int most = most_samples(scene, limits);
   const Expectation expected =
       plan.sampling.value == Sampling::contract
-          ? expect_contract(scene.render, most, first_compared_samples(plan.census, most), model)
+          ? expect_contract(scene.render, sought_rmse(scene.render, plan.census), most,
+                            first_compared_samples(plan.census, most), model)
           : Expectation{fixed, model.pass_ms(fixed), rehearsal.error_of(fixed)};
   result.prediction = {
       .build_ms = build_ms,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <numeric>
 
 #include "engine/parallel/processors.h"
 
@@ -82,7 +83,7 @@ void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)>& 
   ++arrivals_;
   while (batches_.size() == 1 && batches_.front() == batch && has_turn())
     run_next_task(lock, batch);
-  wake_another();
+  if (needs_another()) work_arrived_.notify_one();
   if (!batch->has_ended()) {
     lock.unlock();
     watch_for([&] { return batch->is_finished.load(); });
@@ -115,9 +116,10 @@ void WorkerPool::run_next_task(std::unique_lock<std::mutex>& lock,
   const int processor = current_processor();
   busy_processors_.push_back(processor);
   if (!batch->has_more()) std::erase(batches_, batch);
-  wake_another();  // who takes a task wakes the next
+  const bool calls_another = needs_another();
 
   lock.unlock();
+  if (calls_another) work_arrived_.notify_one();  // who takes a task wakes the next
   std::exception_ptr failure;
   const auto began = Clock::now();
   try {
@@ -137,10 +139,14 @@ void WorkerPool::run_next_task(std::unique_lock<std::mutex>& lock,
   if (closing_) work_arrived_.notify_all();
 }
 
-void WorkerPool::wake_another() {
-  if (!has_turn() || running_ + looking_ + coming_ >= thread_count_ || sleeping_ == coming_) return;
+bool WorkerPool::needs_another() {
+  const auto waiting = std::accumulate(
+      batches_.begin(), batches_.end(), std::size_t{0},
+      [](std::size_t sum, const auto& batch) { return sum + batch->count - batch->begun; });
+  const std::size_t wanted = std::min(waiting, thread_count_ - running_);
+  if (looking_ + coming_ >= wanted || sleeping_ == coming_) return false;
   ++coming_;
-  work_arrived_.notify_one();
+  return true;
 }
 
 void WorkerPool::sleep(std::unique_lock<std::mutex>& lock) {

@@ -54,9 +54,9 @@ class WorkerPool {
   /// The batch whose turn it is.
   std::shared_ptr<Batch> next_batch() const;
   bool has_turn() const { return !batches_.empty() && running_ < thread_count_; }
-  /// Wakes one more thread up if there is something to do that none is on its way to: to wake one
-  /// that is not needed takes as long.
-  void wake_another();
+  /// Whether a task waits that no thread is on its way to, and one sleeps. It then counts as
+  /// coming: the caller wakes it up, without the mutex if it can.
+  bool needs_another();
   /// Until woken up, with `lock` released meanwhile.
   void sleep(std::unique_lock<std::mutex>& lock);
   /// Runs the batch's next task, if it has one, with `lock` released meanwhile.

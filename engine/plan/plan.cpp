@@ -39,7 +39,7 @@ Plan make_plan(const Scene& scene, const Machine& machine, WorkerPool* pool) {
   plan.arithmetic_error =
       foresee_arithmetic_error(plan.precision.value, plan.features, plan.census);
   plan.structures = choose_structures(plan.features, plan.census);
-  plan.sampling = choose_sampling(scene.render);
+  plan.sampling = choose_sampling(scene.render, plan.census);
   plan.instruction_set = machine.instruction_set;
   plan.tile_side_px =
       choose_tile_side(scene, first_samples(scene.render, plan.census), machine.thread_count);

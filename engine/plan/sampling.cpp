@@ -21,16 +21,16 @@ std::string why_fixed(const RenderSettings& settings) {
                      count == 1 ? "is" : "are", where);
 }
 
-std::string why_contract(const RenderSettings& settings) {
+std::string why_contract(const RenderSettings& settings, std::optional<double> sought) {
   const std::string how =
       "four samples per pixel, or sixteen if spheres may be smaller than a pixel, under a budget "
       "one before them; then in each pixel as many as their variance and the difference between "
       "their halves ask for";
   if (settings.target_rmse && settings.budget_ms)
     return fmt::format("{}, until the estimated error is at most {:g} or {:g} ms are over", how,
-                       *settings.target_rmse, *settings.budget_ms);
+                       *sought, *settings.budget_ms);
   if (settings.target_rmse)
-    return fmt::format("{}, until the estimated error is at most {:g}", how, *settings.target_rmse);
+    return fmt::format("{}, until the estimated error is at most {:g}", how, *sought);
   return fmt::format("{}, as many as fit into {:g} ms", how, *settings.budget_ms);
 }
 
@@ -47,10 +47,17 @@ int first_samples(const RenderSettings& settings, const Census& census) {
   return is_probed ? probing_samples(census) : settings.samples.value_or(1);
 }
 
-Choice<Sampling> choose_sampling(const RenderSettings& settings) {
+std::optional<double> sought_rmse(const RenderSettings& settings, const Census& census) {
+  constexpr double least_estimate = 0.77;
+  if (!settings.target_rmse || !census.has_small_squares) return settings.target_rmse;
+  return least_estimate * *settings.target_rmse;
+}
+
+Choice<Sampling> choose_sampling(const RenderSettings& settings, const Census& census) {
   const Sampling sampling = sampling_of(settings);
-  return {sampling, [settings, sampling] {
-            return sampling == Sampling::fixed ? why_fixed(settings) : why_contract(settings);
+  return {sampling, [settings, sampling, sought = sought_rmse(settings, census)] {
+            return sampling == Sampling::fixed ? why_fixed(settings)
+                                               : why_contract(settings, sought);
           }};
 }
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/plan/sampling.h"
 #include "engine/render/first_picture.h"
 #include "engine/render/refined_image.h"
-#include "engine/sample/error_rules.h"
 #include "engine/sample/refinement.h"
 
 namespace raytracer {
@@ -43,9 +43,11 @@ bool probe(int samples, Tracing& tracing, RefinedImage& refined) {
 void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering) {
   const RenderSettings& settings = tracing.scene.render;
   const double values = static_cast<double>(rendering.pixel_count) * 3;
-  const double allowed2 =
-      settings.target_rmse ? *settings.target_rmse * *settings.target_rmse * values : 0;
-  const double sought2 = error_scale(tracing.plan.census).trust * allowed2;
+  const auto squared = [values](std::optional<double> rmse) {
+    return rmse ? *rmse * *rmse * values : 0;
+  };
+  const double allowed2 = squared(settings.target_rmse);
+  const double sought2 = squared(sought_rmse(settings, tracing.plan.census));
   RefinedImage refined(tracing, rendering.image);
   const int samples_everywhere = first_compared_samples(tracing.plan.census, most_samples);
   bool is_complete = probe(samples_everywhere, tracing, refined);

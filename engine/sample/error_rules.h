@@ -10,11 +10,10 @@ namespace raytracer {
 /// Squared errors fall as this power of a number of samples, -3/2.
 double error_power(int samples);
 
-/// What share of the halves' squared differences the squared errors are, and how far that holds.
+/// What share of the halves' squared differences the squared errors are.
 struct ErrorScale {
-  double first;      ///< before any refinement
-  double least;      ///< that refinements are believed
-  double trust = 1;  ///< the largest share of an allowed squared error that is taken to keep it
+  double first;  ///< before any refinement
+  double least;  ///< that refinements are believed
 };
 
 /// Where spheres are small, samples do hardly better than random ones, whose scale is 1; otherwise

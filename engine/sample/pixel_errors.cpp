@@ -4,7 +4,6 @@
 #include <array>
 #include <atomic>
 #include <bit>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -42,8 +41,8 @@ PixelErrors::PixelErrors(int width, int height, const ErrorScale& scale, WorkerP
       sums_(stride_ * (parts_across * rows_ + 2)),
       details_(sums_.size()),
       counts_(sums_.size()),
-      is_rough_(columns_ * rows_),
-      has_errors_(columns_ * rows_) {
+      has_detail_(columns_ * rows_),
+      may_err_(columns_ * rows_) {
   for (std::size_t row = 0; row < rows_; ++row)
     for (std::size_t column = 0; column < columns_; ++column)
       for_each_part_of(column, row, [this](std::size_t part, std::size_t place, std::size_t first) {
@@ -79,7 +78,7 @@ void PixelErrors::expect_guesses() {
 
 void PixelErrors::set_missable(MissableSpheres spheres) {
   missable_ = std::move(spheres);
-  std::fill(has_errors_.begin(), has_errors_.end(), 1);
+  std::fill(may_err_.begin(), may_err_.end(), 1);
   expect_parts();
 }
 
@@ -122,7 +121,7 @@ void PixelErrors::for_each_row(const Visit& visit) const {
   pool_.run(rows_, visit, never);
 }
 
-void PixelErrors::find_rough_blocks(std::size_t row) {
+void PixelErrors::find_details(std::size_t row) {
   const auto stride = static_cast<std::size_t>(spreads_.stride);
   const auto rows = static_cast<std::size_t>(spreads_.rows());
   std::vector<std::uint32_t> bits(stride);  // of all rows: a number is 0 if none is set
@@ -133,9 +132,9 @@ void PixelErrors::find_rough_blocks(std::size_t row) {
       bits[x] |=
           std::bit_cast<std::uint32_t>(error2[x]) | std::bit_cast<std::uint32_t>(variance[x]);
   }
-  std::fill_n(&is_rough_[columns_ * row], columns_, 0);
+  std::fill_n(&has_detail_[columns_ * row], columns_, 0);
   for (std::size_t x = 0; x < stride; ++x)
-    if (bits[x] != 0) is_rough_[columns_ * row + x / block_side] = 1;
+    if (bits[x] != 0) has_detail_[columns_ * row + x / block_side] = 1;
 }
 
 void PixelErrors::choose_blocks(std::size_t row) {
@@ -144,11 +143,11 @@ void PixelErrors::choose_blocks(std::size_t row) {
   for (std::size_t column = 0; column < columns_; ++column) {
     const std::size_t begin = column > 0 ? column - 1 : column;
     const std::size_t end = std::min(column + 2, columns_);
-    bool has_errors = missable_.has_value();
+    bool may_err = missable_.has_value();
     for (std::size_t y = row_begin; y < row_end; ++y)
-      for (std::size_t x = begin; x < end; ++x) has_errors |= is_rough_[columns_ * y + x] != 0;
-    has_errors_[columns_ * row + column] = static_cast<char>(has_errors);
-    if (has_errors) continue;
+      for (std::size_t x = begin; x < end; ++x) may_err |= has_detail_[columns_ * y + x] != 0;
+    may_err_[columns_ * row + column] = static_cast<char>(may_err);
+    if (may_err) continue;
     for_each_part_of(column, row, [this](std::size_t part, std::size_t place, std::size_t) {
       rates_[part].of_variance = rates_[part].least = 0;
       sums_[place] = {};
@@ -228,7 +227,7 @@ float PixelErrors::least_at(std::size_t place) const {
 }
 
 void PixelErrors::expect() {
-  for_each_row([this](std::size_t row) { find_rough_blocks(row); });
+  if (!missable_) for_each_row([this](std::size_t row) { find_details(row); });
   for_each_row([this](std::size_t row) {
     choose_blocks(row);
     spread_variances(row);

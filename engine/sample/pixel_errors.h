@@ -106,8 +106,9 @@ class PixelErrors {
   };
 
   std::size_t part_of(std::size_t pixel) const;
-  void find_rough_blocks(std::size_t row);
-  /// Which blocks of a row have errors; forgets those of the others.
+  /// Where in a row of blocks samples differ.
+  void find_details(std::size_t row);
+  /// Which blocks of a row may err; forgets what was known of the others.
   void choose_blocks(std::size_t row);
   void spread_variances(std::size_t row);
   float unscaled(std::size_t pixel, InversePower& inverse_power) const;
@@ -130,11 +131,11 @@ class PixelErrors {
         visit(first_part + i, (y + 1) * stride_ + x + 1, index(first_x, first_y));
     }
   }
-  /// The same for the parts of a row of blocks, of those that have errors.
+  /// The same for the parts of a row of blocks, of those that may err.
   template <typename Visit>
   void for_each_part_in(std::size_t row, const Visit& visit) const {
     for (std::size_t column = 0; column < columns_; ++column)
-      if (has_errors_[columns_ * row + column] != 0) for_each_part_of(column, row, visit);
+      if (may_err_[columns_ * row + column] != 0) for_each_part_of(column, row, visit);
   }
   /// Calls visit(part, pixel, error2) for the pixels of those parts of a row of blocks that have an
   /// error.
@@ -178,8 +179,10 @@ class PixelErrors {
   std::vector<Sums> sums_;        ///< of the parts, row by row, with a rim of nothing
   std::vector<float> details_;    ///< likewise: the squared error of one sample
   std::vector<float> counts_;     ///< likewise: the pixels, those in the image
-  std::vector<char> is_rough_;    ///< of the blocks: whether samples differ in it
-  std::vector<char> has_errors_;  ///< likewise: or in one beside it, which is as far as they count
+  std::vector<char> has_detail_;  ///< of the blocks: whether samples differ in it
+  std::vector<char>
+      may_err_;  ///< likewise: or in one beside it, which is as far as they count, ...
+                 ///< ... or spheres may be missed anywhere; guesses apart
   std::optional<MissableSpheres> missable_{};
 };
 

@@ -130,6 +130,17 @@ Census census_with(double small_spheres) {
   return census;
 }
 
+TEST(SoughtRmse, IsLessWhereASquareIsFar) {
+  Census census = census_with(1);
+  RenderSettings settings;
+  EXPECT_FALSE(sought_rmse(settings, census));
+  settings.target_rmse = 0.01;
+  EXPECT_EQ(sought_rmse(settings, census), 0.01);
+  census.has_small_squares = true;
+  EXPECT_DOUBLE_EQ(*sought_rmse(settings, census), 0.0077);
+  EXPECT_NE(choose_sampling(settings, census).reason().find("at most 0.0077"), std::string::npos);
+}
+
 TEST(FirstComparedSamples, AreWhatTheLimitAllows) {
   const Census large = census_with(0);
   const Census small = census_with(1);
