@@ -15,10 +15,10 @@ Overrides overrides_of(const Case& measured) {
   return overrides;
 }
 
-/// Each peer once; POV-Ray only if `with_povray`. Replaces the pictures. The forecast is of
-/// `scene`, which is the document's.
+/// The project and each of `peers` once. Replaces the pictures. The forecast is of `scene`, which
+/// is the document's.
 Round run_round(const Scene& scene, const std::string& document, const Overrides& overrides,
-                const Peers& peers, bool with_povray, Pictures& pictures) {
+                const Peers& peers, Pictures& pictures) {
   Round round;
   round.forecast = forecast_project(scene, peers.costs, peers.pool);
   ProjectRun project = run_project(document, overrides, peers.pool);
@@ -29,7 +29,7 @@ Round run_round(const Scene& scene, const std::string& document, const Overrides
     round.embree = embree.times;
     pictures.embree = std::move(embree.image);
   }
-  if (with_povray) {
+  if (peers.povray) {
     PovrayRun povray = peers.povray->run();
     round.povray = povray.times;
     pictures.povray = std::move(povray.image);
@@ -50,9 +50,8 @@ void compare_pictures(const Rgb& background, CaseFigures& figures) {
 
 CaseFigures measure(const Case& measured, const Effort& effort, const Peers& peers) {
   constexpr int fewest_rounds = 3;
-  // POV-Ray may parse for half a minute: the others then go on without it.
-  constexpr double povray_share_of_time = 0.5;
-  const double limit_ms = 1000 * effort.seconds_per_case;
+  constexpr int fewest_povray_rounds = 1;  // it may parse for half a minute
+  const double limit_ms = 1000 * effort.seconds_per_case / (peers.povray ? 2 : 1);
 
   CaseFigures figures{.measured = measured};
   const std::string document = measured.document();
@@ -67,14 +66,15 @@ CaseFigures measure(const Case& measured, const Effort& effort, const Peers& pee
     figures.pictures.project_without_ambient = render_without_ambient(first.scene, peers.pool);
   }
 
-  const Stopwatch watch;
-  double povray_ms = 0;
-  for (int i = 0; i < effort.rounds && (i < fewest_rounds || watch.elapsed_ms() < limit_ms); ++i) {
-    const bool with_povray = peers.povray && povray_ms <= povray_share_of_time * limit_ms;
-    figures.rounds.push_back(
-        run_round(first.scene, document, overrides, peers, with_povray, figures.pictures));
-    if (with_povray) povray_ms += figures.rounds.back().povray->process_ms;
-  }
+  const auto run_rounds = [&](int fewest, const Peers& taking_part, std::vector<Round>& rounds) {
+    const Stopwatch watch;
+    for (int i = 0; i < effort.rounds && (i < fewest || watch.elapsed_ms() < limit_ms); ++i)
+      rounds.push_back(run_round(first.scene, document, overrides, taking_part, figures.pictures));
+  };
+  run_rounds(fewest_rounds, {peers.pool, peers.costs, peers.embree, nullptr}, figures.rounds);
+  if (peers.povray)
+    run_rounds(fewest_povray_rounds, {peers.pool, peers.costs, nullptr, peers.povray},
+               figures.povray_rounds);
   compare_pictures(first.scene.background, figures);
   return figures;
 }

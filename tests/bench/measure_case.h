@@ -1,4 +1,4 @@
-// One case: every peer in turn, round after round, and the pictures compared.
+// One case: the project and each peer in turn, round after round, and the pictures compared.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace raytracer::bench {
 
 struct Effort {
   int rounds = 11;
-  double seconds_per_case = 30;  ///< no new round after that, if there are three
+  double seconds_per_case = 30;  ///< no new round after that, if there are enough
 };
 
 /// A null peer takes no part.
@@ -29,7 +29,7 @@ struct Round {
   ProjectForecast forecast;
   ProjectTimes project;
   std::optional<EmbreeTimes> embree;
-  std::optional<PovrayTimes> povray;  ///< absent once a slow POV-Ray has had its share of time
+  std::optional<PovrayTimes> povray;
 };
 
 /// Empty where a peer took no part.
@@ -42,7 +42,11 @@ struct Pictures {
 
 struct CaseFigures {
   Case measured;
-  std::vector<Round> rounds{};
+  std::vector<Round> rounds{};  ///< with Embree
+  /// With POV-Ray, after the others: whoever comes after its process of seconds finds a processor
+  /// that has slept and memory that was given back, and in rounds of three it was always the
+  /// project.
+  std::vector<Round> povray_rounds{};
   Pictures pictures{};
   std::size_t document_bytes = 0;
   double covered = 0;  ///< share of the project's pixels that are not background

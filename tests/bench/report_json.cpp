@@ -72,12 +72,16 @@ Json json_of(const CaseFigures& figures) {
     povray["process_ratio"] = summary.povray->process_ratio;
     povray["difference"] = json_of(*figures.povray_off);
   }
-  for (const Round& round : figures.rounds) {
-    Json entry{{"forecast", json_of(round.forecast)}, {"project", json_of(round.project)}};
-    if (round.embree) entry["embree"] = json_of(*round.embree);
-    if (round.povray) entry["povray"] = json_of(*round.povray);
-    json["rounds"].push_back(std::move(entry));
-  }
+  const auto add_rounds = [&](const char* name, const std::vector<Round>& rounds) {
+    for (const Round& round : rounds) {
+      Json entry{{"forecast", json_of(round.forecast)}, {"project", json_of(round.project)}};
+      if (round.embree) entry["embree"] = json_of(*round.embree);
+      if (round.povray) entry["povray"] = json_of(*round.povray);
+      json[name].push_back(std::move(entry));
+    }
+  };
+  add_rounds("rounds", figures.rounds);
+  add_rounds("povray_rounds", figures.povray_rounds);
   return json;
 }
 

@@ -77,6 +77,7 @@ PovraySummary summarize_povray(const std::vector<Round>& rounds) {
                     .trace_ms = stage(&PovrayTimes::trace_ms),
                     .process_ms = stage(&PovrayTimes::process_ms)},
           .round_count = rounds.size(),
+          .project_trace_ms = summarize_project(rounds).trace_ms,
           .trace_ratio = median_of(
               rounds,
               [](const Round& round) { return round.povray->trace_ms / round.project.trace_ms; }),
@@ -93,10 +94,7 @@ Summary summarize(const CaseFigures& figures) {
   Summary summary{.project = summarize_project(figures.rounds),
                   .forecast = summarize_forecast(figures.rounds)};
   if (figures.rounds[0].embree) summary.embree = summarize_embree(figures.rounds);
-  std::vector<Round> with_povray;
-  for (const Round& round : figures.rounds)
-    if (round.povray) with_povray.push_back(round);
-  if (!with_povray.empty()) summary.povray = summarize_povray(with_povray);
+  if (!figures.povray_rounds.empty()) summary.povray = summarize_povray(figures.povray_rounds);
   return summary;
 }
 

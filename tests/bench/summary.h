@@ -18,8 +18,9 @@ struct EmbreeSummary {
 struct PovraySummary {
   PovrayTimes times;
   std::size_t round_count = 0;
-  double trace_ratio = 0;    ///< POV-Ray's trace time over the project's
-  double process_ratio = 0;  ///< its process over read, plan, build, trace and encode
+  double project_trace_ms = 0;  ///< in the same rounds
+  double trace_ratio = 0;       ///< POV-Ray's trace time over the project's
+  double process_ratio = 0;     ///< its process over read, plan, build, trace and encode
 };
 
 struct ForecastSummary {
