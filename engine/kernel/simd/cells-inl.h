@@ -7,7 +7,12 @@
 #define RAYTRACER_KERNEL_SIMD_CELLS_INL_H_
 #endif
 
+#include <hwy/cache_control.h>
+
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 
 #include "engine/kernel/simd/packet-inl.h"
 
@@ -81,6 +86,26 @@ HWY_INLINE void for_each_cell(D d, const Begins& begins, V cell, M rest,
       test_alone(begin, end, lane);
       lanes_left &= lanes_left - 1;
     }
+  }
+}
+
+/// Asks the memory for the first entries of each lane's cell, for the lanes of `rest`: for those
+/// that a visit is sure to read.
+template <class D, class Grid, class Columns, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE void fetch_cells(D d, const Grid& grid, const Columns& columns, V cell, M rest) {
+  using T = hn::TFromD<D>;
+  constexpr std::ptrdiff_t line = 64 / sizeof(T);
+  constexpr std::ptrdiff_t most_lines = 6;
+  HWY_ALIGN T cells[hn::MaxLanes(D())];
+  hn::Store(cell, d, cells);
+  auto fetched = std::numeric_limits<std::uint32_t>::max();
+  for (std::uint64_t left = bits_of(d, rest); left != 0; left &= left - 1) {
+    const auto index = static_cast<std::uint32_t>(cells[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)]);
+    if (index == fetched) continue;  // as neighbours often are
+    fetched = index;
+    const T* at = columns.cell(grid.begins[index]);
+    const T* const end = std::min(columns.cell(grid.begins[index + 1]), at + most_lines * line);
+    for (; at < end; at += line) hwy::Prefetch(at);
   }
 }
 

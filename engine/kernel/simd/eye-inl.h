@@ -7,6 +7,9 @@
 #define RAYTRACER_KERNEL_SIMD_EYE_INL_H_
 #endif
 
+#include <hwy/cache_control.h>
+
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -36,6 +39,24 @@ struct BlockContents {
     const bool by_tree = (scene.has_triangles && !scene.has_triangle_bins) ||
                          (scene.has_spheres && !scene.has_sphere_bins);
     if (!scene.planes.empty() || by_tree) parts = all;
+  }
+
+  /// Asks the memory for what the entries name, nearest first and no more than a second cache may
+  /// hold. They lie anywhere, and a ray that waited for each before it knew whether it needs the
+  /// next would spend most of its time so: fetched, 1,000,000 random spheres trace in 0.45 of the
+  /// time, 100,000 in 0.7.
+  ///
+  /// Inline, because g++ takes a call that only fetches for one without effect.
+  template <typename T>
+  HWY_INLINE void fetch(const SimdScene<T>& scene) const {
+    constexpr std::size_t most = 4096;
+    for (const ScreenEntry& entry : spheres.entries.first(std::min(spheres.entries.size(), most)))
+      hwy::Prefetch(scene.primitives.row(entry.primitive));
+    for (const ScreenEntry& entry :
+         triangles.entries.first(std::min(triangles.entries.size(), most))) {
+      hwy::Prefetch(&scene.eye_cones[entry.primitive]);
+      hwy::Prefetch(&scene.triangles[entry.primitive].plane);
+    }
   }
 };
 
@@ -108,15 +129,28 @@ struct Sights {
   alignas(64) T normal_x[block_pixels], normal_y[block_pixels], normal_z[block_pixels];
 };
 
+/// Asks the memory for what shading the i-th packet, if there is one, will need of light grids.
+template <class D, class Rays, typename T = hn::TFromD<D>>
+HWY_INLINE void fetch_for_shading(D d, const SimdScene<T>& scene, const Sights<T>& sights,
+                                  const Rays& rays, int i) {
+  if (i >= rays.count() || !rays.is_in(i)) return;
+  const std::size_t at = static_cast<std::size_t>(i) * PacketShape<D>::lanes;
+  const auto hit = hn::And(rays.active(d, i), hn::Ge(hn::Load(d, sights.id + at), hn::Zero(d)));
+  const auto direction =
+      load(d, sights.direction_x + at, sights.direction_y + at, sights.direction_z + at);
+  fetch_light_cells(d, scene, scale(direction, hn::Load(d, sights.t + at)), hit);
+}
+
 /// The colours that packets of rays from the eye see, not yet clamped; at most as many as a block
-/// has pixels. `rays` has count() packets, and for the i-th of them, if is_in(i), direction(d, i),
-/// the active(d, i) lanes, and the part(i) of the block that they go through.
+/// has pixels. If `fetches`, what shading a packet will need is fetched before its turn. `rays` has
+/// count() packets, and for the i-th of them, if is_in(i), direction(d, i), the active(d, i) lanes,
+/// and the part(i) of the block that they go through.
 ///
 /// All packets meet what they meet before any is shaded: in so short chains of what waits for what
 /// a processor works on several packets at a time.
 template <class D, class Rays, typename T = hn::TFromD<D>>
 HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const BlockContents& contents,
-                              const Rays& rays, BlockColours<T>& colours) {
+                              const Rays& rays, bool fetches, BlockColours<T>& colours) {
   using V = hn::Vec<D>;
   constexpr int lanes = PacketShape<D>::lanes;
   const SimdScene<T>& scene = eye.scene();
@@ -139,7 +173,9 @@ HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const BlockContents& c
     hn::Store(nearest.normal.y, d, sights.normal_y + at);
     hn::Store(nearest.normal.z, d, sights.normal_z + at);
   }
+  if (fetches) fetch_for_shading(d, scene, sights, rays, 0);
   for (int i = 0; i < rays.count(); ++i) {
+    if (fetches) fetch_for_shading(d, scene, sights, rays, i + 1);
     if (!rays.is_in(i)) continue;
     const std::size_t at = static_cast<std::size_t>(i) * lanes;
     const V none = hn::Set(d, T(-1));

@@ -14,11 +14,24 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
+/// The cells that hold the points.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V cell_of(D d, const DistantGrid<T>& grid, const GridPlaces<V, hn::Mask<D>>& at) {
+  return hn::MulAdd(at.row, hn::Set(d, static_cast<T>(grid.columns)), at.column);
+}
+
+/// fetch_cells() for the grid's discs at the points of `lanes`.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void fetch_grid_cells(D d, const DistantGrid<T>& grid, const V3<V>& points, M lanes) {
+  const GridPlaces<V, M> at = places_on(d, grid, points);
+  fetch_cells(d, grid, grid.discs, cell_of(d, grid, at), hn::And(lanes, at.is_on_grid));
+}
+
 /// Lanes of `lit` from which a sphere of the grid stands before its distant light.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M occluded_in_grid(D d, const DistantGrid<T>& grid, const Start<V>& from, M lit) {
   const GridPlaces<V, M> at = places_on(d, grid, from.point);
-  const V cell = hn::MulAdd(at.row, hn::Set(d, static_cast<T>(grid.columns)), at.column);
+  const V cell = cell_of(d, grid, at);
   constexpr std::size_t most_lanes = hn::MaxLanes(D());
   HWY_ALIGN T us[most_lanes];
   HWY_ALIGN T vs[most_lanes];

@@ -60,10 +60,11 @@ HWY_INLINE M is_nearer(const Nearest<V>& nearest, V t, V id, M hit) {
   return is_nearer(nearest.t, nearest.id, t, id, hit);
 }
 
-/// The farthest that any lane of `active` sees as yet.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-HWY_INLINE float farthest(D d, const Nearest<V>& nearest, M active) {
-  return static_cast<float>(hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(active, nearest.t))));
+/// Whether a lane of `active` sees nothing yet that is nearer than `distance`.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE bool sees_as_far_as(D d, float distance, const Nearest<V>& nearest, M active) {
+  const V distances = hn::Set(d, static_cast<T>(distance));
+  return !hn::AllFalse(d, hn::And(active, hn::Ge(nearest.t, distances)));
 }
 
 }  // namespace HWY_NAMESPACE

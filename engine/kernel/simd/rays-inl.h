@@ -35,6 +35,14 @@ HWY_INLINE void show_planes(D d, const SimdScene<T>& scene, const Start<V>& from
   }
 }
 
+/// Asks the memory for what occluded() will need of distant lights' grids for the points of
+/// `lanes`. Cells around point lights are not worth it: 400,000 spheres took 1.04 of the time.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void fetch_light_cells(D d, const SimdScene<T>& scene, const V3<V>& points, M lanes) {
+  for (const SimdLight<T>& light : scene.lights)
+    if (light.is_distant) fetch_grid_cells(d, light.grid, points, lanes);
+}
+
 /// Lanes of `lit` from which something stands before the light, nearer than `distance`.
 /// `incidence` is normal . towards.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>

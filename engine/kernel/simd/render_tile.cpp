@@ -145,6 +145,7 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
   if (block.parts != whole.parts)
     fill_parts(background, whole, whole.parts & ~contents.parts, canvas);
   if (block.parts == 0) return;
+  contents.fetch(scene);
 
   const BlockRays<D> rays(d, scene, block, pattern.stagger);
   const bool spreads = errors.pixels != nullptr;
@@ -153,8 +154,10 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
   BlockBeyondRange<D> block_beyond;
   for (std::size_t sample = 0; sample < pattern.points.size(); ++sample) {
     if (sample > 0 && sample == pattern.first_half) spread.half = sums;
+    // Later samples find in the caches what the first has met.
+    const bool fetches = sample == 0 && scene.fetches_light_cells;
     trace_packets(d, rays.eye, contents, SamplePackets<D>(rays, block, pattern.points[sample]),
-                  colours);
+                  fetches, colours);
     Highest<D> highest(d);
     for (int packet = 0; packet < Shape::packets; ++packet) {
       if (!PacketPlace<D>(packet).is_in(block)) continue;

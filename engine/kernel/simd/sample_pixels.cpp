@@ -92,7 +92,7 @@ HWY_INLINE void sample_pixel(D d, const BlockContents& contents, const EyeRays<D
   using V = hn::Vec<D>;
   const std::size_t lanes = hn::Lanes(d);
   BlockColours<T> colours;
-  trace_packets(d, eye, contents, packets, colours);
+  trace_packets(d, eye, contents, packets, false, colours);
 
   if (is_begin) {
     const V3<V> seen = clamped(d, load(d, colours, 0));

@@ -19,9 +19,9 @@ namespace raytracer {
 namespace HWY_NAMESPACE {
 
 /// Calls visit(primitive) for those of a block that one of its 4 x 4 parts may show: near to far,
-/// until the next is farther than `t_max`, which `visit` may lower.
-template <class Visit>
-HWY_INLINE void for_each_in_part(const BlockEntries& block, int part, const float& t_max,
+/// while sees(distance) of the next.
+template <class Sees, class Visit>
+HWY_INLINE void for_each_in_part(const BlockEntries& block, int part, const Sees& sees,
                                  const Visit& visit) {
   const hn::CappedTag<std::uint16_t, 16> d;
   constexpr std::size_t lanes = hn::MaxLanes(decltype(d)());
@@ -29,7 +29,7 @@ HWY_INLINE void for_each_in_part(const BlockEntries& block, int part, const floa
   const auto bit = hn::Set(d, static_cast<std::uint16_t>(1U << part));
   const std::size_t count = block.entries.size();
   for (std::size_t begin = 0; begin < count; begin += word) {
-    if (block.entries[begin].nearest > t_max) return;
+    if (!sees(block.entries[begin].nearest)) return;
     const std::size_t here_count = std::min(word, count - begin);
     std::uint64_t here = 0;
     for (std::size_t i = 0; i < here_count; i += lanes)
@@ -37,7 +37,7 @@ HWY_INLINE void for_each_in_part(const BlockEntries& block, int part, const floa
     if (here_count < word) here &= (std::uint64_t{1} << here_count) - 1;
     for (; here != 0; here &= here - 1) {
       const ScreenEntry& entry = block.entries[begin + hwy::Num0BitsBelowLS1Bit_Nonzero64(here)];
-      if (entry.nearest > t_max) return;
+      if (!sees(entry.nearest)) return;
       visit(entry.primitive);
     }
   }

@@ -189,6 +189,7 @@ struct SimdScene {
   ScreenBins bins;                     ///< of the spheres, for rays from the eye
   bool has_sphere_bins;                ///< else rays from the eye find spheres by the tree
   bool has_light_grids;                ///< for shadows of spheres; else their tree, or every sphere
+  bool fetches_light_cells;            ///< before they are needed: the caches cannot hold them all
   std::vector<SimdSquare<T>> squares;
   std::vector<SimdPlane<T>> planes;
   SimdTree<SphereBlock<T>> sphere_tree;      ///< empty where nothing needs it

@@ -23,9 +23,10 @@ HWY_INLINE void show_spheres_to_eye(D d, const SimdScene<T>& scene, const BlockE
                                     int part, const V3<V>& direction, M active,
                                     Nearest<V>& nearest) {
   const V zero = hn::Zero(d);
-  float t_max = farthest(d, nearest, active);
+  const auto sees = [&](float distance)
+                        HWY_ATTR { return sees_as_far_as(d, distance, nearest, active); };
   using Table = PrimitiveTable<T>;
-  for_each_in_part(block, part, t_max, [&](std::uint32_t primitive) HWY_ATTR {
+  for_each_in_part(block, part, sees, [&](std::uint32_t primitive) HWY_ATTR {
     const T* const row = scene.primitives.row(primitive);
     const V3<V> center{hn::Set(d, row[Table::x]), hn::Set(d, row[Table::y]),
                        hn::Set(d, row[Table::z])};
@@ -40,7 +41,6 @@ HWY_INLINE void show_spheres_to_eye(D d, const SimdScene<T>& scene, const BlockE
         hn::Div(hn::Set(d, row[Table::eye_c]), hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
     const V id = hn::Set(d, static_cast<T>(primitive));
     take(nearest, is_nearer(nearest, t, id, hit), t, id);
-    t_max = farthest(d, nearest, active);
   });
 }
 

@@ -32,8 +32,9 @@ HWY_INLINE void show_triangles_to_eye(D d, const SimdScene<T>& scene, const Bloc
                                       Nearest<V>& nearest) {
   const V zero = hn::Zero(d);
   const V outside = hn::Set(d, -4 * std::numeric_limits<T>::epsilon());
-  float t_max = farthest(d, nearest, active);
-  for_each_in_part(block, part, t_max, [&](std::uint32_t primitive) HWY_ATTR {
+  const auto sees = [&](float distance)
+                        HWY_ATTR { return sees_as_far_as(d, distance, nearest, active); };
+  for_each_in_part(block, part, sees, [&](std::uint32_t primitive) HWY_ATTR {
     const TriangleCone<T>& cone = scene.eye_cones[primitive];
     const V least = hn::Min(
         hn::Min(dot(broadcast(d, cone[0]), direction), dot(broadcast(d, cone[1]), direction)),
@@ -45,7 +46,6 @@ HWY_INLINE void show_triangles_to_eye(D d, const SimdScene<T>& scene, const Bloc
     const M ahead = hn::And(hn::Gt(t, zero), hn::Lt(t, hn::Set(d, std::numeric_limits<T>::max())));
     const V id = hn::Set(d, static_cast<T>(plane.id));
     take(nearest, is_nearer(nearest, t, id, hn::And(inside, ahead)), t, id);
-    t_max = farthest(d, nearest, active);
   });
 }
 
