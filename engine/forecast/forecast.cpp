@@ -19,11 +19,13 @@ namespace {
 struct PassModel {
   const Rehearsal& rehearsal;
   const MachineCosts& costs;
-  double pixels;
+  double bytes;    ///< of the image
   double threads;  ///< that find a tile to trace
 
   double pass_ms(double samples) const {
-    return costs.start_ms + (pixels * costs.pixel_ms + rehearsal.image_ms(samples)) / threads;
+    const double work_ms = bytes * costs.byte_ms + rehearsal.image_ms(samples);
+    // Until the others have begun, one thread works alone.
+    return std::min(work_ms, (work_ms + (threads - 1) * costs.start_ms) / threads);
   }
 };
 
@@ -98,7 +100,10 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
 
   const Camera& camera = scene.camera;
   const std::size_t threads = std::min(pool.thread_count(), rehearsal.tile_count);
-  const PassModel model{rehearsal, costs, static_cast<double>(camera.width) * camera.height,
+  const bool is_fixed = plan.sampling.value == Sampling::fixed;
+  const std::size_t pixel_bytes = 3 * (is_fixed ? sizeof(unsigned char) : sizeof(float));
+  const double pixels = static_cast<double>(camera.width) * camera.height;
+  const PassModel model{rehearsal, costs, pixels * static_cast<double>(pixel_bytes),
                         static_cast<double>(threads)};
   const double fixed = scene.render.samples.value_or(1);
   const int most = most_samples(scene, limits);

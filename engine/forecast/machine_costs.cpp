@@ -1,8 +1,12 @@
 #include "engine/forecast/machine_costs.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <chrono>
+#include <cstddef>
 #include <limits>
+#include <thread>
 
 #include "engine/image/image.h"
 #include "engine/measure/stopwatch.h"
@@ -11,24 +15,35 @@
 namespace raytracer {
 namespace {
 
-/// The least of a few tries: what else the machine does can only make it more.
-double least_start_ms(WorkerPool& pool) {
-  constexpr int tries = 16;
+/// The median: how long a thread sleeps on varies.
+double usual_start_ms(WorkerPool& pool) {
+  constexpr int tries = 9;
+  constexpr std::chrono::microseconds until_all_sleep{500};
+  constexpr double longest_ms = 5;
   const std::atomic<bool> never{false};
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < tries; ++i) {
+  std::array<double, tries> starts{};
+  for (double& start_ms : starts) {
+    std::this_thread::sleep_for(until_all_sleep);
+    std::atomic<std::size_t> begun{0};
     const Stopwatch watch;
     pool.run(
-        pool.thread_count(), [](std::size_t) {}, never);
-    least = std::min(least, watch.elapsed_ms());
+        pool.thread_count(),
+        [&](std::size_t) {
+          ++begun;
+          while (begun < pool.thread_count() && watch.elapsed_ms() < longest_ms)
+            std::this_thread::yield();
+        },
+        never);
+    start_ms = watch.elapsed_ms();
   }
-  return least;
+  std::ranges::nth_element(starts, starts.begin() + tries / 2);
+  return starts[tries / 2];
 }
 
-/// The least again, of memory that has been written before: a process that renders again and again
-/// keeps it.
-double least_pixel_ms() {
-  constexpr int side_px = 1024;
+/// The least of a few tries: what else the machine does can only make it more. Of memory that has
+/// been written before: a process that renders again and again keeps it.
+double least_byte_ms() {
+  constexpr int side_px = 1448;
   constexpr int tries = 4;
   Image image(side_px, side_px);
   std::fill(image.values.begin(), image.values.end(), 0.0F);
@@ -38,13 +53,13 @@ double least_pixel_ms() {
     std::fill(image.values.begin(), image.values.end(), static_cast<float>(i));
     least = std::min(least, watch.elapsed_ms());
   }
-  return least / (static_cast<double>(side_px) * side_px);
+  return least / static_cast<double>(image.values.size() * sizeof(image.values[0]));
 }
 
 }  // namespace
 
 MachineCosts measure_machine_costs(WorkerPool& pool) {
-  return {least_start_ms(pool), least_pixel_ms()};
+  return {usual_start_ms(pool), least_byte_ms()};
 }
 
 }  // namespace raytracer

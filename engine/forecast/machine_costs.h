@@ -6,8 +6,8 @@
 namespace raytracer {
 
 struct MachineCosts {
-  double start_ms = 0;  ///< of each pass over an image: until all threads have begun and ended
-  double pixel_ms = 0;  ///< of one thread, to write a pixel into memory that it has
+  double start_ms = 0;  ///< of each pass over an image: until threads that slept have all begun
+  double byte_ms = 0;   ///< of one thread, to write a byte of an image into memory that it has
 };
 
 /// Takes a few milliseconds, on the pool's threads and this one.

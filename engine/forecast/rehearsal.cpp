@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <variant>
 #include <vector>
 
 #include "engine/measure/stopwatch.h"
 #include "engine/measure/thread_stopwatch.h"
+#include "engine/plan/sampling.h"
 #include "engine/plan/tiles.h"
 
 namespace raytracer {
@@ -18,14 +21,21 @@ constexpr double comparing_limit_ms = 20;
 constexpr int few_samples = 4;
 constexpr int many_samples = 16;
 
+/// A tile to be timed, and the one that is traced before it: in a render a thread comes from near
+/// by, and the caches hold half of what it needs.
+struct TimedTile {
+  Tile tile;
+  std::optional<Tile> before;  ///< none where that is timed itself
+};
+
 /// `count` of the tiles, of which every first part is spread over the image: by the fractional
 /// parts of multiples of two irrational numbers, one for each direction (Roberts: "The
 /// Unreasonable Effectiveness of Quasirandom Sequences", 2018).
-std::vector<Tile> spread_tiles(const std::vector<Tile>& tiles, std::size_t columns,
-                               std::size_t count) {
+std::vector<TimedTile> spread_tiles(const std::vector<Tile>& tiles, std::size_t columns,
+                                    std::size_t count) {
   constexpr double plastic = 1.32471795724474602596;  // x^3 = x + 1
   const std::size_t rows = tiles.size() / columns;
-  std::vector<Tile> chosen;
+  std::vector<std::size_t> chosen;
   std::vector<bool> is_chosen(tiles.size(), false);
   for (std::size_t i = 1; chosen.size() < count; ++i) {
     const auto along = [&](double step, std::size_t cells) {
@@ -36,9 +46,14 @@ std::vector<Tile> spread_tiles(const std::vector<Tile>& tiles, std::size_t colum
         along(1 / (plastic * plastic), rows) * columns + along(1 / plastic, columns);
     while (is_chosen[index]) index = (index + 1) % tiles.size();
     is_chosen[index] = true;
-    chosen.push_back(tiles[index]);
+    chosen.push_back(index);
   }
-  return chosen;
+  std::vector<TimedTile> timed;
+  for (const std::size_t index : chosen) {
+    timed.push_back({tiles[index], {}});
+    if (index > 0 && !is_chosen[index - 1]) timed.back().before = tiles[index - 1];
+  }
+  return timed;
 }
 
 using TileValues = std::vector<float>;
@@ -80,10 +95,14 @@ double squared_difference(const TileValues& a, const TileValues& b) {
 
 /// An image's memory is made when it is first written, in pieces larger than the tile whose turn it
 /// is: that belongs to the image and not to this tile.
-void touch(const Tile& tile, Image& image) {
-  for (int y = tile.y_begin; y < tile.y_end; ++y)
-    std::fill_n(image.pixel(tile.x_begin, y), std::ptrdiff_t{3} * (tile.x_end - tile.x_begin),
-                0.0F);
+void touch(const Tile& tile, const Canvas& canvas) {
+  std::visit(
+      [&](auto* image) {
+        for (int y = tile.y_begin; y < tile.y_end; ++y)
+          std::fill_n(image->pixel(tile.x_begin, y),
+                      std::ptrdiff_t{3} * (tile.x_end - tile.x_begin), 0);
+      },
+      canvas);
 }
 
 /// What it takes to ask a thread for its time twice: as long as a tile of background.
@@ -174,16 +193,25 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
   const int side = std::min(32, interruptible_side_px(many_samples, scene.lights.size()));
   const std::vector<Tile> all = split_into_tiles(scene.camera.width, scene.camera.height, side);
   const auto columns = static_cast<std::size_t>((scene.camera.width + side - 1) / side);
-  const std::vector<Tile> tiles = spread_tiles(all, columns, std::min(all.size(), most_timed));
+  const std::vector<TimedTile> tiles = spread_tiles(all, columns, std::min(all.size(), most_timed));
   const SamplePattern one = sample_pattern(1);
   const SamplePattern few = sample_pattern(few_samples);
   const SamplePattern many = sample_pattern(many_samples);
   Image image(scene.camera.width, scene.camera.height);
+  ByteImage bytes;  // what a render of fixed samples makes
+  Canvas timed = &image;
+  if (sampling_of(scene.render) == Sampling::fixed) {
+    bytes = ByteImage(scene.camera.width, scene.camera.height);
+    timed = &bytes;
+  }
   std::vector<TileReport> reports(tiles.size());
   const double asked_ms = asking_ms();
-  const auto trace_ms = [&](const SamplePattern& pattern, const Tile& tile) {
+  const auto trace = [&](const SamplePattern& pattern, const Tile& tile, const Canvas& canvas) {
+    render_tile(tracer, pattern, scene.render.transfer, tile, canvas);
+  };
+  const auto trace_ms = [&](const SamplePattern& pattern, const Tile& tile, const Canvas& canvas) {
     const ThreadStopwatch watch;
-    render_tile(tracer, pattern, scene.render.transfer, tile, &image);
+    trace(pattern, tile, canvas);
     return std::max(watch.elapsed_ms() - asked_ms, 0.0);
   };
 
@@ -192,8 +220,10 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
       tiles.size(),
       [&](std::size_t i) {
         if (i > 0 && timing.elapsed_ms() > timing_limit_ms) return;
-        touch(tiles[i], image);
-        reports[i].one_ms = trace_ms(one, tiles[i]);
+        const auto& [tile, before] = tiles[i];
+        if (before) trace(one, *before, timed);
+        touch(tile, timed);
+        reports[i].one_ms = trace_ms(one, tile, timed);
       },
       progress.stop);
   const Stopwatch comparing;
@@ -203,11 +233,13 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
         TileReport& report = reports[i];
         const bool is_late = i > 0 && comparing.elapsed_ms() > comparing_limit_ms;
         if (report.one_ms < 0 || is_late || progress.stop) return;
-        const TileValues with_one = values_of(tiles[i], image);
-        trace_ms(few, tiles[i]);
-        const TileValues with_few = values_of(tiles[i], image);
-        report.many_ms = trace_ms(many, tiles[i]);
-        const TileValues with_many = values_of(tiles[i], image);
+        const Tile& tile = tiles[i].tile;
+        trace(one, tile, &image);
+        const TileValues with_one = values_of(tile, image);
+        trace(few, tile, &image);
+        const TileValues with_few = values_of(tile, image);
+        report.many_ms = trace_ms(many, tile, &image);
+        const TileValues with_many = values_of(tile, image);
         report.one_error2 = squared_difference(with_one, with_many);
         report.few_error2 = squared_difference(with_few, with_many);
         report.value_count = with_many.size();
