@@ -7,9 +7,6 @@
 #define RAYTRACER_KERNEL_SIMD_EYE_INL_H_
 #endif
 
-#include <hwy/cache_control.h>
-
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -19,46 +16,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
-
-/// What rays from the eye may meet in a block.
-struct BlockContents {
-  BlockEntries spheres;
-  BlockEntries triangles;
-  std::uint32_t square_parts;  ///< parts that may show a square, as in BlockEntries
-  std::uint32_t parts;         ///< parts that may show anything
-
-  template <typename T>
-  BlockContents(const SimdScene<T>& scene, int column, int row)
-      : spheres(scene.bins.block(column, row)),
-        triangles(scene.bins.block_triangles(column, row)),
-        square_parts(scene.bins.square_parts(column, row)),
-        parts(square_parts) {
-    constexpr std::uint32_t all = 0xFFFF;
-    for (const BlockEntries& block : {spheres, triangles})
-      for (std::size_t i = 0; i < block.entries.size(); ++i) parts |= block.parts[i];
-    const bool by_tree = (scene.has_triangles && !scene.has_triangle_bins) ||
-                         (scene.has_spheres && !scene.has_sphere_bins);
-    if (!scene.planes.empty() || by_tree) parts = all;
-  }
-
-  /// Asks the memory for what the entries name, nearest first and no more than a second cache may
-  /// hold. They lie anywhere, and a ray that waited for each before it knew whether it needs the
-  /// next would spend most of its time so: fetched, 1,000,000 random spheres trace in 0.45 of the
-  /// time, 100,000 in 0.7.
-  ///
-  /// Inline, because g++ takes a call that only fetches for one without effect.
-  template <typename T>
-  HWY_INLINE void fetch(const SimdScene<T>& scene) const {
-    constexpr std::size_t most = 4096;
-    for (const ScreenEntry& entry : spheres.entries.first(std::min(spheres.entries.size(), most)))
-      hwy::Prefetch(scene.primitives.row(entry.primitive));
-    for (const ScreenEntry& entry :
-         triangles.entries.first(std::min(triangles.entries.size(), most))) {
-      hwy::Prefetch(&scene.eye_cones[entry.primitive]);
-      hwy::Prefetch(&scene.triangles[entry.primitive].plane);
-    }
-  }
-};
 
 /// The directions from the eye through an image's points, and what is seen along them.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
@@ -78,23 +35,23 @@ class EyeRays {
                            mul_add(broadcast(d, scene_.up), up, broadcast(d, scene_.forward))));
   }
 
-  /// What the active lanes meet through `part` of a block.
-  HWY_INLINE Nearest<V> meet(D d, const BlockContents& contents, int part, const V3<V>& direction,
+  /// What the active lanes meet of `contents`, as PartContents.
+  template <class Contents>
+  HWY_INLINE Nearest<V> meet(D d, const Contents& contents, const V3<V>& direction,
                              hn::Mask<D> active) const {
     const V none = hn::Set(d, T(-1));
     const Start<V> eye = start(d);
     Nearest<V> nearest{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
     if (scene_.has_sphere_bins)
-      show_spheres_to_eye(d, scene_, contents.spheres, part, direction, active, nearest);
+      show_spheres_to_eye(d, scene_, contents, direction, active, nearest);
     else if (scene_.has_spheres)
       show_tree(d, scene_.sphere_tree, eye, direction, active, nearest);
     if (scene_.has_triangle_bins)
-      show_triangles_to_eye(d, scene_, contents.triangles, part, direction, active, nearest);
+      show_triangles_to_eye(d, scene_, contents, direction, active, nearest);
     else if (scene_.has_triangles)
       show_tree(d, scene_.triangle_tree, eye, direction, active, nearest);
     show_planes(d, scene_, eye, direction, active, nearest);
-    if ((contents.square_parts >> part & 1U) != 0)
-      show_squares<false>(d, scene_, eye, direction, active, nearest);
+    if (contents.may_show_square()) show_squares<false>(d, scene_, eye, direction, active, nearest);
     return nearest;
   }
 
@@ -144,13 +101,13 @@ HWY_INLINE void fetch_for_shading(D d, const SimdScene<T>& scene, const Sights<T
 /// The colours that packets of rays from the eye see, not yet clamped; at most as many as a block
 /// has pixels. If `fetches`, what shading a packet will need is fetched before its turn. `rays` has
 /// count() packets, and for the i-th of them, if is_in(i), direction(d, i), the active(d, i) lanes,
-/// and the part(i) of the block that they go through.
+/// and the contents(i) of what they go through.
 ///
 /// All packets meet what they meet before any is shaded: in so short chains of what waits for what
 /// a processor works on several packets at a time.
 template <class D, class Rays, typename T = hn::TFromD<D>>
-HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const BlockContents& contents,
-                              const Rays& rays, bool fetches, BlockColours<T>& colours) {
+HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool fetches,
+                              BlockColours<T>& colours) {
   using V = hn::Vec<D>;
   constexpr int lanes = PacketShape<D>::lanes;
   const SimdScene<T>& scene = eye.scene();
@@ -160,7 +117,7 @@ HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const BlockContents& c
     if (!rays.is_in(i)) continue;
     const std::size_t at = static_cast<std::size_t>(i) * lanes;
     const V3<V> direction = rays.direction(d, i);
-    const Nearest<V> nearest = eye.meet(d, contents, rays.part(i), direction, rays.active(d, i));
+    const Nearest<V> nearest = eye.meet(d, rays.contents(i), direction, rays.active(d, i));
     hn::Store(direction.x, d, sights.direction_x + at);
     hn::Store(direction.y, d, sights.direction_y + at);
     hn::Store(direction.z, d, sights.direction_z + at);

@@ -11,6 +11,7 @@
 
 #include "engine/kernel/simd/beyond_range-inl.h"
 #include "engine/kernel/simd/block-inl.h"
+#include "engine/kernel/simd/contents-inl.h"
 #include "engine/kernel/simd/eye-inl.h"
 #include "engine/kernel/simd/resolve-inl.h"
 
@@ -59,12 +60,13 @@ class BlockRays {
 template <class D>
 class SamplePackets {
  public:
-  HWY_INLINE SamplePackets(const BlockRays<D>& rays, const Block& block, const SamplePoint& sample)
-      : rays_(rays), block_(block), sample_(sample) {}
+  HWY_INLINE SamplePackets(const BlockRays<D>& rays, const BlockContents& contents,
+                           const Block& block, const SamplePoint& sample)
+      : rays_(rays), contents_(contents), block_(block), sample_(sample) {}
 
   static constexpr int count() { return PacketShape<D>::packets; }
   HWY_INLINE bool is_in(int i) const { return PacketPlace<D>(i).is_in(block_); }
-  HWY_INLINE int part(int i) const { return PacketPlace<D>(i).part(); }
+  HWY_INLINE PartContents contents(int i) const { return {contents_, PacketPlace<D>(i).part()}; }
   HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
     return rays_.direction(d, PacketPlace<D>(i), sample_);
   }
@@ -72,6 +74,7 @@ class SamplePackets {
 
  private:
   const BlockRays<D>& rays_;
+  const BlockContents& contents_;
   const Block& block_;
   const SamplePoint& sample_;
 };
@@ -156,7 +159,7 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
     if (sample > 0 && sample == pattern.first_half) spread.half = sums;
     // Later samples find in the caches what the first has met.
     const bool fetches = sample == 0 && scene.fetches_light_cells;
-    trace_packets(d, rays.eye, contents, SamplePackets<D>(rays, block, pattern.points[sample]),
+    trace_packets(d, rays.eye, SamplePackets<D>(rays, contents, block, pattern.points[sample]),
                   fetches, colours);
     Highest<D> highest(d);
     for (int packet = 0; packet < Shape::packets; ++packet) {

@@ -9,8 +9,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
+#include <vector>
 
+#include "engine/kernel/simd/contents-inl.h"
 #include "engine/kernel/simd/eye-inl.h"
+#include "engine/kernel/simd/pixel_contents-inl.h"
 #include "engine/kernel/simd/resolve-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -35,18 +39,18 @@ struct SampleLanes {
   }
 };
 
-/// Packets of a pixel's samples.
-template <class D, typename T = hn::TFromD<D>>
+/// Packets of a pixel's samples, and the contents, as PartContents, of what they go through.
+template <class D, class Contents, typename T = hn::TFromD<D>>
 class PixelPackets {
  public:
   /// Of the pixel whose lower left corner is (x, y), y = 0 at the bottom.
   HWY_INLINE PixelPackets(const EyeRays<D>& eye, const SampleLanes<T>& samples, double x, double y,
-                          int part)
-      : eye_(eye), samples_(samples), x_(x), y_(y), part_(part) {}
+                          const Contents& contents)
+      : eye_(eye), samples_(samples), x_(x), y_(y), contents_(contents) {}
 
   HWY_INLINE int count() const { return static_cast<int>((samples_.count + lanes - 1) / lanes); }
   static constexpr bool is_in(int /*i*/) { return true; }
-  HWY_INLINE int part(int /*i*/) const { return part_; }
+  HWY_INLINE const Contents& contents(int /*i*/) const { return contents_; }
   HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
     return eye_.direction(d, x_, y_, hn::Load(d, samples_.right + first(i)),
                           hn::Neg(hn::Load(d, samples_.up + first(i))));
@@ -63,7 +67,7 @@ class PixelPackets {
   const SampleLanes<T>& samples_;
   double x_;
   double y_;
-  int part_;
+  const Contents& contents_;
 };
 
 /// Sums over each pixel's samples, the pixels side by side.
@@ -85,14 +89,14 @@ HWY_INLINE void add_lanes(D d, const V3<hn::Vec<D>>& colour, std::size_t pixel,
 }
 
 /// Traces a pixel's samples, those with which it begins or more of them, and adds them to its sums.
-template <class D, typename T = hn::TFromD<D>>
-HWY_INLINE void sample_pixel(D d, const BlockContents& contents, const EyeRays<D>& eye,
-                             const PixelPackets<D>& packets, const SampleLanes<T>& samples,
-                             bool is_begin, std::size_t pixel, PixelSums<T>& sums) {
+template <class D, class Packets, typename T = hn::TFromD<D>>
+HWY_INLINE void sample_pixel(D d, const EyeRays<D>& eye, const Packets& packets,
+                             const SampleLanes<T>& samples, bool is_begin, std::size_t pixel,
+                             PixelSums<T>& sums) {
   using V = hn::Vec<D>;
   const std::size_t lanes = hn::Lanes(d);
   BlockColours<T> colours;
-  trace_packets(d, eye, contents, packets, false, colours);
+  trace_packets(d, eye, packets, false, colours);
 
   if (is_begin) {
     const V3<V> seen = clamped(d, load(d, colours, 0));
@@ -133,6 +137,12 @@ void sample_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
   constexpr std::size_t lanes = PacketShape<D>::lanes;
   const BlockContents contents(scene, pixels.x_begin / block_side, pixels.y_begin / block_side);
   const EyeRays<D> eye(d, scene);
+  // To look at each sphere once more pays off where there are many, and several packets that then
+  // need not.
+  constexpr std::size_t worth_packets = 3;
+  const bool narrows = contents.spheres.entries.size() > entries_at_once &&
+                       pattern.points.size() >= worth_packets * lanes;
+  std::vector<ScreenEntry> found;
   PixelSums<T> sums;
   std::fill_n(sums.is_number, block_pixels, true);
   for (std::size_t begin = 0; begin < pattern.points.size(); begin += block_pixels) {
@@ -140,10 +150,20 @@ void sample_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
     for (std::size_t i = 0; i < pixels.places.size(); ++i) {
       const int x = pixels.places[i] % block_side;
       const int y = pixels.places[i] / block_side;
-      const PixelPackets<D> packets(eye, samples, pixels.x_begin + x,
-                                    scene.view.height - 1 - pixels.y_begin - y,
-                                    y / part_side * parts_across + x / part_side);
-      sample_pixel(d, contents, eye, packets, samples, begin == 0, i, sums);
+      const int x_left = pixels.x_begin + x;
+      const int y_low = scene.view.height - 1 - pixels.y_begin - y;
+      const PartContents part{contents, y / part_side * parts_across + x / part_side};
+      const auto sample = [&](const auto& own) HWY_ATTR {
+        const PixelPackets<D, std::decay_t<decltype(own)>> packets(eye, samples, x_left, y_low,
+                                                                   own);
+        sample_pixel(d, eye, packets, samples, begin == 0, i, sums);
+      };
+      if (narrows) {
+        PixelSpheres<T> spheres(scene, part, cone_around(d, eye, x_left, y_low), found);
+        sample(PixelContents<T>{part, spheres});
+      } else {
+        sample(part);
+      }
     }
   }
   const std::size_t count = pattern.points.size();

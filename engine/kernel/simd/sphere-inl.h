@@ -10,23 +10,22 @@
 #include <cstdint>
 
 #include "engine/kernel/simd/hit-inl.h"
-#include "engine/kernel/simd/screen-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
-/// Rays from the eye, in one of the 4 x 4 parts of a block, against the block's spheres: near to
-/// far, until the next one is farther than all that is seen already.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void show_spheres_to_eye(D d, const SimdScene<T>& scene, const BlockEntries& block,
-                                    int part, const V3<V>& direction, M active,
-                                    Nearest<V>& nearest) {
+/// Rays from the eye against the spheres of what they go through: near to far, until the next one
+/// is farther than all that is seen already.
+template <class D, class Contents, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE void show_spheres_to_eye(D d, const SimdScene<T>& scene, const Contents& contents,
+                                    const V3<V>& direction, M active, Nearest<V>& nearest) {
   const V zero = hn::Zero(d);
   const auto sees = [&](float distance)
                         HWY_ATTR { return sees_as_far_as(d, distance, nearest, active); };
   using Table = PrimitiveTable<T>;
-  for_each_in_part(block, part, sees, [&](std::uint32_t primitive) HWY_ATTR {
+  contents.for_each_sphere(sees, [&](std::uint32_t primitive) HWY_ATTR {
     const T* const row = scene.primitives.row(primitive);
     const V3<V> center{hn::Set(d, row[Table::x]), hn::Set(d, row[Table::y]),
                        hn::Set(d, row[Table::z])};

@@ -18,23 +18,22 @@
 
 #include "engine/kernel/simd/cells-inl.h"
 #include "engine/kernel/simd/flat-inl.h"
-#include "engine/kernel/simd/screen-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
-/// Rays from the eye, in one of the 4 x 4 parts of a block, against the block's triangles: near to
-/// far, until the next one is farther than all that is seen already.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void show_triangles_to_eye(D d, const SimdScene<T>& scene, const BlockEntries& block,
-                                      int part, const V3<V>& direction, M active,
-                                      Nearest<V>& nearest) {
+/// Rays from the eye against the triangles of what they go through: near to far, until the next one
+/// is farther than all that is seen already.
+template <class D, class Contents, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE void show_triangles_to_eye(D d, const SimdScene<T>& scene, const Contents& contents,
+                                      const V3<V>& direction, M active, Nearest<V>& nearest) {
   const V zero = hn::Zero(d);
   const V outside = hn::Set(d, -4 * std::numeric_limits<T>::epsilon());
   const auto sees = [&](float distance)
                         HWY_ATTR { return sees_as_far_as(d, distance, nearest, active); };
-  for_each_in_part(block, part, sees, [&](std::uint32_t primitive) HWY_ATTR {
+  contents.for_each_triangle(sees, [&](std::uint32_t primitive) HWY_ATTR {
     const TriangleCone<T>& cone = scene.eye_cones[primitive];
     const V least = hn::Min(
         hn::Min(dot(broadcast(d, cone[0]), direction), dot(broadcast(d, cone[1]), direction)),
