@@ -1,7 +1,7 @@
 // A render foreseen: its plan, and what it will take and give.
 //
 //   work of a pass = bytes * memory for one + tiles * time of one
-//   its time = (work + (threads - 1) * start) / threads
+//   its time = (work + (threads - 1) * start) / threads, or the work if that is less
 //
 // What a start and memory cost belongs to the machine and is measured once; what a tile takes
 // belongs to the scene and comes from a rehearsal.

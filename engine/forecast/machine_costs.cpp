@@ -17,8 +17,8 @@ namespace {
 
 /// The median: how long a thread sleeps on varies.
 double usual_start_ms(WorkerPool& pool) {
-  constexpr int tries = 9;
-  constexpr std::chrono::microseconds until_all_sleep{500};
+  constexpr int tries = 5;
+  constexpr std::chrono::microseconds until_all_sleep{100};  // they look out for work for 50
   constexpr double longest_ms = 5;
   const std::atomic<bool> never{false};
   std::array<double, tries> starts{};
@@ -43,7 +43,7 @@ double usual_start_ms(WorkerPool& pool) {
 /// The least of a few tries: what else the machine does can only make it more. Of memory that has
 /// been written before: a process that renders again and again keeps it.
 double least_byte_ms() {
-  constexpr int side_px = 1448;
+  constexpr int side_px = 1024;
   constexpr int tries = 4;
   Image image(side_px, side_px);
   std::fill(image.values.begin(), image.values.end(), 0.0F);

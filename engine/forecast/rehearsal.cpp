@@ -21,11 +21,11 @@ constexpr double comparing_limit_ms = 20;
 constexpr int few_samples = 4;
 constexpr int many_samples = 16;
 
-/// A tile to be timed, and the one that is traced before it: in a render a thread comes from near
-/// by, and the caches hold half of what it needs.
+/// A tile to be timed, and the one before it in the image's order, which is traced first: a thread
+/// of a render comes from there, and the caches hold some of what both need.
 struct TimedTile {
   Tile tile;
-  std::optional<Tile> before;  ///< none where that is timed itself
+  std::optional<Tile> before;  ///< none if it is timed, too: two threads must not write one tile
 };
 
 /// `count` of the tiles, of which every first part is spread over the image: by the fractional
@@ -198,9 +198,10 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
   const SamplePattern few = sample_pattern(few_samples);
   const SamplePattern many = sample_pattern(many_samples);
   Image image(scene.camera.width, scene.camera.height);
+  const bool is_fixed = sampling_of(scene.render) == Sampling::fixed;
   ByteImage bytes;  // what a render of fixed samples makes
   Canvas timed = &image;
-  if (sampling_of(scene.render) == Sampling::fixed) {
+  if (is_fixed) {
     bytes = ByteImage(scene.camera.width, scene.camera.height);
     timed = &bytes;
   }
@@ -234,7 +235,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
         const bool is_late = i > 0 && comparing.elapsed_ms() > comparing_limit_ms;
         if (report.one_ms < 0 || is_late || progress.stop) return;
         const Tile& tile = tiles[i].tile;
-        trace(one, tile, &image);
+        if (is_fixed) trace(one, tile, &image);
         const TileValues with_one = values_of(tile, image);
         trace(few, tile, &image);
         const TileValues with_few = values_of(tile, image);

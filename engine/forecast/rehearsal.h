@@ -5,8 +5,9 @@
 // with the structures of the render itself and takes their mean for that of all tiles. Structures
 // are therefore built first, which for a million spheres takes about as long as to read them.
 //
-// Limits: times are those of threads that have a core each, whatever else the machine does now. A
-// detail between the tiles is not in the error.
+// Limits: times are those of threads that have a core each, whatever else the machine does now. Of
+// an image of so few tiles that all are timed, each comes after one from elsewhere, and takes
+// longer than in a render. A detail between the tiles is not in the error.
 #pragma once
 
 #include <cstddef>

@@ -12,10 +12,11 @@
 namespace raytracer::test {
 namespace {
 
-Prediction foresee(const Scene& scene, std::size_t threads = 2) {
+Prediction foresee(const Scene& scene, std::size_t threads = 2,
+                   const MachineCosts& costs = {0.01, 1e-7}) {
   WorkerPool pool(threads);
   const RenderProgress progress;
-  return forecast(scene, Limits{}, MachineCosts{0.01, 1e-7}, pool, progress).value().prediction;
+  return forecast(scene, Limits{}, costs, pool, progress).value().prediction;
 }
 
 /// Spheres of radius 1 in a row before the eye, under a light.
@@ -115,6 +116,22 @@ TEST(Forecast, EyeInsideASphereIsForeseen) {
   scene.camera.origin = {0, 0, 0};
   scene.camera.look_at = {0, 0, 1};
   EXPECT_GT(foresee(scene).trace_ms, 0);
+}
+
+TEST(Forecast, ThreadsThatBeginTooLateDoNotCount) {
+  const MachineCosts slow_start{.start_ms = 1e9, .byte_ms = 1e-7};
+  EXPECT_LT(foresee(row_of_spheres(5), 4, slow_start).trace_ms, 1e6) << "one thread does it alone";
+}
+
+TEST(Forecast, MemoryIsPaidForByTheBytesThatAreWritten) {
+  Scene scene = row_of_spheres(5);
+  const double values = 3.0 * scene.camera.width * scene.camera.height;
+  const MachineCosts slow_memory{.start_ms = 0, .byte_ms = 1};
+  // Tracing takes milliseconds of these minutes.
+  EXPECT_NEAR(foresee(scene, 2, slow_memory).trace_ms, values / 2, 0.01 * values);
+  scene.render.target_rmse = 0.5;
+  EXPECT_NEAR(foresee(scene, 2, slow_memory).trace_ms, 4 * values / 2, 0.04 * values)
+      << "contracts are kept in floats";
 }
 
 TEST(Forecast, StoppedForecastIsNone) {

@@ -193,8 +193,8 @@ TEST(SampledPixels, AreAsThoseOfAWholeImageAmongManySpheres) {
         for (std::size_t k = 0; k < 3; ++k) off += std::abs(alone[k] - together[k]) > 2e-6F ? 1 : 0;
         varied += static_cast<double>(sampled.pixels[i].spread.variance);
       }
-      // Of 7,000 rays one may pass a rim on its other side by rounding.
-      EXPECT_LE(off, 3) << set.name;
+      // Of 7,000 rays in single precision one may pass a rim on its other side by rounding.
+      EXPECT_LE(off, precision == Precision::single_precision ? 3 : 0) << set.name;
       EXPECT_GT(varied, 0.1) << set.name;
     }
   }

@@ -89,13 +89,13 @@ HWY_INLINE void for_each_cell(D d, const Begins& begins, V cell, M rest,
   }
 }
 
-/// Asks the memory for the first entries of each lane's cell, for the lanes of `rest`: for those
-/// that a visit is sure to read.
+/// Asks the memory for each lane's cell, for the lanes of `rest`: whole if it has few entries, else
+/// for its first lines.
 template <class D, class Grid, class Columns, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE void fetch_cells(D d, const Grid& grid, const Columns& columns, V cell, M rest) {
   using T = hn::TFromD<D>;
-  constexpr std::ptrdiff_t line = 64 / sizeof(T);
-  constexpr std::ptrdiff_t most_lines = 6;
+  constexpr std::size_t line = 64 / sizeof(T);
+  constexpr std::size_t most = 6 * line;
   HWY_ALIGN T cells[hn::MaxLanes(D())];
   hn::Store(cell, d, cells);
   auto fetched = std::numeric_limits<std::uint32_t>::max();
@@ -103,9 +103,9 @@ HWY_INLINE void fetch_cells(D d, const Grid& grid, const Columns& columns, V cel
     const auto index = static_cast<std::uint32_t>(cells[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)]);
     if (index == fetched) continue;  // as neighbours often are
     fetched = index;
-    const T* at = columns.cell(grid.begins[index]);
-    const T* const end = std::min(columns.cell(grid.begins[index + 1]), at + most_lines * line);
-    for (; at < end; at += line) hwy::Prefetch(at);
+    const T* const begin = columns.cell(grid.begins[index]);
+    const auto count = static_cast<std::size_t>(columns.cell(grid.begins[index + 1]) - begin);
+    for (std::size_t at = 0; at < std::min(count, most); at += line) hwy::Prefetch(begin + at);
   }
 }
 

@@ -28,7 +28,9 @@ struct PixelCone {
   Triple<T> axis;  ///< unit
   T spread;        ///< how far unit vectors in it are from the axis, at most, and a little more
 
-  /// Whether a ray in the cone may meet the sphere of this row of a PrimitiveTable.
+  /// Whether a ray in the cone may meet the sphere of this row of a PrimitiveTable. Where it comes
+  /// nearest to the centre it has gone no farther than that is away, so the axis passes the centre
+  /// at no more than the radius and `spread` times that distance.
   HWY_INLINE bool may_meet(const T* row) const {
     using Table = PrimitiveTable<T>;
     const T b = axis.x * row[Table::x] + axis.y * row[Table::y] + axis.z * row[Table::z];
@@ -41,7 +43,9 @@ struct PixelCone {
   }
 };
 
-/// Around the pixel whose lower left corner is (x, y), y = 0 at the bottom.
+/// Around the pixel whose lower left corner is (x, y), y = 0 at the bottom. Its corners are
+/// farthest from the axis: the pixel is convex, and so is what a cone of less than a right angle
+/// cuts out of the image.
 template <class D, typename T = hn::TFromD<D>>
 HWY_INLINE PixelCone<T> cone_around(D d, const EyeRays<D>& eye, double x, double y) {
   const auto through = [&](double right, double up) HWY_ATTR {
@@ -71,7 +75,7 @@ template <typename T>
 class PixelSpheres {
  public:
   /// `found` is memory for them.
-  HWY_INLINE PixelSpheres(const SimdScene<T>& scene, const PartContents& part,
+  HWY_INLINE PixelSpheres(const SimdScene<T>& scene, const PartContents<T>& part,
                           const PixelCone<T>& cone, std::vector<ScreenEntry>& found)
       : scene_(scene), part_(part), cone_(cone), found_(found) {
     found_.clear();
@@ -95,6 +99,7 @@ class PixelSpheres {
  private:
   HWY_NOINLINE void find_more() {
     const BlockEntries& spheres = part_.block.spheres;
+    part_.block.fetch_spheres(looked_through_);
     for (std::uint64_t here = entries_in_part(spheres, part_.part, looked_through_); here != 0;
          here &= here - 1) {
       const ScreenEntry& entry =
@@ -105,7 +110,7 @@ class PixelSpheres {
   }
 
   const SimdScene<T>& scene_;
-  PartContents part_;
+  PartContents<T> part_;
   PixelCone<T> cone_;
   std::vector<ScreenEntry>& found_;
   std::size_t looked_through_ = 0;  ///< of the block's entries
@@ -114,7 +119,7 @@ class PixelSpheres {
 /// What rays through one pixel may meet.
 template <typename T>
 struct PixelContents {
-  const PartContents& part;
+  const PartContents<T>& part;
   PixelSpheres<T>& spheres;
 
   /// As those of PartContents.

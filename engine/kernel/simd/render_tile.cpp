@@ -57,16 +57,16 @@ class BlockRays {
 };
 
 /// A block's packets at one sample's place.
-template <class D>
+template <class D, typename T = hn::TFromD<D>>
 class SamplePackets {
  public:
-  HWY_INLINE SamplePackets(const BlockRays<D>& rays, const BlockContents& contents,
-                           const Block& block, const SamplePoint& sample)
+  HWY_INLINE SamplePackets(const BlockRays<D>& rays, BlockContents<T>& contents, const Block& block,
+                           const SamplePoint& sample)
       : rays_(rays), contents_(contents), block_(block), sample_(sample) {}
 
   static constexpr int count() { return PacketShape<D>::packets; }
   HWY_INLINE bool is_in(int i) const { return PacketPlace<D>(i).is_in(block_); }
-  HWY_INLINE PartContents contents(int i) const { return {contents_, PacketPlace<D>(i).part()}; }
+  HWY_INLINE PartContents<T> contents(int i) const { return {contents_, PacketPlace<D>(i).part()}; }
   HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
     return rays_.direction(d, PacketPlace<D>(i), sample_);
   }
@@ -74,7 +74,7 @@ class SamplePackets {
 
  private:
   const BlockRays<D>& rays_;
-  const BlockContents& contents_;
+  BlockContents<T>& contents_;
   const Block& block_;
   const SamplePoint& sample_;
 };
@@ -142,13 +142,12 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
   const D d;
   using V = hn::Vec<D>;
   using Shape = PacketShape<D>;
-  const BlockContents contents(scene, whole.x_begin / block_side, whole.y_begin / block_side);
+  BlockContents<T> contents(scene, whole.x_begin / block_side, whole.y_begin / block_side);
   Block block = whole;
   block.parts &= contents.parts;
   if (block.parts != whole.parts)
     fill_parts(background, whole, whole.parts & ~contents.parts, canvas);
   if (block.parts == 0) return;
-  contents.fetch(scene);
 
   const BlockRays<D> rays(d, scene, block, pattern.stagger);
   const bool spreads = errors.pixels != nullptr;

@@ -135,7 +135,7 @@ void sample_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
   const D d;
   using V = hn::Vec<D>;
   constexpr std::size_t lanes = PacketShape<D>::lanes;
-  const BlockContents contents(scene, pixels.x_begin / block_side, pixels.y_begin / block_side);
+  BlockContents<T> contents(scene, pixels.x_begin / block_side, pixels.y_begin / block_side);
   const EyeRays<D> eye(d, scene);
   // To look at each sphere once more pays off where there are many, and several packets that then
   // need not.
@@ -152,7 +152,7 @@ void sample_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
       const int y = pixels.places[i] / block_side;
       const int x_left = pixels.x_begin + x;
       const int y_low = scene.view.height - 1 - pixels.y_begin - y;
-      const PartContents part{contents, y / part_side * parts_across + x / part_side};
+      const PartContents<T> part{contents, y / part_side * parts_across + x / part_side};
       const auto sample = [&](const auto& own) HWY_ATTR {
         const PixelPackets<D, std::decay_t<decltype(own)>> packets(eye, samples, x_left, y_low,
                                                                    own);
