@@ -1,4 +1,4 @@
-// A block of pixels: how packets cover it, its colours, and their way into the image.
+// A block of pixels: how packets cover it, and its colours.
 
 #if defined(RAYTRACER_KERNEL_SIMD_BLOCK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYTRACER_KERNEL_SIMD_BLOCK_INL_H_
@@ -9,13 +9,10 @@
 
 #include <hwy/contrib/math/math-inl.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <cstring>
-#include <variant>
 
-#include "engine/image/image.h"
 #include "engine/image/tile.h"
+#include "engine/image/transfer.h"
 #include "engine/kernel/sample_point.h"
 #include "engine/kernel/simd/packet-inl.h"
 #include "engine/math/block.h"
@@ -143,152 +140,6 @@ HWY_INLINE V encoded(D d, Transfer transfer, V linear) {
   const V power = hn::Exp(d, hn::Mul(logarithm, hn::Set(d, T(1 / 2.4))));
   const V curved = hn::MulSub(hn::Set(d, T(1.055)), power, hn::Set(d, T(0.055)));
   return hn::IfThenElse(is_dark, straight, hn::Min(curved, hn::Set(d, T(1))));
-}
-
-/// What store_interleaved() writes: StoreInterleaved3 of part of a vector may write a whole one.
-template <class D, typename Channel>
-struct Interleaved {
-  HWY_ALIGN Channel values[3 * PacketShape<D>::lanes + HWY_MAX_BYTES / sizeof(Channel)];
-};
-
-/// The lanes' channels in single precision, which is what an image of floats holds.
-template <class D>
-HWY_INLINE hn::Vec<hn::Rebind<float, D>> in_single(D, hn::Vec<D> channel) {
-  if constexpr (sizeof(hn::TFromD<D>) == sizeof(float))
-    return channel;
-  else
-    return hn::DemoteTo(hn::Rebind<float, D>(), channel);
-}
-
-/// As to_byte() in engine/image/image.h, from single precision and exact in double.
-template <class DFloat, class DDouble = hn::Rebind<double, DFloat>>
-HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, DFloat>> to_levels(DFloat, hn::Vec<DFloat> channel) {
-  const DDouble in_double;
-  const auto raised = hn::Add(hn::Mul(hn::PromoteTo(in_double, channel), hn::Set(in_double, 255)),
-                              hn::Set(in_double, 0.5));
-  return hn::DemoteTo(hn::Rebind<std::int32_t, DFloat>(), raised);
-}
-
-/// The lanes' 8-bit values.
-template <class D>
-HWY_INLINE hn::Vec<hn::Rebind<std::uint8_t, D>> to_bytes(D d, hn::Vec<D> channel) {
-  const hn::Rebind<std::uint8_t, D> bytes;
-#if HWY_TARGET != HWY_SCALAR  // which has no halves
-  if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
-    // In double they take two vectors.
-    const hn::Half<D> half;
-    const hn::Rebind<std::int32_t, D> levels;
-    return hn::DemoteTo(bytes, hn::Combine(levels, to_levels(half, hn::UpperHalf(half, channel)),
-                                           to_levels(half, hn::LowerHalf(half, channel))));
-  } else  // NOLINT(readability-else-after-return): the two are of different types
-#endif
-    return hn::DemoteTo(bytes, to_levels(hn::Rebind<float, D>(), in_single(d, channel)));
-}
-
-/// The lanes as red, green, blue, red ...
-template <class D>
-HWY_INLINE void store_interleaved(D d, const V3<hn::Vec<D>>& colour, float* to) {
-  hn::StoreInterleaved3(in_single(d, colour.x), in_single(d, colour.y), in_single(d, colour.z),
-                        hn::Rebind<float, D>(), to);
-}
-template <class D>
-HWY_INLINE void store_interleaved(D d, const V3<hn::Vec<D>>& colour, std::uint8_t* to) {
-  hn::StoreInterleaved3(to_bytes(d, colour.x), to_bytes(d, colour.y), to_bytes(d, colour.z),
-                        hn::Rebind<std::uint8_t, D>(), to);
-}
-
-template <class D, typename Channel, typename T = hn::TFromD<D>>
-HWY_INLINE void store_block(D d, const BlockColours<T>& colours, const Block& block,
-                            Raster<Channel>& image) {
-  using Shape = PacketShape<D>;
-  // All packets before the first copy: a processor waits long for what it has just stored in other
-  // pieces.
-  Interleaved<D, Channel> packets[Shape::packets];
-  for (int i = 0; i < Shape::packets; ++i)
-    if (PacketPlace<D>(i).is_in(block))
-      store_interleaved(d, load(d, colours, static_cast<std::size_t>(i) * Shape::lanes),
-                        packets[i].values);
-  const std::ptrdiff_t stride = 3 * static_cast<std::ptrdiff_t>(image.width);
-  for (int i = 0; i < Shape::packets; ++i) {
-    const PacketPlace<D> place(i);
-    if (!place.is_in(block)) continue;
-    const auto copy_rows = [&](int row_count, int row_length) HWY_ATTR {
-      const Channel* from = packets[i].values;
-      Channel* to = image.pixel(block.x_begin + place.x, block.y_begin + place.y);
-      for (int row = 0; row < row_count; ++row, to += stride, from += 3 * Shape::width)
-        std::memcpy(to, from, 3 * static_cast<std::size_t>(row_length) * sizeof(Channel));
-    };
-    const int columns = std::min(Shape::width, block.width - place.x);
-    const int rows = std::min(Shape::height, block.height - place.y);
-    if (columns == Shape::width && rows == Shape::height)
-      copy_rows(Shape::height, Shape::width);  // of lengths that the compiler knows
-    else
-      copy_rows(rows, columns);
-  }
-}
-
-/// As many rows of a part or of a block, begun at (x, y) of it and cut off at its end, as `row`.
-template <typename Channel>
-HWY_INLINE void fill_rows(const Channel* row, const Block& block, int x, int y, int side,
-                          Raster<Channel>& image) {
-  const int columns = std::min(side, block.width - x);
-  const int rows = std::min(side, block.height - y);
-  if (columns <= 0 || rows <= 0) return;
-  const std::ptrdiff_t stride = 3 * static_cast<std::ptrdiff_t>(image.width);
-  Channel* to = image.pixel(block.x_begin + x, block.y_begin + y);
-  for (int i = 0; i < rows; ++i, to += stride) {
-    if (columns == side)
-      std::memcpy(to, row, 3 * static_cast<std::size_t>(side) * sizeof(Channel));
-    else
-      std::memcpy(to, row, 3 * static_cast<std::size_t>(columns) * sizeof(Channel));
-  }
-}
-
-/// A block's row of pixels of one colour, as the images hold it.
-struct PlainRow {
-  HWY_ALIGN float floats[std::size_t{3} * block_side + HWY_MAX_BYTES / sizeof(float)];
-  HWY_ALIGN std::uint8_t bytes[std::size_t{3} * block_side + HWY_MAX_BYTES];
-
-  template <class D>
-  HWY_INLINE PlainRow(D d, const V3<hn::Vec<D>>& colour) {
-    for (int x = 0; x < block_side; x += PacketShape<D>::lanes) {
-      store_interleaved(d, colour, floats + std::ptrdiff_t{3} * x);
-      store_interleaved(d, colour, bytes + std::ptrdiff_t{3} * x);
-    }
-  }
-};
-
-template <typename Channel>
-HWY_INLINE void fill_parts(const Channel* row, const Block& block, std::uint32_t parts,
-                           Raster<Channel>& image) {
-  // Lengths that the compiler knows.
-  if (parts == Tile::all_parts) {
-    fill_rows(row, block, 0, 0, block_side, image);
-    return;
-  }
-  for (int part = 0; part < parts_across * parts_across; ++part)
-    if ((parts >> part & 1U) != 0)
-      fill_rows(row, block, part % parts_across * part_side, part / parts_across * part_side,
-                part_side, image);
-}
-
-/// Stores a block's finished pixels.
-template <class D, typename T = hn::TFromD<D>>
-HWY_INLINE void store_block(D d, const BlockColours<T>& colours, const Block& block,
-                            const Canvas& canvas) {
-  if (Image* const* image = std::get_if<Image*>(&canvas))
-    store_block(d, colours, block, **image);
-  else
-    store_block(d, colours, block, *std::get<ByteImage*>(canvas));
-}
-
-/// Stores one colour in all pixels of some of a block's parts.
-HWY_INLINE void fill_parts(const PlainRow& row, const Block& block, std::uint32_t parts,
-                           const Canvas& canvas) {
-  if (Image* const* image = std::get_if<Image*>(&canvas))
-    fill_parts(row.floats, block, parts, **image);
-  else
-    fill_parts(row.bytes, block, parts, *std::get<ByteImage*>(canvas));
 }
 
 }  // namespace HWY_NAMESPACE

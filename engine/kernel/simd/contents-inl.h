@@ -75,8 +75,9 @@ struct BlockContents {
         square_parts(scene.bins.square_parts(column, row)),
         parts(square_parts) {
     constexpr std::uint32_t all = 0xFFFF;
-    for (const BlockEntries& block : {spheres, triangles})
-      for (std::size_t i = 0; i < block.entries.size(); ++i) parts |= block.parts[i];
+    // Not in a loop over the two: a processor waits long for a copy of what it has just stored.
+    include_parts(spheres);
+    include_parts(triangles);
     const bool by_tree = (scene.has_triangles && !scene.has_triangle_bins) ||
                          (scene.has_spheres && !scene.has_sphere_bins);
     if (!scene.planes.empty() || by_tree) parts = all;
@@ -100,6 +101,10 @@ struct BlockContents {
   }
 
  private:
+  void include_parts(const BlockEntries& block) {
+    for (std::size_t i = 0; i < block.entries.size(); ++i) parts |= block.parts[i];
+  }
+
   static constexpr std::size_t ahead = 2 * entries_at_once;
 };
 

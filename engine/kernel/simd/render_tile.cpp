@@ -10,10 +10,10 @@
 #include <algorithm>
 
 #include "engine/kernel/simd/beyond_range-inl.h"
-#include "engine/kernel/simd/block-inl.h"
 #include "engine/kernel/simd/contents-inl.h"
 #include "engine/kernel/simd/eye-inl.h"
 #include "engine/kernel/simd/resolve-inl.h"
+#include "engine/kernel/simd/store-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -181,12 +181,11 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
   if (errors.are_wanted())
     tell_errors(d, block, rays, spread, sums, pattern.points.size(), transfer, errors);
   const V share = share_of(d, pattern.points.size());
-  for (int i = 0; i < Shape::packets; ++i) {
-    if (!PacketPlace<D>(i).is_in(block)) continue;
-    const std::size_t first = static_cast<std::size_t>(i) * Shape::lanes;
-    store(d, resolved(d, load(d, sums, first), share, transfer), first, sums);
-  }
-  store_block(d, sums, block, canvas);
+  const auto colour_of = [&](int packet) HWY_ATTR {
+    const V3<V> sum = load(d, sums, static_cast<std::size_t>(packet) * Shape::lanes);
+    return resolved(d, sum, share, transfer);
+  };
+  store_block(d, colour_of, block, canvas);
   block_beyond.add_to(beyond);
 }
 

@@ -1,0 +1,207 @@
+// A block's colours on their way into the image.
+
+#if defined(RAYTRACER_KERNEL_SIMD_STORE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_KERNEL_SIMD_STORE_INL_H_
+#undef RAYTRACER_KERNEL_SIMD_STORE_INL_H_
+#else
+#define RAYTRACER_KERNEL_SIMD_STORE_INL_H_
+#endif
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <variant>
+
+#include "engine/image/image.h"
+#include "engine/image/tile.h"
+#include "engine/kernel/simd/block-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// The lanes' channels in single precision, which is what an image of floats holds.
+template <class D>
+HWY_INLINE hn::Vec<hn::Rebind<float, D>> in_single(D, hn::Vec<D> channel) {
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(float))
+    return channel;
+  else
+    return hn::DemoteTo(hn::Rebind<float, D>(), channel);
+}
+
+/// As to_byte() in engine/image/image.h, of channels in [0, 1]: in the lowest byte of a lane, with
+/// the two above it zero and anything in the highest.
+template <class D>
+HWY_INLINE hn::Vec<hn::Rebind<std::uint32_t, D>> to_levels(D d, hn::Vec<D> channel) {
+  static_assert(sizeof(hn::TFromD<D>) == sizeof(float));
+  const hn::Rebind<std::uint32_t, D> levels;
+#if HWY_NATIVE_FMA
+  // From 2^23 on the numbers are 1 apart, and what rounds once rounds to the nearest level. Only
+  // 0.5 lies between two, and goes to the even one, which is the upper.
+  return hn::BitCast(levels, hn::MulAdd(channel, hn::Set(d, 255.0F), hn::Set(d, 8388608.0F)));
+#else
+  const auto exactly = [](auto part, auto values) HWY_ATTR {
+    const hn::Rebind<double, decltype(part)> in_double;
+    const auto raised = hn::Add(hn::Mul(hn::PromoteTo(in_double, values), hn::Set(in_double, 255)),
+                                hn::Set(in_double, 0.5));
+    return hn::DemoteTo(hn::Rebind<std::int32_t, decltype(part)>(), raised);
+  };
+#if HWY_TARGET != HWY_SCALAR  // which has no halves
+  if constexpr (hn::MaxLanes(D()) > hn::MaxLanes(hn::ScalableTag<double>())) {
+    const hn::Half<D> half;
+    return hn::BitCast(levels, hn::Combine(hn::Rebind<std::int32_t, D>(),
+                                           exactly(half, hn::UpperHalf(half, channel)),
+                                           exactly(half, hn::LowerHalf(half, channel))));
+  } else  // NOLINT(readability-else-after-return): the two are of different types
+#endif
+    return hn::BitCast(levels, exactly(d, channel));
+#endif
+}
+
+/// A packet's pixels as an image holds them.
+template <class D, typename Channel>
+struct PackedPixels;
+
+template <class D>
+struct PackedPixels<D, float> {
+  /// From one row of the packet to the next, in channels.
+  static constexpr int row_stride = 3 * PacketShape<D>::width;
+  /// StoreInterleaved3 of part of a vector may write a whole one.
+  HWY_ALIGN float channels[3 * PacketShape<D>::lanes + HWY_MAX_BYTES / sizeof(float)];
+
+  HWY_INLINE void set(D d, const V3<hn::Vec<D>>& colour) {
+    hn::StoreInterleaved3(in_single(d, colour.x), in_single(d, colour.y), in_single(d, colour.z),
+                          hn::Rebind<float, D>(), channels);
+  }
+};
+
+/// Four pixels at the beginning of every 16 bytes.
+template <class D>
+struct PackedPixels<D, std::uint8_t> {
+  static constexpr int row_stride = PacketShape<D>::width == 4 ? 16 : 3 * PacketShape<D>::width;
+  HWY_ALIGN std::uint8_t channels[4 * PacketShape<D>::lanes];
+
+  HWY_INLINE void set(D d, const V3<hn::Vec<D>>& colour) {
+    const hn::Rebind<float, D> single;
+    const hn::Rebind<std::uint32_t, D> words;
+    const auto red = to_levels(single, in_single(d, colour.x));
+    const auto green = to_levels(single, in_single(d, colour.y));
+    const auto blue = to_levels(single, in_single(d, colour.z));
+    const auto pixels = hn::Or(red, hn::Or(hn::ShiftLeft<8>(green), hn::ShiftLeft<16>(blue)));
+    if constexpr (PacketShape<D>::lanes >= 4) {
+      alignas(16) static constexpr std::uint8_t lowest_three[16] = {0,  1,  2,  4,  5, 6, 8,  9,
+                                                                    10, 12, 13, 14, 3, 7, 11, 15};
+      const hn::Repartition<std::uint8_t, decltype(words)> bytes;
+      hn::Store(
+          hn::TableLookupBytes(hn::BitCast(bytes, pixels), hn::LoadDup128(bytes, lowest_three)),
+          bytes, channels);
+    } else {
+      HWY_ALIGN std::uint32_t lanes[PacketShape<D>::lanes];
+      hn::Store(pixels, words, lanes);
+      for (int i = 0; i < 3 * PacketShape<D>::lanes; ++i)
+        channels[i] = static_cast<std::uint8_t>(lanes[i / 3] >> (i % 3 * 8));
+    }
+  }
+};
+
+template <class D, class ColourOf, typename Channel>
+HWY_INLINE void store_block(D d, const ColourOf& colour_of, const Block& block,
+                            Raster<Channel>& image) {
+  using Shape = PacketShape<D>;
+  // All packets before the first copy: a processor waits long for what it has just stored in other
+  // pieces.
+  PackedPixels<D, Channel> packets[Shape::packets];
+  for (int i = 0; i < Shape::packets; ++i)
+    if (PacketPlace<D>(i).is_in(block)) packets[i].set(d, colour_of(i));
+  const std::ptrdiff_t stride = 3 * static_cast<std::ptrdiff_t>(image.width);
+  for (int i = 0; i < Shape::packets; ++i) {
+    const PacketPlace<D> place(i);
+    if (!place.is_in(block)) continue;
+    const auto copy_rows = [&](int row_count, int row_length) HWY_ATTR {
+      const Channel* from = packets[i].channels;
+      Channel* to = image.pixel(block.x_begin + place.x, block.y_begin + place.y);
+      for (int row = 0; row < row_count; ++row, to += stride, from += packets[i].row_stride)
+        std::memcpy(to, from, 3 * static_cast<std::size_t>(row_length) * sizeof(Channel));
+    };
+    const int columns = std::min(Shape::width, block.width - place.x);
+    const int rows = std::min(Shape::height, block.height - place.y);
+    if (columns == Shape::width && rows == Shape::height)
+      copy_rows(Shape::height, Shape::width);  // of lengths that the compiler knows
+    else
+      copy_rows(rows, columns);
+  }
+}
+
+/// As many rows of a part or of a block, begun at (x, y) of it and cut off at its end, as `row`.
+template <typename Channel>
+HWY_INLINE void fill_rows(const Channel* row, const Block& block, int x, int y, int side,
+                          Raster<Channel>& image) {
+  const int columns = std::min(side, block.width - x);
+  const int rows = std::min(side, block.height - y);
+  if (columns <= 0 || rows <= 0) return;
+  const std::ptrdiff_t stride = 3 * static_cast<std::ptrdiff_t>(image.width);
+  Channel* to = image.pixel(block.x_begin + x, block.y_begin + y);
+  for (int i = 0; i < rows; ++i, to += stride) {
+    if (columns == side)
+      std::memcpy(to, row, 3 * static_cast<std::size_t>(side) * sizeof(Channel));
+    else
+      std::memcpy(to, row, 3 * static_cast<std::size_t>(columns) * sizeof(Channel));
+  }
+}
+
+/// A block's row of pixels of one colour, as the images hold it.
+struct PlainRow {
+  float floats[3 * block_side];
+  std::uint8_t bytes[3 * block_side];
+
+  template <class D>
+  HWY_INLINE PlainRow(D d, const V3<hn::Vec<D>>& colour) {
+    PackedPixels<D, float> in_floats;
+    in_floats.set(d, colour);
+    PackedPixels<D, std::uint8_t> in_bytes;
+    in_bytes.set(d, colour);
+    for (int i = 0; i < 3 * block_side; ++i) {
+      floats[i] = in_floats.channels[i % 3];
+      bytes[i] = in_bytes.channels[i % 3];
+    }
+  }
+};
+
+template <typename Channel>
+HWY_INLINE void fill_parts(const Channel* row, const Block& block, std::uint32_t parts,
+                           Raster<Channel>& image) {
+  // Lengths that the compiler knows.
+  if (parts == Tile::all_parts) {
+    fill_rows(row, block, 0, 0, block_side, image);
+    return;
+  }
+  for (int part = 0; part < parts_across * parts_across; ++part)
+    if ((parts >> part & 1U) != 0)
+      fill_rows(row, block, part % parts_across * part_side, part / parts_across * part_side,
+                part_side, image);
+}
+
+/// Stores a block's pixels: colour_of(i) are the i-th packet's, finished.
+template <class D, class ColourOf>
+HWY_INLINE void store_block(D d, const ColourOf& colour_of, const Block& block,
+                            const Canvas& canvas) {
+  if (Image* const* image = std::get_if<Image*>(&canvas))
+    store_block(d, colour_of, block, **image);
+  else
+    store_block(d, colour_of, block, *std::get<ByteImage*>(canvas));
+}
+
+/// Stores one colour in all pixels of some of a block's parts.
+HWY_INLINE void fill_parts(const PlainRow& row, const Block& block, std::uint32_t parts,
+                           const Canvas& canvas) {
+  if (Image* const* image = std::get_if<Image*>(&canvas))
+    fill_parts(row.floats, block, parts, **image);
+  else
+    fill_parts(row.bytes, block, parts, *std::get<ByteImage*>(canvas));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

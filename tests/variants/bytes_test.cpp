@@ -1,0 +1,62 @@
+// Every kernel stores the same picture in bytes as in floats.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "engine/engine.h"
+#include "engine/kernel/simd/instruction_sets.h"
+#include "engine/plan/plan.h"
+#include "engine/render/tracer.h"
+#include "engine/sample/pattern.h"
+#include "tests/support/scenes.h"
+
+namespace raytracer::test {
+namespace {
+
+/// 16 x 16 balls, each in three colours that lie on and beside the bounds between levels: (k + 1/2)
+/// / 255 for k from 0 on. Of a width and a height that no packet divides.
+Scene critical_balls() {
+  json balls = json::array();
+  for (int level = 0; level < 255; ++level) {
+    const auto bound = static_cast<float>((level + 0.5) / 255);
+    const double x = level % 16 - 7.5;
+    const double y = level / 16 - 7.5;
+    balls.push_back(sphere_json(
+        {x, y, 0}, 0.5,
+        constant_material({std::nextafter(bound, 0.0F), bound, std::nextafter(bound, 1.0F)})));
+  }
+  json text = document(camera_json(131, 93, 1, {0, 0, -20}, {}), balls, {});
+  text["ambient"] = 1;
+  text["shadows"] = "off";
+  return scene_of(text);
+}
+
+template <typename Picture>
+Picture traced(const Tracer& tracer, const Scene& scene) {
+  Picture picture(scene.camera.width, scene.camera.height);
+  for (const Tile& tile : split_into_tiles(scene.camera.width, scene.camera.height, 32))
+    render_tile(tracer, sample_pattern(1), Transfer::linear, tile, &picture);
+  return picture;
+}
+
+TEST(Bytes, AreTheFloatsLevels) {
+  Scene scene = critical_balls();
+  for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
+    scene.render.precision = precision;
+    for (const InstructionSet& set : supported_instruction_sets()) {
+      SCOPED_TRACE(set.name);
+      WorkerPool pool(1);
+      const Tracer tracer = make_tracer(make_plan(scene, {set}), scene, pool);
+      const auto floats = traced<Image>(tracer, scene);
+      const auto bytes = traced<ByteImage>(tracer, scene);
+      const std::set<float> shown(floats.values.begin(), floats.values.end());
+      EXPECT_GE(shown.size(), 3U * 255);
+      for (std::size_t i = 0; i < floats.values.size(); ++i)
+        ASSERT_EQ(bytes.values[i], to_byte(floats.values[i])) << i << ": " << floats.values[i];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace raytracer::test
