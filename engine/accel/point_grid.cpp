@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/accel/binning.h"
+#include "engine/accel/lit_sphere.h"
 #include "engine/accel/projection.h"
 #include "engine/pack/view.h"
 
@@ -83,11 +84,11 @@ PointGrid<T> build_point_grid(const Vec3& light, std::span<const PackedSphere> s
     const int row = face * grid.side;
     cells.y_begin += row;
     cells.y_end += row;
-    const double nearest = std::max(length(c) - s.radius, 0.0) * (1 - 1e-6);
-    return {cells,
-            {static_cast<T>(c.x), static_cast<T>(c.y), static_cast<T>(c.z),
-             static_cast<T>(s.radius * s.radius), static_cast<T>(nearest),
-             static_cast<T>(numbers(s.id))}};
+    const auto lit = LitSphere::seen_from<T>(light, s);
+    return {
+        cells,
+        {static_cast<T>(c.x), static_cast<T>(c.y), static_cast<T>(c.z), static_cast<T>(lit.radius2),
+         static_cast<T>(lit.nearest * (1 - 1e-6)), static_cast<T>(numbers(s.id))}};
   };
   const auto entry_in = [](const Entry& entry, const CellRectangle&, int, int) { return entry; };
   const auto arrange = [](std::span<Entry> entries) {

@@ -22,8 +22,7 @@ template <typename T>
 struct PointGrid {
   int side = 0;                       ///< cells along a face's side
   std::vector<std::uint32_t> begins;  ///< of each cell, face by face and row by row, and the end
-  /// The columns of a cell's spheres: the centre relative to the light, `nearest` the least
-  /// distance of the surface from the light (0 around the light), `id` the primitive's.
+  /// The columns of a cell's spheres: as LitSphere; `id` is the primitive's.
   enum Column : std::size_t { x, y, z, radius2, nearest, id, column_count };
   CellColumns<T, column_count> spheres;  ///< of each cell, those nearest to the light first
 };

@@ -113,6 +113,7 @@ class Counter {
   void operator()(const Plane& p) {
     const double height = std::abs(dot(unit(p.normal), frame_.frame_from_scene(p.point)));
     approach(height);
+    highest_above_planes_ = std::max(highest_above_planes_, height);
   }
 
   void operator()(const Mesh& m) {
@@ -134,6 +135,7 @@ class Counter {
   }
 
   double farthest_but_squares() const { return farthest_but_squares_; }
+  double highest_above_planes() const { return highest_above_planes_; }
 
  private:
   bool is_lost(double size) {
@@ -206,6 +208,7 @@ class Counter {
   double block_rows_;
   SphereTally single_spheres_{};
   double farthest_but_squares_ = 0;
+  double highest_above_planes_ = 0;
 };
 
 /// How high above or below a square's spheres anything else may receive their shadow: heights over
@@ -270,11 +273,15 @@ Census take_census(const Scene& scene, const Frame& frame, const Features& featu
   Census census;
   Counter counter(frame, scene.camera, pool, census);
   counter.count_all(scene.objects);
-  for (const Light& light : scene.lights) {
-    const auto* point = std::get_if<PointLight>(&light.source);
-    if (point == nullptr) continue;
-    census.farthest = std::max(census.farthest, length(frame.frame_from_scene(point->position)));
-  }
+  double farthest_light = 0;
+  for (const Light& light : scene.lights)
+    if (const auto* point = std::get_if<PointLight>(&light.source))
+      farthest_light = std::max(farthest_light, length(frame.frame_from_scene(point->position)));
+  census.farthest = std::max(census.farthest, farthest_light);
+  constexpr double pixels_to_horizon = 1.0 / 16;
+  census.pixel_angle = pixel_angle(scene.camera);
+  const double plane_reach =
+      counter.highest_above_planes() / (pixels_to_horizon * census.pixel_angle);
   // What the eye's distances are to the eye, a light's are to the light.
   for (const Light& light : scene.lights) {
     const auto* point = std::get_if<PointLight>(&light.source);
@@ -289,16 +296,19 @@ Census take_census(const Scene& scene, const Frame& frame, const Features& featu
     light_counter.count_all(scene.objects);
     census.light_clearance =
         std::min(census.light_clearance, around_light.clearance / census.farthest);
+    census.shadow_spread =
+        std::max(census.shadow_spread,
+                 std::max(around_light.farthest, plane_reach) / around_light.clearance);
     const double clearance = std::ldexp(around_light.clearance, frame.exponent());
     census.brightest =
         std::max(census.brightest, emitted / (4 * std::numbers::pi) / clearance / clearance);
   }
-  census.shadow_path =
-      shadow_path(scene, frame, features.squares, census.farthest, counter.farthest_but_squares());
+  census.shadow_path = std::max(
+      shadow_path(scene, frame, features.squares, census.farthest, counter.farthest_but_squares()),
+      farthest_light);
   if (features.reflects)
     census.magnification = magnification(scene, frame, features, census.farthest);
   census.gap = least_gap(scene, frame);
-  census.pixel_angle = pixel_angle(scene.camera);
   return census;
 }
 

@@ -108,6 +108,8 @@ class Report {
     constexpr double usual_in_double_px = 1.0 / 1024;
     const ArithmeticError& error = plan_.arithmetic_error;
     const bool is_single = plan_.precision.value == Precision::single_precision;
+    // Where single is the plan's choice, it is as good as it need be.
+    if (is_single && scene_.render.precision == Precision::automatic) return;
     const char* const help =
         is_single ? "ask for precision \"auto\" or \"double\""
                   : "double holds no more digits, so widen camera.fov, move the camera away from "

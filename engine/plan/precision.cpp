@@ -27,6 +27,19 @@ double rounding_of(Precision precision) {
   return precision == Precision::double_precision ? 0x1p-53 : single_rounding;
 }
 
+/// By how much an error of direction grows in a shadow, whose edge is as far as its occluder's.
+double growth_along_path(const Census& census, double nearest) {
+  return census.shadow_path > 0 ? 1 + census.shadow_path / nearest : 1;
+}
+
+/// By how much it grows in the shadows of triangles and squares under a point light: points look
+/// for these from where they are, far from what is near the light. In double there is room for it.
+double growth_by_spread(const Features& features, const Census& census) {
+  const bool has_such_shadows = features.casts_shadows && features.point_lights > 0 &&
+                                features.triangles + features.squares > 0;
+  return has_such_shadows ? census.shadow_spread : 1;
+}
+
 }  // namespace
 
 ArithmeticError foresee_arithmetic_error(Precision precision, const Features& features,
@@ -35,10 +48,11 @@ ArithmeticError foresee_arithmetic_error(Precision precision, const Features& fe
   // Of a sphere on which the eye is, all but what is seen within a pixel of its horizon is farther.
   const double nearest =
       census.clearance > 0 ? census.clearance : census.pixel_angle * census.farthest;
-  const double shadow_growth = nearest > 0 ? census.shadow_path / nearest : 0;
+  double growth = std::max(census.magnification, growth_along_path(census, nearest));
+  if (precision == Precision::single_precision)
+    growth = std::max(growth, growth_by_spread(features, census));
   ArithmeticError error;
-  const double displacement_px =
-      rounding / census.pixel_angle * std::max(census.magnification, 1 + shadow_growth);
+  const double displacement_px = rounding / census.pixel_angle * growth;
   constexpr double beyond_every_image_px = 1e6;  // also for what is no number
   error.displacement_px =
       displacement_px < beyond_every_image_px ? displacement_px : beyond_every_image_px;
@@ -81,12 +95,20 @@ Choice<Precision> choose_precision(Precision wish, const Features& features, con
                     "magnifies its error {:.3g} times",
                     mirror_error_px, census.magnification)};
 
-  const double shadow_error_px = direction_error_px * (1 + census.shadow_path / census.nearest);
-  if (!(shadow_error_px <= tolerance_px))
+  const double path_error_px = direction_error_px * growth_along_path(census, census.nearest);
+  if (!(path_error_px <= tolerance_px))
     return {double_precision,
-            because("single would displace shadows by {:.2g} pixels: occluders up to {:.3g} "
-                    "times as far as the nearest surface",
-                    shadow_error_px, census.shadow_path / census.nearest)};
+            because("single would displace shadows by {:.2g} pixels: occluders or lights up to "
+                    "{:.3g} times as far as the nearest surface",
+                    path_error_px, census.shadow_path / census.nearest)};
+
+  const double spread_error_px = direction_error_px * growth_by_spread(features, census);
+  if (!(spread_error_px <= tolerance_px))
+    return {double_precision,
+            because("single would displace shadows by {:.2g} pixels: a point light shines {:.3g} "
+                    "times as far as the nearest surface is to it",
+                    spread_error_px, census.shadow_spread)};
+  const double shadow_error_px = std::max(path_error_px, spread_error_px);
 
   const double surface_error = kappa * single_rounding * census.distance_in_radii;
   if (surface_error > surface_tolerance)
@@ -113,6 +135,12 @@ Choice<Precision> choose_precision(Precision wish, const Features& features, con
     return {double_precision,
             because("single would change highlights by {:.2g}: shininess is {:.3g}",
                     highlight_error, features.shininess)};
+
+  constexpr double most_levels = 16;  // the bound is many times what was seen
+  const double levels = foresee_arithmetic_error(single_precision, features, census).levels;
+  if (levels > most_levels)
+    return {double_precision,
+            because("single may change shaded surfaces by {:.2g} levels of 255", levels)};
 
   return {single_precision,
           because("it suffices: single displaces edges by at most {:.2g} pixels and shadows by "

@@ -10,6 +10,7 @@
 #include "engine/accel/point_grid.h"
 #include "engine/kernel/simd/cells-inl.h"
 #include "engine/kernel/simd/hit-inl.h"
+#include "engine/kernel/simd/sphere-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -38,24 +39,10 @@ HWY_INLINE V cube_cells(D d, const PointGrid<T>& grid, const V3<V>& out) {
   return hn::MulAdd(hn::MulAdd(face, side, row), side, column);
 }
 
-/// Lanes whose ray to the light meets a sphere before it. Lanes hold points, spheres or both.
-/// `towards` is a unit vector to the light, `path` the point's distance from it, of which the ray
-/// keeps the share `kept`; the centre is relative to the light. No point is inside a sphere.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M stands_before_light(D d, const V3<V>& center, V radius2, const V3<V>& towards, V path,
-                                 T kept) {
-  const V b = hn::Neg(dot(center, towards));
-  const V3<V> l = mul_add(towards, b, center);
-  const V rest = hn::Sub(radius2, dot(l, l));
-  const V far = hn::Add(b, hn::Sqrt(hn::Max(rest, hn::Zero(d))));
-  return hn::And(hn::And(hn::Ge(rest, hn::Zero(d)), hn::Lt(b, path)),
-                 hn::Gt(far, hn::Mul(path, hn::Set(d, T(1) - kept))));
-}
-
 /// Lanes of `lit` from which a sphere of the grid stands before the light at `place`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M occluded_in_point_grid(D d, const PointGrid<T>& grid, const Triple<T>& place,
-                                    const Start<V>& from, const V3<V>& towards, T kept, M lit) {
+                                    const Start<V>& from, const V3<V>& towards, M lit) {
   const V3<V> out = sub(from.point, broadcast(d, place));
   const V path = hn::Sqrt(dot(out, out));
   const V cell = cube_cells(d, grid, out);
@@ -81,7 +68,8 @@ HWY_INLINE M occluded_in_point_grid(D d, const PointGrid<T>& grid, const Triple<
       const auto all = [&](typename Grid::Column column)
                            HWY_ATTR { return hn::Set(d, values[column * count + i]); };
       const V3<V> center{all(Grid::x), all(Grid::y), all(Grid::z)};
-      const M meets = stands_before_light(d, center, all(Grid::radius2), towards, path, kept);
+      const M meets =
+          stands_before_light(d, center, all(Grid::radius2), all(Grid::nearest), towards, path);
       const M other = hn::Ne(all(Grid::id), from.id);
       dark = hn::Or(dark, hn::And(lanes, hn::And(meets, other)));
     }
@@ -99,8 +87,8 @@ HWY_INLINE M occluded_in_point_grid(D d, const PointGrid<T>& grid, const Triple<
       // Then this one and all behind it are beyond the point.
       if (values[Grid::nearest * count + i] > paths[lane]) break;
       const V3<V> centers{next(Grid::x), next(Grid::y), next(Grid::z)};
-      const M meets =
-          stands_before_light(d, centers, next(Grid::radius2), own_towards, own_path, kept);
+      const M meets = stands_before_light(d, centers, next(Grid::radius2), next(Grid::nearest),
+                                          own_towards, own_path);
       const M other = hn::And(hn::FirstN(d, count - i), hn::Ne(next(Grid::id), own_id));
       if (!hn::AllFalse(d, hn::And(meets, other))) {
         dark_alone |= std::uint64_t{1} << lane;

@@ -19,7 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
-/// What stands nearer than this share of a point light's distance hides the light.
+/// What a ray meets nearer than this share of a point light's distance hides the light: one that
+/// lies in a surface is not hidden by that.
 template <typename T>
 inline constexpr T nearer_than_light = 1 - 4096 * std::numeric_limits<T>::epsilon();
 
@@ -43,21 +44,25 @@ HWY_INLINE void fetch_light_cells(D d, const SimdScene<T>& scene, const V3<V>& p
     if (light.is_distant) fetch_grid_cells(d, light.grid, points, lanes);
 }
 
-/// Lanes of `lit` from which something stands before the light, nearer than `distance`.
-/// `incidence` is normal . towards.
+/// Lanes of `lit` from which something stands before the light. `path` is their distance from a
+/// point light, for a distant one the largest number; `incidence` is normal . towards.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M occluded(D d, const SimdScene<T>& scene, const SimdLight<T>& light,
-                      const Start<V>& from, const V3<V>& towards, V distance, V incidence, M lit) {
+                      const Start<V>& from, const V3<V>& towards, V path, V incidence, M lit) {
+  const V distance = hn::Mul(path, hn::Set(d, nearer_than_light<T>));
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
   if (scene.has_light_grids)
-    dark = light.is_distant ? occluded_in_grid(d, light.grid, from, lit)
-                            : occluded_in_point_grid(d, light.point_grid, light.place, from,
-                                                     towards, nearer_than_light<T>, lit);
+    dark = light.is_distant
+               ? occluded_in_grid(d, light.grid, from, lit)
+               : occluded_in_point_grid(d, light.point_grid, light.place, from, towards, lit);
+  else if (!light.is_distant)
+    for (const LightBall<T>& ball : light.balls)
+      dark = hn::Or(dark, occluded_by(d, ball, from, towards, path, lit));
   else if (!scene.sphere_tree.is_empty())
     dark = occluded_in_tree(d, scene.sphere_tree, from, towards, distance, lit);
   else
     for (const SimdSphere<T>& sphere : scene.spheres)
-      dark = hn::Or(dark, occluded_by(d, sphere, light, from, towards, distance, lit));
+      dark = hn::Or(dark, occluded_by(d, sphere, from, towards, lit));
   if (!light.triangle_grid.outlines.empty()) {
     dark = hn::Or(dark, occluded_by_triangles(d, scene, light.triangle_grid, from, towards,
                                               hn::AndNot(dark, lit)));
@@ -67,8 +72,9 @@ HWY_INLINE M occluded(D d, const SimdScene<T>& scene, const SimdLight<T>& light,
   }
   for (const SimdPlane<T>& plane : scene.planes) {
     V t;
-    const M hit = meets_plane(d, plane, from, towards, t);
-    dark = hn::Or(dark, hn::And(hn::And(lit, hit), hn::Lt(t, distance)));
+    const M hides = light.is_distant ? meets_plane(d, plane, from, towards, t)
+                                     : stands_between(d, plane, from, light.place);
+    dark = hn::Or(dark, hn::And(lit, hides));
   }
   for (std::size_t i = 0; i < scene.squares.size(); ++i)
     dark = hn::Or(dark, occluded_by_square(d, scene.squares[i], light.stencils[i], from, towards,

@@ -79,8 +79,7 @@ HWY_NOINLINE V3<V> shade_fully(D d, const SimdScene<T>& scene, const Surface<D>&
       const V3<V> path = sub(towards, point.point);
       const V square = dot(path, path);
       const V inverse = hn::Div(one, hn::Max(square, hn::Set(d, std::numeric_limits<T>::min())));
-      // A little less: a light that lies in a surface is not hidden by it.
-      distance = hn::Mul(hn::Sqrt(square), hn::Set(d, nearer_than_light<T>));
+      distance = hn::Sqrt(square);
       towards = scale(path, hn::Sqrt(inverse));
       emission = {hn::Min(hn::Mul(emission.x, inverse), most),
                   hn::Min(hn::Mul(emission.y, inverse), most),

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/accel/lit_sphere.h"
 #include "engine/kernel/simd/plain_light.h"
 #include "engine/parallel/chunks.h"
 
@@ -195,6 +196,18 @@ void pack_primitives(const PackedScene& scene, const Structures& structures, Wor
   });
 }
 
+template <typename T>
+std::vector<LightBall<T>> pack_balls(const Vec3& light, const PackedScene& scene) {
+  std::vector<LightBall<T>> balls;
+  balls.reserve(scene.spheres.size());
+  for (const PackedSphere& sphere : scene.spheres) {
+    const auto lit = LitSphere::seen_from<T>(light, sphere);
+    balls.push_back({narrowed<T>(lit.center), static_cast<T>(lit.radius2),
+                     static_cast<T>(lit.nearest), static_cast<T>(scene.numbers(sphere.id))});
+  }
+  return balls;
+}
+
 /// Whether distant lights' grids are larger than what a processor's caches keep of them. Where they
 /// are, cells fetched ahead save time: 250,000 spheres in two grids of 10 MB trace in 0.94 of it,
 /// 1,000,000 in 0.74. Where they are not it is wasted: 100,000 take 1.04, 1,000 take 1.5 of it.
@@ -241,6 +254,8 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
       simd.grid = build_distant_grid<T>(light.place, scene.spheres, scene.numbers, pool);
     if (packed.has_light_grids && !light.is_distant)
       simd.point_grid = build_point_grid<T>(light.place, scene.spheres, scene.numbers, pool);
+    if (features.casts_shadows && !packed.has_light_grids && !light.is_distant)
+      simd.balls = pack_balls<T>(light.place, scene);
     if (structures.triangle_grids && light.is_distant)
       simd.triangle_grid = build_triangle_grid<T>(light.place, scene.triangles, pool);
     for (const PackedSquare& square : scene.squares)

@@ -113,6 +113,15 @@ struct LightDisc {
   T id;
 };
 
+/// A sphere as a point light sees it: LitSphere.
+template <typename T>
+struct LightBall {
+  Triple<T> center;
+  T radius2;
+  T nearest;
+  T id;
+};
+
 template <typename T>
 struct SimdLight {
   bool is_distant;
@@ -121,6 +130,7 @@ struct SimdLight {
   std::vector<Stencil<T>> stencils;  ///< distant: one for each square
   std::array<Triple<T>, 2> across;   ///< distant: unit, across its direction
   std::vector<LightDisc<T>> discs;   ///< where is_plainly_lit: of all spheres
+  std::vector<LightBall<T>> balls;   ///< point: of all spheres, where there are few
   DistantGrid<T> grid;               ///< distant: over the spheres, where there are many
   PointGrid<T> point_grid;           ///< point: likewise
   TriangleGrid<T> triangle_grid;     ///< distant, if its rays do not go through the tree

@@ -89,17 +89,36 @@ HWY_INLINE void show_sphere(D d, const SimdSphere<T>& sphere, const Start<V>& fr
   take(nearest, is_nearer(nearest, t, id, hit), t, id);
 }
 
-/// Lanes of `lit` from which the sphere stands before the light.
+/// Lanes whose ray to a point light meets a LitSphere before it. Lanes hold points, spheres or
+/// both. `towards` is a unit vector to the light, `path` the point's distance from it. No point is
+/// inside a sphere.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M stands_before_light(D d, const V3<V>& center, V radius2, V nearest,
+                                 const V3<V>& towards, V path) {
+  const V zero = hn::Zero(d);
+  const V b = hn::Neg(dot(center, towards));
+  const V3<V> l = mul_add(towards, b, center);
+  const M is_ahead = hn::Or(hn::Gt(b, zero), hn::Lt(nearest, zero));
+  return hn::And(hn::And(is_ahead, hn::Lt(b, path)), hn::Ge(radius2, dot(l, l)));
+}
+
+/// Lanes of `lit` from which the sphere stands before its point light, `path` away.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M occluded_by(D d, const SimdSphere<T>& sphere, const SimdLight<T>& light,
-                         const Start<V>& from, const V3<V>& towards, V distance, M lit) {
+HWY_INLINE M occluded_by(D d, const LightBall<T>& ball, const Start<V>& from, const V3<V>& towards,
+                         V path, M lit) {
+  const M meets = stands_before_light(d, broadcast(d, ball.center), hn::Set(d, ball.radius2),
+                                      hn::Set(d, ball.nearest), towards, path);
+  return hn::And(hn::And(lit, meets), hn::Ne(from.id, hn::Set(d, ball.id)));
+}
+
+/// Lanes of `lit` from which the sphere stands before a distant light.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by(D d, const SimdSphere<T>& sphere, const Start<V>& from,
+                         const V3<V>& towards, M lit) {
   V b;
   V discriminant;
   V c;
-  const M hit = hn::And(lit, meets_sphere(d, sphere, from, towards, b, discriminant, c));
-  if (light.is_distant || hn::AllFalse(d, hit)) return hit;
-  const V t = hn::Div(c, hn::Add(b, hn::Sqrt(hn::Max(discriminant, hn::Zero(d)))));
-  return hn::And(hit, hn::Lt(t, distance));
+  return hn::And(lit, meets_sphere(d, sphere, from, towards, b, discriminant, c));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,0 +1,102 @@
+// Shadows of point lights where what is lit is far, or the light is.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "engine/kernel/this_machine.h"
+#include "engine/plan/plan.h"
+#include "tests/support/scenes.h"
+
+namespace raytracer::test {
+namespace {
+
+json in_precision(json text, const char* precision) {
+  text["render"] = {{"precision", precision}};
+  return text;
+}
+
+/// Ground kilometres away, up to the horizon, and a lamp near the eye with something before it.
+json far_ground(const Vec3& lamp, std::vector<json> objects, double fov = 0.02) {
+  objects.push_back(plane_json({0, 0, 0}, {0, 1, 0}));
+  json text = document(camera_json(120, 90, fov, {8, 6, 0}, {-100000, 6, 0}), objects,
+                       {point_json(lamp, 30)});
+  text["ambient"] = 1;
+  text["background"] = {0, 0, 1};
+  return text;
+}
+
+void expect_no_light_on_the_ground(const json& text) {
+  for (const char* precision : {"auto", "single", "double"}) {
+    const Image image = image_of(in_precision(text, precision));
+    int black = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        const Vec3 seen = color_at(image, x, y);
+        black += seen == Vec3{0, 0, 0} ? 1 : 0;
+        ASSERT_TRUE(seen == Vec3(0, 0, 0) || seen == Vec3(0, 0, 1))
+            << precision << " at " << x << ", " << y << ": " << seen.x;
+      }
+    EXPECT_GT(black, 3000) << precision;
+  }
+}
+
+/// All of the ball is nearer to the lamp than a thousandth of the way there.
+TEST(LampShadow, OfABallReachesTheHorizon) {
+  expect_no_light_on_the_ground(far_ground({2, 1.6, 0}, {sphere_json({0, 2.8, 0}, 1.5)}));
+}
+
+TEST(LampShadow, OfManyBallsReachesTheHorizon) {
+  std::vector<json> balls;
+  for (int i = 0; i < 40; ++i) balls.push_back(sphere_json({0, 2.8, 0}, 1.5 - 0.01 * i));
+  expect_no_light_on_the_ground(far_ground({2, 1.6, 0}, balls));
+}
+
+TEST(LampShadow, OfAPlaneReachesTheHorizon) {
+  expect_no_light_on_the_ground(far_ground({2, 30, 0}, {plane_json({0, 29.99, 0}, {0, 1, 0})}));
+}
+
+TEST(LampShadow, OfAMeshReachesTheHorizon) {
+  const json wall = {{"type", "mesh"},
+                     {"vertices", {{0, 0, -4}, {0, 4, -4}, {0, 4, 4}, {0, 0, 4}}},
+                     {"triangles", {{0, 1, 2}, {0, 2, 3}}}};
+  const json text = far_ground({2, 1.6, 0}, {wall}, 0.4);
+  EXPECT_EQ(make_plan(scene_of(text), this_machine(1)).precision.value,
+            Precision::double_precision);
+  const Image image = image_of(text);
+  EXPECT_EQ(count_different(image, image_of(in_precision(text, "double"))), 0);
+}
+
+/// A lamp as far away as a sun: what is near to each other is not so to the lamp.
+TEST(LampShadow, OfAFarLampIsThatOfDouble) {
+  std::mt19937 random(4);  // the same numbers everywhere
+  const auto from_to = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(random()) / 4294967295.0);
+  };
+  for (const double far : {1e2, 1e4, 1e6}) {
+    std::vector<json> objects{plane_json({0, -0.5, 0}, {0, 1, 0})};
+    for (int i = 0; i < 40; ++i) {
+      const double x = from_to(-4, 4);
+      const double y = from_to(0, 3);
+      objects.push_back(sphere_json({x, y, from_to(-4, 4)}, 0.4));
+    }
+    const json text = document(camera_json(150, 100, 0.8, {0, 4, -12}, {0, 0, 0}), objects,
+                               {point_json({far, far, 0}, 12 * far * far)});
+    const Image exact = image_of(in_precision(text, "double"));
+    EXPECT_LE(count_different(image_of(text), exact, 1.0 / 255), 2) << far;
+    EXPECT_GT(count_lit(exact), 5000) << far;
+  }
+}
+
+/// What a plan chose by itself it does not warn of.
+TEST(LampShadow, NearALampThePlanAgreesWithItself) {
+  const json text = document(camera_json(40, 30, 1, {0, 3, -8}, {0, 0, 0}),
+                             {plane_json({0, 0, 0}, {0, 1, 0})}, {point_json({0, 0.1, 0}, 400)});
+  const Scene scene = scene_of(text);
+  const Plan plan = make_plan(scene, this_machine(1));
+  EXPECT_EQ(plan.precision.value, Precision::double_precision);
+  EXPECT_LT(plan.arithmetic_error.levels, 1);
+}
+
+}  // namespace
+}  // namespace raytracer::test
