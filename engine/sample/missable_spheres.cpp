@@ -1,31 +1,20 @@
 #include "engine/sample/missable_spheres.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <variant>
 
 #include "engine/accel/projection.h"
-#include "engine/math/block.h"
+#include "engine/image/pixel_spreads.h"
 #include "engine/pack/view.h"
 
 namespace raytracer {
-namespace {
-
-/// The part of pixel (x, y) in an image of so many columns of blocks.
-std::size_t part_at(int x, int y, int columns) {
-  const int block = y / block_side * columns + x / block_side;
-  const int in_block = y % block_side / part_side * parts_across + x % block_side / part_side;
-  return parts_in_block * static_cast<std::size_t>(block) + static_cast<std::size_t>(in_block);
-}
-
-}  // namespace
 
 MissableSpheres::MissableSpheres(const Scene& scene, const Frame& frame) {
   const Camera& camera = scene.camera;
-  const int columns = (camera.width + block_side - 1) / block_side;
-  const int rows = (camera.height + block_side - 1) / block_side;
-  parts_.resize(parts_in_block * static_cast<std::size_t>(columns) *
-                static_cast<std::size_t>(rows));
+  const auto stride = static_cast<std::size_t>(PixelSpreads::whole_parts(camera.width));
+  pixels_.resize(stride * static_cast<std::size_t>(PixelSpreads::whole_parts(camera.height)));
   const Projection projection(make_view(camera));
   const auto add = [&](const Vec3& scene_center, double scene_radius) {
     const Vec3 center = frame.frame_from_scene(scene_center);
@@ -34,14 +23,21 @@ MissableSpheres::MissableSpheres(const Scene& scene, const Frame& frame) {
     const PixelRectangle seen = projection.of_sphere(center, radius);
     const double width = seen.x_end - seen.x_begin;
     const double height = seen.y_end - seen.y_begin;
-    const double x = seen.x_begin + width / 2;
-    const double y = seen.y_begin + height / 2;
     if (!(width > 0 && height > 0 && width * height < 1)) return;
-    if (!(x >= 0 && x < camera.width && y >= 0 && y < camera.height)) return;
-    const double area = std::numbers::pi / 4 * width * height;
-    Areas& areas = parts_[part_at(static_cast<int>(x), static_cast<int>(y), columns)];
-    areas.sum += area;
-    areas.sum_of_squares += area * area;
+    const auto within = [](double place, int count) {
+      return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(count)));
+    };
+    const int x_end = within(std::ceil(seen.x_end), camera.width);
+    const int y_end = within(std::ceil(seen.y_end), camera.height);
+    for (int y = within(seen.y_begin, camera.height); y < y_end; ++y)
+      for (int x = within(seen.x_begin, camera.width); x < x_end; ++x) {
+        const double across = std::min(seen.x_end, x + 1.0) - std::max<double>(seen.x_begin, x);
+        const double down = std::min(seen.y_end, y + 1.0) - std::max<double>(seen.y_begin, y);
+        const auto area = static_cast<float>(std::numbers::pi / 4 * across * down);
+        Areas& areas = pixels_[static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x)];
+        areas.sum += area;
+        areas.sum_of_squares += area * area;
+      }
   };
   for (const Object& object : scene.objects) {
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
@@ -53,12 +49,13 @@ MissableSpheres::MissableSpheres(const Scene& scene, const Frame& frame) {
   }
 }
 
-double MissableSpheres::error2(std::size_t part, int samples) const {
+double MissableSpheres::error2(std::size_t pixel, int samples) const {
   constexpr double contrast2 = 0.5;  // of a channel, in a picture that knows black and white
   constexpr double channels = 3;
-  const Areas& areas = parts_[part];
+  const Areas& areas = pixels_[pixel];
   if (areas.sum == 0) return 0;
-  return channels * contrast2 * areas.sum_of_squares * std::exp(-samples * areas.sum / 2);
+  return channels * contrast2 * static_cast<double>(areas.sum_of_squares) *
+         std::exp(-samples * static_cast<double>(areas.sum) / 2);
 }
 
 }  // namespace raytracer

@@ -45,11 +45,10 @@ PixelErrors::PixelErrors(int width, int height, const ErrorScale& scale, WorkerP
       may_err_(columns_ * rows_) {
   for (std::size_t row = 0; row < rows_; ++row)
     for (std::size_t column = 0; column < columns_; ++column)
-      for_each_part_of(column, row, [this](std::size_t part, std::size_t place, std::size_t first) {
+      for_each_part_of(column, row, [this](std::size_t, std::size_t place, std::size_t first) {
         const int count =
             std::min(part_side, width_ - x_of(first)) * std::min(part_side, height_ - y_of(first));
         counts_[place] = static_cast<float>(count);
-        rates_[part].share_of_part = 1.0 / count;
       });
 }
 
@@ -304,13 +303,13 @@ float PixelErrors::unscaled(std::size_t pixel, InversePower& inverse_power) cons
 
 double PixelErrors::of_pixel(std::size_t pixel) const {
   InversePower inverse_power;
-  return scaled(unscaled(pixel, inverse_power), part_of(pixel), samples_[pixel]);
+  return scaled(unscaled(pixel, inverse_power), pixel, samples_[pixel]);
 }
 
-double PixelErrors::scaled(float unscaled, std::size_t part, int samples) const {
+double PixelErrors::scaled(float unscaled, std::size_t pixel, int samples) const {
   const double seen = scale_ * static_cast<double>(unscaled);
   if (!missable_ || samples < 1) return seen;
-  return std::max(seen, rates_[part].share_of_part * missable_->error2(part, samples));
+  return std::max(seen, missable_->error2(pixel, samples));
 }
 
 double PixelErrors::expected_error2() const {

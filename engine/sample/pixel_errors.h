@@ -101,8 +101,7 @@ class PixelErrors {
   /// What makes a part's pixels err.
   struct Rate {
     float of_variance = 0;
-    float least = 0;           ///< squared error of one sample
-    double share_of_part = 0;  ///< that a pixel is of it
+    float least = 0;  ///< squared error of one sample
   };
 
   std::size_t part_of(std::size_t pixel) const;
@@ -112,7 +111,7 @@ class PixelErrors {
   void choose_blocks(std::size_t row);
   void spread_variances(std::size_t row);
   float unscaled(std::size_t pixel, InversePower& inverse_power) const;
-  double scaled(float unscaled, std::size_t part, int samples) const;
+  double scaled(float unscaled, std::size_t pixel, int samples) const;
 
   /// Calls visit(row) for all rows of blocks, on the pool's threads.
   template <typename Visit>
@@ -150,7 +149,7 @@ class PixelErrors {
           const std::size_t pixel = first + index(x, y);
           const float detail = std::max(rate.of_variance * variances_[pixel], rate.least);
           const int samples = samples_[pixel];
-          visit(part, pixel, scaled(detail * inverse_power(samples), part, samples));
+          visit(part, pixel, scaled(detail * inverse_power(samples), pixel, samples));
         }
     });
   }

@@ -181,18 +181,26 @@ TEST(NeighbourError, CountsWhatIsBesideATile) {
 
 TEST(MissableSpheres, AreThoseSmallerThanAPixelUntilSamplesMustMeetThem) {
   const double pixel = 2 * std::tan(0.25) / 32 * 100;  // at that distance
-  const Scene scene = scene_of(document(camera_json(32, 32, 0.5, {0, 0, 0}, {0, 0, 1}),
-                                        {sphere_json({2 * pixel, 2 * pixel, 100}, 0.2 * pixel),
-                                         sphere_json({-6 * pixel, -6 * pixel, 100}, 3 * pixel)},
-                                        {distant_json({0, 0, 1})}));
-  const MissableSpheres missable(scene, make_frame(scene));
-  // To the right of the middle and above it: the second block, its part in the lower left.
-  const std::size_t part = parts_in_block + 12;
-  EXPECT_GT(missable.error2(part, 1), missable.error2(part, 16));
-  EXPECT_GT(missable.error2(part, 16), 1e-3);
-  EXPECT_LT(missable.error2(part, 256), 1e-6);
-  for (std::size_t i = 0; i < 4 * parts_in_block; ++i)
-    EXPECT_EQ(missable.error2(i, 1) > 0, i == part) << i;
+  const auto missable_among = [&](const std::vector<json>& spheres) {
+    const Scene scene = scene_of(document(camera_json(32, 32, 0.5, {0, 0, 0}, {0, 0, 1}), spheres,
+                                          {distant_json({0, 0, 1})}));
+    return MissableSpheres(scene, make_frame(scene));
+  };
+  // To the right of the middle and above it, in the middle of a pixel; a large one elsewhere.
+  const MissableSpheres one =
+      missable_among({sphere_json({2.5 * pixel, 2.5 * pixel, 100}, 0.2 * pixel),
+                      sphere_json({-6 * pixel, -6 * pixel, 100}, 3 * pixel)});
+  constexpr std::size_t its_pixel = 13 * 32 + 18;
+  EXPECT_GT(one.error2(its_pixel, 1), one.error2(its_pixel, 16));
+  EXPECT_GT(one.error2(its_pixel, 16), 1e-3);
+  EXPECT_LT(one.error2(its_pixel, 256), 1e-6);
+  for (std::size_t i = 0; i < std::size_t{32} * 32; ++i)
+    EXPECT_EQ(one.error2(i, 1) > 0, i == its_pixel) << i;
+
+  const MissableSpheres on_a_side =
+      missable_among({sphere_json({3 * pixel, 2.5 * pixel, 100}, 0.2 * pixel)});
+  EXPECT_NEAR(on_a_side.error2(its_pixel, 1) / on_a_side.error2(its_pixel + 1, 1), 1, 0.05);
+  EXPECT_LT(on_a_side.error2(its_pixel, 1), one.error2(its_pixel, 1) / 3);
 }
 
 }  // namespace
