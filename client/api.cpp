@@ -111,6 +111,8 @@ struct Api::Connection {
           "{}: nothing answers there: start a raytracer-server, name another with --server or "
           "RAYTRACER_SERVER, or name none to have a private one",
           url.text()));
+    if (error == httplib::Error::SSLConnection)
+      return ServerError(url.text() + ": no TLS connection: does the server speak https there?");
     if (error == httplib::Error::Write && !request.body.empty())
       return ServerError(fmt::format(
           "{}: the server closed the connection before it had the whole scene ({} bytes): its "

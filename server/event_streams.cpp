@@ -89,8 +89,12 @@ void answer_events(Call& call, EventStreams& streams, std::shared_ptr<const Job>
   if (call.is_head()) return call.response.set_header("Content-Type", media_type);
   const auto stream = std::make_shared<EventStream>(
       streams.take(), std::move(job), std::move(describe), find_socket(ends_of(call.request)));
-  call.response.set_chunked_content_provider(
-      media_type, [stream](std::size_t, httplib::DataSink& sink) { return stream->step(sink); });
+  const auto next = [stream](std::size_t, httplib::DataSink& sink) { return stream->step(sink); };
+  if (call.request.version ==
+      "HTTP/1.0")  // which knows no chunks: the end is that of the connection
+    call.response.set_content_provider(media_type, next);
+  else
+    call.response.set_chunked_content_provider(media_type, next);
 }
 
 }  // namespace raytracer

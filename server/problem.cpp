@@ -25,7 +25,8 @@ Problem scene_problem(std::vector<Error> errors) {
                          is_cut_off ? "many" : std::to_string(errors.size()),
                          errors.front().pointer, detail);
   } else if (status != 400) {
-    detail = fmt::format("{}: {}", errors.front().pointer, detail);
+    const std::string& pointer = errors.front().pointer;
+    detail = pointer.empty() ? "The document " + detail : fmt::format("{}: {}", pointer, detail);
   }
   return {status, std::move(detail), std::move(errors)};
 }

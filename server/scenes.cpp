@@ -21,6 +21,21 @@ bool is_scene_id(std::string_view name) {
   return name.size() == id_length && name.find_first_not_of("0123456789abcdef") == name.npos;
 }
 
+/// A JSON document's text without what lies between its tokens.
+std::string without_white_space(std::string_view document) {
+  std::string text;
+  text.reserve(document.size());
+  bool is_in_string = false;
+  for (std::size_t i = 0; i < document.size(); ++i) {
+    const char c = document[i];
+    if (!is_in_string && std::string_view(" \t\r\n").find(c) != std::string_view::npos) continue;
+    text += c;
+    if (is_in_string && c == '\\' && i + 1 < document.size()) text += document[++i];
+    if (c == '"') is_in_string = !is_in_string;
+  }
+  return text;
+}
+
 /// What it takes in memory.
 std::size_t bytes_of(const KnownScene& known) {
   return sizeof known + memory_bytes(known.scene) + known.content_digest.capacity();
@@ -60,7 +75,7 @@ Scenes::Place Scenes::keep(KeptScene scene) {
   const KnownScene& known = *scene.known;
   scene.document.shrink_to_fit();
   const std::size_t bytes = bytes_of(known) + sizeof scene + scene.document.capacity() + id_length;
-  std::string id = picture_digest(known.content_digest, known.scene).substr(0, id_length);
+  std::string id = sha256_hex(without_white_space(scene.document)).substr(0, id_length);
   if (kept_.keep(id, std::make_shared<const KeptScene>(std::move(scene)), bytes))
     return {std::move(id), bytes};
   throw Refusal({413, fmt::format("The scene takes {} bytes in memory, but this server keeps {} in "

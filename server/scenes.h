@@ -50,7 +50,7 @@ class Scenes {
 
   /// Where a posted scene was put, and the memory that it takes there.
   struct Place {
-    std::string id;  ///< 32 hexadecimal digits, the same for all documents that mean this scene
+    std::string id;  ///< 32 hexadecimal digits, the same for documents that differ in white space
     std::size_t bytes;
   };
 

@@ -10,6 +10,7 @@
 #include "engine/kernel/this_machine.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/plan/counted.h"
+#include "engine/plan/tiles.h"
 #include "engine/sample/refinement.h"
 
 namespace raytracer {
@@ -99,8 +100,10 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
   if (progress.stop) return {};
 
   const Camera& camera = scene.camera;
-  const std::size_t threads = std::min(pool.thread_count(), rehearsal.tile_count);
   const bool is_fixed = plan.sampling.value == Sampling::fixed;
+  const bool is_one_thread = is_fixed && is_one_tile(scene, scene.render.samples.value_or(1));
+  const std::size_t threads =
+      is_one_thread ? 1 : std::min(pool.thread_count(), rehearsal.tile_count);
   const std::size_t pixel_bytes = 3 * (is_fixed ? sizeof(unsigned char) : sizeof(float));
   const double pixels = static_cast<double>(camera.width) * camera.height;
   const PassModel model{rehearsal, costs, pixels * static_cast<double>(pixel_bytes),

@@ -21,7 +21,7 @@ void watch_for(const Condition& is_true) {
 
 }  // namespace
 
-/// One caller's tasks. Guarded by the pool's mutex, but for `task` and `stop`.
+/// One caller's tasks. Guarded by the pool's mutex, but for `task`, `stop` and `is_finished`.
 struct WorkerPool::Batch {
   Batch(std::size_t task_count, const std::function<void(std::size_t)>& task_to_run,
         const std::atomic<bool>& stop_flag)
@@ -136,7 +136,6 @@ void WorkerPool::run_next_task(std::unique_lock<std::mutex>& lock,
   --running_;
   busy_processors_.erase(std::find(busy_processors_.begin(), busy_processors_.end(), processor));
   if (batch->has_ended()) batch->tell_end();
-  if (closing_) work_arrived_.notify_all();
 }
 
 bool WorkerPool::needs_another() {
@@ -179,8 +178,8 @@ void WorkerPool::work() {
       lock.lock();
       --looking_;
     }
-    while (!has_turn() && !(closing_ && batches_.empty())) sleep(lock);
-    if (batches_.empty()) return;
+    while (!has_turn() && !closing_) sleep(lock);
+    if (closing_) return;
     if (was_idle) spread_out(lock, busy);
     if (has_turn()) run_next_task(lock, next_batch());
   }

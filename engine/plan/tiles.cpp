@@ -7,6 +7,7 @@
 
 #include "engine/math/block.h"
 #include "engine/plan/counted.h"
+#include "engine/scene/overrides.h"
 
 namespace raytracer {
 namespace {
@@ -29,17 +30,15 @@ int interruptible_side_px(int samples, std::size_t light_count) {
   return side;
 }
 
-bool is_one_tile(int width, int height, int samples, std::size_t light_count) {
-  return static_cast<double>(width) * height * rays_per_pixel(samples, light_count) <= few_rays;
+bool is_one_tile(const Scene& scene, int samples) {
+  return count_rays(scene, 1) * rays_per_pixel(samples, scene.lights.size()) <= few_rays;
 }
 
 namespace {
 
-int tile_side_px(int width, int height, int samples, std::size_t light_count,
-                 std::size_t thread_count) {
-  if (is_one_tile(width, height, samples, light_count)) return std::max(width, height);
-  const double pixels = static_cast<double>(width) * height;
-  int side = interruptible_side_px(samples, light_count);
+int tile_side_px(const Scene& scene, int samples, std::size_t thread_count) {
+  const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
+  int side = interruptible_side_px(samples, scene.lights.size());
   while (side > block_side &&
          pixels / (side * side) < tiles_per_thread * static_cast<double>(thread_count))
     side /= 2;
@@ -50,11 +49,10 @@ int tile_side_px(int width, int height, int samples, std::size_t light_count,
 
 Choice<int> choose_tile_side(const Scene& scene, int samples, std::size_t thread_count) {
   const Camera& camera = scene.camera;
-  const int side =
-      tile_side_px(camera.width, camera.height, samples, scene.lights.size(), thread_count);
-  if (is_one_tile(camera.width, camera.height, samples, scene.lights.size()))
-    return {side,
+  if (is_one_tile(scene, samples))
+    return {std::max(camera.width, camera.height),
             because("the whole image: so few rays are traced before another thread has woken up")};
+  const int side = tile_side_px(scene, samples, thread_count);
   const auto along = [side](int length_px) {
     return static_cast<std::uint64_t>((length_px + side - 1) / side);
   };

@@ -12,9 +12,10 @@ namespace raytracer {
 /// of `samples` per pixel to the eye and to each light. A multiple of the kernel's blocks.
 int interruptible_side_px(int samples, std::size_t light_count);
 
-/// Whether a pass takes so few rays that whoever asks for it traces it, as one tile: two spheres at
-/// 64 x 48 take 5 us here and 14 us on the pool's threads, which have to wake up.
-bool is_one_tile(int width, int height, int samples, std::size_t light_count);
+/// Whether a pass of so many samples per pixel takes so few rays, reflected ones included, that
+/// whoever asks for it traces it, as one tile: two spheres at 64 x 48 take 5 us here and 14 us on
+/// the pool's threads, which have to wake up.
+bool is_one_tile(const Scene& scene, int samples);
 
 /// Of a render's first pass, which takes so many samples per pixel: interruptible, and as large as
 /// leaves each thread enough tiles to share the work evenly, because a tile costs a lock.

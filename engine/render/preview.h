@@ -19,8 +19,8 @@ namespace raytracer {
 class Preview {
  public:
   /// A copy of the tiles that are done, over the last whole image if there is one, else over black.
-  /// Nothing before the first tiles are begun, for a moment after the first pass, or after the
-  /// render has ended. From any thread.
+  /// Nothing before the first tiles are begun, under a budget before the first picture is whole,
+  /// for a moment after the first pass, or after the render has ended. From any thread.
   std::optional<Image> so_far() const;
 
   /// While one exists, its image is being made, tile by tile, and outlives it.

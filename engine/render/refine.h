@@ -1,7 +1,7 @@
 // The contracts: an image refined pixel by pixel until its error is small enough or its time over.
 //
-// Whatever ends it, each pixel shows the best that was made of it: the image is always whole, and a
-// pass that was begun is not lost.
+// Whatever ends it, each pixel shows the best that was made of it: once there is an image it is
+// whole, and a pass that was begun is not lost.
 #pragma once
 
 #include "engine/render/render.h"

@@ -255,7 +255,7 @@ void RefinedImage::expect_errors() {
 
 void RefinedImage::note_first_pass(int samples) {
   // A single tile keeps one thread busy and the others waiting.
-  const bool is_one_thread = is_one_tile(width_, height_, samples, tracing_.scene.lights.size());
+  const bool is_one_thread = is_one_tile(tracing_.scene, samples);
   const std::size_t threads = is_one_thread ? tracing_.pool.thread_count() : 1;
   last_sample_ms_ = tracing_.watch.elapsed_ms();
   sample_ms_ = last_sample_ms_ /

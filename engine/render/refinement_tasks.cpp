@@ -60,7 +60,7 @@ std::vector<std::size_t> most_useful_first(const std::vector<RefinementTask>& ta
   std::vector<std::size_t> order(tasks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return tasks[a].error2 * tasks[b].samples > tasks[b].error2 * tasks[a].samples;
+    return tasks[a].error2 / tasks[a].samples > tasks[b].error2 / tasks[b].samples;
   });
   return order;
 }

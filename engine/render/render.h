@@ -20,12 +20,12 @@ enum class Stop { samples, target, budget, cancelled };
 struct RenderReport {
   std::size_t pixel_count = 0;
   double samples_per_pixel = 0;           ///< mean
-  std::optional<double> estimated_error;  ///< rms; nothing if it was cancelled
+  std::optional<double> estimated_error;  ///< rms; nothing without an image
   Precision precision = Precision::double_precision;
   /// Pixels of the image; under a contract `clamped` is as the first pass has it, and `not_numbers`
   /// counts those of every pass.
   BeyondRange beyond;
-  Stop stop = Stop::samples;  ///< `cancelled`: the image is incomplete
+  Stop stop = Stop::samples;  ///< `cancelled`: there is no image, or one not refined
 
   double plan_ms = 0;
   double build_ms = 0;
@@ -39,7 +39,8 @@ struct BasicRendering : RenderReport {
 using Rendering = BasicRendering<float>;
 using ByteRendering = BasicRendering<unsigned char>;
 
-/// Renders on the pool's threads and returns when done, or soon after `progress.stop`.
+/// Renders on the pool's threads and returns when done, or soon after `progress.stop` once the
+/// structures are built.
 /// The pixels depend on the scene alone (with a time budget: up to how far it got), not on the
 /// number of threads. `limits` bounds the samples that a contract may spend.
 Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,

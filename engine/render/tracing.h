@@ -66,7 +66,7 @@ struct Tracing {
       if (preview) preview->finished(i);
       report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
     };
-    if (tiles.size() == 1 && is_one_tile(image.width, image.height, samples, scene.lights.size()))
+    if (tiles.size() == 1 && is_one_tile(scene, samples))
       trace(0);
     else
       pool.run(tiles.size(), trace, stop);

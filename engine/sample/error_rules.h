@@ -7,10 +7,10 @@
 
 namespace raytracer {
 
-/// Squared errors fall as this power of a number of samples, -3/2.
+/// n^3/2, by which squared errors fall with a number of samples n.
 double error_power(int samples);
 
-/// What share of the halves' squared differences the squared errors are.
+/// What the squared errors are of what PixelSpread and PartErrors tell.
 struct ErrorScale {
   double first;  ///< before any refinement
   double least;  ///< that refinements are believed

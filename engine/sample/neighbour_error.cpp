@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/sample/error_rules.h"
+
 namespace raytracer {
 namespace {
 
@@ -64,7 +66,7 @@ double error_of(const Raster<Channel>& image, int samples) {
     sum += error2(image, {0, y, image.width, y + 1});
   }
   const double values = 3 * static_cast<double>(image.width) * rows;
-  return std::sqrt(sum / values / (samples * std::sqrt(samples)));
+  return std::sqrt(sum / values / error_power(samples));
 }
 
 }  // namespace

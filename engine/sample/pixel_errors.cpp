@@ -285,6 +285,7 @@ void PixelErrors::calibrate(std::span<const std::uint32_t> pixels, std::span<con
     return;
   }
   for (double& error2 : parts_) error2 *= scale_ / before_it;
+  expect_guesses();
 }
 
 std::vector<float> PixelErrors::unscaled(std::span<const std::uint32_t> pixels) const {

@@ -5,8 +5,8 @@
 // samples (PixelSpread): for each part by those of the parts about it, because one pixel's halves
 // agree or differ by chance.
 //
-// How much the halves overstate, nobody knows beforehand: if errors fall as n^-e, by 2^e - 1. But a
-// refinement shows it: what it changes is what the pixels before it and after it erred.
+// How much the halves overstate, nobody knows beforehand: if squared errors fall as n^-e, by 2^e
+// - 1. But a refinement shows it: what it changes is what the pixels before it and after it erred.
 //
 // Limits: what no sample met is in no difference; spheres smaller than pixels are counted
 // (MissableSpheres).

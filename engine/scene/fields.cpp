@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "engine/scene/nearest_key.h"
 
@@ -152,8 +153,10 @@ bool expect_array(const Field& field) { return expect(field, JsonKind::array, "a
 ObjectReader::ObjectReader(const Field& field, std::initializer_list<std::string_view> known)
     : field_(field), is_object_(expect(field, JsonKind::object, "an object")) {
   if (!is_object_) return;
+  std::set<std::string_view> unknown;  // each once, though it stands twice
   field.value.for_each_member([&](std::string_view key, JsonValue value) {
     if (std::find(known.begin(), known.end(), key) != known.end()) return;
+    if (!unknown.insert(key).second) return;
     const Path path = field.path.child(key);
     Field{value, path, field.errors}.refuse_by([&] {
       return fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key,

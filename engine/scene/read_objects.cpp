@@ -95,6 +95,10 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> read_triangles(
   const std::int64_t last_vertex =
       vertex_count ? static_cast<std::int64_t>(*vertex_count) - 1 : largest_index;
   if (!expect_array(field)) return {};
+  if (vertex_count == 0 && field.value.node_count() > 0) {
+    field.refuse("must be empty: the mesh has no vertices");
+    return {};
+  }
   std::vector<std::array<std::uint32_t, 3>> triangles;
   triangles.reserve(field.value.node_count());
   const ValueRange valid_index{.least = 0, .most = static_cast<double>(last_vertex)};

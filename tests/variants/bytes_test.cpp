@@ -14,8 +14,8 @@
 namespace raytracer::test {
 namespace {
 
-/// 16 x 16 balls, each in three colours that lie on and beside the bounds between levels: (k + 1/2)
-/// / 255 for k from 0 on. Of a width and a height that no packet divides.
+/// Balls in 16 rows, the channels of each just under, on and just above a bound between levels:
+/// (k + 1/2) / 255 for k from 0 on. Of a width and a height that no packet divides.
 Scene critical_balls() {
   json balls = json::array();
   for (int level = 0; level < 255; ++level) {
@@ -47,7 +47,9 @@ TEST(Bytes, AreTheFloatsLevels) {
     for (const InstructionSet& set : supported_instruction_sets()) {
       SCOPED_TRACE(set.name);
       WorkerPool pool(1);
-      const Tracer tracer = make_tracer(make_plan(scene, {set}), scene, pool);
+      const Plan plan = make_plan(scene, {set});
+      ASSERT_EQ(plan.kernel.value, Kernel::simd);
+      const Tracer tracer = make_tracer(plan, scene, pool);
       const auto floats = traced<Image>(tracer, scene);
       const auto bytes = traced<ByteImage>(tracer, scene);
       const std::set<float> shown(floats.values.begin(), floats.values.end());

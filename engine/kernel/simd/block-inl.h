@@ -11,7 +11,6 @@
 
 #include <cstdint>
 
-#include "engine/image/tile.h"
 #include "engine/image/transfer.h"
 #include "engine/kernel/sample_point.h"
 #include "engine/kernel/simd/packet-inl.h"

@@ -124,6 +124,20 @@ HWY_NOINLINE void tell_errors(D d, const Block& block, const BlockRays<D>& rays,
   }
 }
 
+/// The colours of a block's packets, finished.
+template <class D, typename T = hn::TFromD<D>>
+struct ResolvedPackets {
+  D d;
+  const BlockColours<T>& sums;
+  hn::Vec<D> share;
+  Transfer transfer;
+
+  HWY_INLINE V3<hn::Vec<D>> operator()(int packet) const {
+    const std::size_t first = static_cast<std::size_t>(packet) * PacketShape<D>::lanes;
+    return resolved(d, load(d, sums, first), share, transfer);
+  }
+};
+
 /// The colour of a pixel that shows nothing, with the roundings of one whose rays were traced.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> resolved_background(D d, const SimdScene<T>& scene, std::size_t sample_count,
@@ -180,12 +194,8 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
   }
   if (errors.are_wanted())
     tell_errors(d, block, rays, spread, sums, pattern.points.size(), transfer, errors);
-  const V share = share_of(d, pattern.points.size());
-  const auto colour_of = [&](int packet) HWY_ATTR {
-    const V3<V> sum = load(d, sums, static_cast<std::size_t>(packet) * Shape::lanes);
-    return resolved(d, sum, share, transfer);
-  };
-  store_block(d, colour_of, block, canvas);
+  store_block(d, ResolvedPackets<D>{d, sums, share_of(d, pattern.points.size()), transfer}, block,
+              canvas);
   block_beyond.add_to(beyond);
 }
 

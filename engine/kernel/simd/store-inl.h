@@ -8,8 +8,10 @@
 #endif
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 #include <variant>
 
 #include "engine/image/image.h"
@@ -58,12 +60,9 @@ HWY_INLINE hn::Vec<hn::Rebind<std::uint32_t, D>> to_levels(D d, hn::Vec<D> chann
 #endif
 }
 
-/// A packet's pixels as an image holds them.
-template <class D, typename Channel>
-struct PackedPixels;
-
+/// A packet's pixels as an image of floats holds them.
 template <class D>
-struct PackedPixels<D, float> {
+struct PackedFloats {
   /// From one row of the packet to the next, in channels.
   static constexpr int row_stride = 3 * PacketShape<D>::width;
   /// StoreInterleaved3 of part of a vector may write a whole one.
@@ -75,9 +74,10 @@ struct PackedPixels<D, float> {
   }
 };
 
-/// Four pixels at the beginning of every 16 bytes.
+/// A packet's pixels as an image of bytes holds them, four at the beginning of every 16 bytes; of
+/// fewer lanes, all one after another.
 template <class D>
-struct PackedPixels<D, std::uint8_t> {
+struct PackedBytes {
   static constexpr int row_stride = PacketShape<D>::width == 4 ? 16 : 3 * PacketShape<D>::width;
   HWY_ALIGN std::uint8_t channels[4 * PacketShape<D>::lanes];
 
@@ -103,6 +103,10 @@ struct PackedPixels<D, std::uint8_t> {
     }
   }
 };
+
+template <class D, typename Channel>
+using PackedPixels =
+    std::conditional_t<std::is_same_v<Channel, float>, PackedFloats<D>, PackedBytes<D>>;
 
 template <class D, class ColourOf, typename Channel>
 HWY_INLINE void store_block(D d, const ColourOf& colour_of, const Block& block,
@@ -156,9 +160,9 @@ struct PlainRow {
 
   template <class D>
   HWY_INLINE PlainRow(D d, const V3<hn::Vec<D>>& colour) {
-    PackedPixels<D, float> in_floats;
+    PackedFloats<D> in_floats;
     in_floats.set(d, colour);
-    PackedPixels<D, std::uint8_t> in_bytes;
+    PackedBytes<D> in_bytes;
     in_bytes.set(d, colour);
     for (int i = 0; i < 3 * block_side; ++i) {
       floats[i] = in_floats.channels[i % 3];
