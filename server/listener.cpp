@@ -223,10 +223,14 @@ void Listener::answer_unrouted(const httplib::Request& request, httplib::Respons
       return answer_problem(response, refusal.problem(), Afterwards::close);
     }
   }
-  const std::string detail = status == 414   ? "The request's target is too long"
-                             : status == 416 ? "The Range field cannot be read; leave it out"
-                             : status < 500  ? "This is not a request that HTTP/1.1 knows"
-                                             : "The server has too many connections";
+  const std::string detail =
+      status == 414   ? "The request's target is too long"
+      : status == 416 ? "The Range field cannot be read; leave it out"
+      : status < 500  ? fmt::format(
+                            "This is not a request that HTTP/1.1 knows, or a header field "
+                             "is longer than {} bytes",
+                            CPPHTTPLIB_HEADER_MAX_LENGTH)
+                     : "The server has too many connections";
   answer_problem(response, {status, detail}, Afterwards::close);
 }
 

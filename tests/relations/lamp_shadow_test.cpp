@@ -27,14 +27,16 @@ json far_ground(const Vec3& lamp, std::vector<json> objects, double fov = 0.02) 
 }
 
 void expect_no_light_on_the_ground(const json& text) {
+  const Vec3 shadow{0, 0, 0};
+  const Vec3 sky{0, 0, 1};
   for (const char* precision : {"auto", "single", "double"}) {
     const Image image = image_of(in_precision(text, precision));
     int black = 0;
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) {
         const Vec3 seen = color_at(image, x, y);
-        black += seen == Vec3{0, 0, 0} ? 1 : 0;
-        ASSERT_TRUE(seen == Vec3(0, 0, 0) || seen == Vec3(0, 0, 1))
+        black += seen == shadow ? 1 : 0;
+        ASSERT_TRUE(seen == shadow || seen == sky)
             << precision << " at " << x << ", " << y << ": " << seen.x;
       }
     EXPECT_GT(black, 3000) << precision;
