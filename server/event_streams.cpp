@@ -90,11 +90,11 @@ void answer_events(Call& call, EventStreams& streams, std::shared_ptr<const Job>
   const auto stream = std::make_shared<EventStream>(
       streams.take(), std::move(job), std::move(describe), find_socket(ends_of(call.request)));
   const auto next = [stream](std::size_t, httplib::DataSink& sink) { return stream->step(sink); };
-  if (call.request.version ==
-      "HTTP/1.0")  // which knows no chunks: the end is that of the connection
-    call.response.set_content_provider(media_type, next);
-  else
-    call.response.set_chunked_content_provider(media_type, next);
+  if (call.request.version != "HTTP/1.0")
+    return call.response.set_chunked_content_provider(media_type, next);
+  // It knows no chunks: the end is that of the connection.
+  call.response.set_header("Connection", "close");
+  call.response.set_content_provider(media_type, next);
 }
 
 }  // namespace raytracer

@@ -54,13 +54,14 @@ PointGrid<T> build_point_grid(const Vec3& light, std::span<const PackedSphere> s
                               const Numbering& numbers, WorkerPool& pool) {
   PointGrid<T> grid;
   grid.side = cells_across(light, spheres);
+  grid.is_far = is_far_light(light, spheres);
   std::vector<Projection> projections;
   projections.reserve(faces);
   for (int face = 0; face < faces; ++face) projections.emplace_back(view_of_face(face, grid.side));
 
   // A point finds its cell in precision T: spheres are entered a little beyond their rims.
-  const double margin =
-      64 * static_cast<double>(std::numeric_limits<T>::epsilon()) * static_cast<double>(grid.side);
+  const double direction_noise = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
+  const double margin = direction_noise * static_cast<double>(grid.side);
   const double side = static_cast<double>(grid.side);
   struct Entry {
     T x;
@@ -74,7 +75,7 @@ PointGrid<T> build_point_grid(const Vec3& light, std::span<const PackedSphere> s
     const auto face = static_cast<int>(item % faces);
     const PackedSphere& s = spheres[item / faces];
     const Vec3 c = s.center - light;
-    if (!may_reach(c, s.radius, face)) return {};
+    if (!may_reach(c, s.radius + direction_noise * length(c), face)) return {};
     const PixelRectangle seen = projections[static_cast<std::size_t>(face)].of_sphere(c, s.radius);
     if (!(seen.x_begin < seen.x_end && seen.y_begin < seen.y_end)) return {};
     const auto index = [&](double at) { return static_cast<int>(std::clamp(at, 0.0, side)); };
@@ -84,11 +85,11 @@ PointGrid<T> build_point_grid(const Vec3& light, std::span<const PackedSphere> s
     const int row = face * grid.side;
     cells.y_begin += row;
     cells.y_end += row;
-    const auto lit = LitSphere::seen_from<T>(light, s);
-    return {
-        cells,
-        {static_cast<T>(c.x), static_cast<T>(c.y), static_cast<T>(c.z), static_cast<T>(lit.radius2),
-         static_cast<T>(lit.nearest * (1 - 1e-6)), static_cast<T>(numbers(s.id))}};
+    const auto lit = LitSphere::seen_from<T>(light, grid.is_far, s);
+    return {cells,
+            {static_cast<T>(lit.center.x), static_cast<T>(lit.center.y),
+             static_cast<T>(lit.center.z), static_cast<T>(lit.radius2),
+             static_cast<T>(lit.nearest * (1 - 1e-6)), static_cast<T>(numbers(s.id))}};
   };
   const auto entry_in = [](const Entry& entry, const CellRectangle&, int, int) { return entry; };
   const auto arrange = [](std::span<Entry> entries) {

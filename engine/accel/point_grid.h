@@ -21,6 +21,7 @@ namespace raytracer {
 template <typename T>
 struct PointGrid {
   int side = 0;                       ///< cells along a face's side
+  bool is_far = false;                ///< as is_far_light() says
   std::vector<std::uint32_t> begins;  ///< of each cell, face by face and row by row, and the end
   /// The columns of a cell's spheres: as LitSphere; `id` is the primitive's.
   enum Column : std::size_t { x, y, z, radius2, nearest, id, column_count };

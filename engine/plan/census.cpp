@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/math/block.h"
+#include "engine/pack/view.h"
 #include "engine/parallel/chunks.h"
 #include "engine/plan/coincidence.h"
 #include "engine/plan/magnification.h"
@@ -99,7 +100,9 @@ class Counter {
     const double r = frame_.frame_from_scene(s.radius);
     if (is_lost(r)) return;
     const double reach = length(center) + 2 * std::sqrt(2.0) * static_cast<double>(s.n) * r + r;
-    approach(distance_to_square(s, center, r));
+    const double distance = distance_to_square(s, center, r);
+    approach(distance);
+    clearance_of_structures_ = std::min(clearance_of_structures_, std::abs(distance));
     census_.farthest = std::max(census_.farthest, reach);
     census_.distance_in_radii = std::max(census_.distance_in_radii, reach / r);
     census_.coarseness =
@@ -113,7 +116,6 @@ class Counter {
   void operator()(const Plane& p) {
     const double height = std::abs(dot(unit(p.normal), frame_.frame_from_scene(p.point)));
     approach(height);
-    highest_above_planes_ = std::max(highest_above_planes_, height);
   }
 
   void operator()(const Mesh& m) {
@@ -130,12 +132,14 @@ class Counter {
       if (is_lost(std::max({max_abs(a), max_abs(b), max_abs(c)}))) continue;
       const TriangleBall ball(a, b, c);
       add(std::max(ball.distance, 0.0), 0);
+      clearance_of_structures_ = std::min(clearance_of_structures_, std::max(ball.distance, 0.0));
       census_.triangle_blocks += blocks(ball.reach / ball.distance);
     }
   }
 
   double farthest_but_squares() const { return farthest_but_squares_; }
-  double highest_above_planes() const { return highest_above_planes_; }
+  /// Of triangles and squares.
+  double clearance_of_structures() const { return clearance_of_structures_; }
 
  private:
   bool is_lost(double size) {
@@ -208,7 +212,7 @@ class Counter {
   double block_rows_;
   SphereTally single_spheres_{};
   double farthest_but_squares_ = 0;
-  double highest_above_planes_ = 0;
+  double clearance_of_structures_ = std::numeric_limits<double>::infinity();
 };
 
 /// How high above or below a square's spheres anything else may receive their shadow: heights over
@@ -266,6 +270,29 @@ double shadow_path(const Scene& scene, const Frame& frame, std::size_t square_co
   return longest;
 }
 
+/// How far from the eye points of planes are in view.
+double reach_of_planes(const Scene& scene, const Frame& frame) {
+  constexpr double pixels_to_horizon = 1.0 / 16;
+  const double to_horizon = pixels_to_horizon * pixel_angle(scene.camera);
+  const View view = make_view(scene.camera);
+  const auto width = static_cast<double>(view.width);
+  const auto height = static_cast<double>(view.height);
+  double reach = 0;
+  for (const Object& object : scene.objects) {
+    const auto* plane = std::get_if<Plane>(&object.shape);
+    if (plane == nullptr) continue;
+    const Vec3 normal = unit(plane->normal);
+    const double above = dot(normal, frame.frame_from_scene(plane->point));
+    for (const Vec3& corner : {view.direction(0, 0), view.direction(width, 0),
+                               view.direction(0, height), view.direction(width, height)}) {
+      // Of a corner over the horizon, or nearly: as far as can be told from the horizon.
+      const double sine = above > 0 ? dot(normal, corner) : -dot(normal, corner);
+      reach = std::max(reach, std::abs(above) / std::max(sine, to_horizon));
+    }
+  }
+  return reach;
+}
+
 }  // namespace
 
 Census take_census(const Scene& scene, const Frame& frame, const Features& features,
@@ -273,15 +300,12 @@ Census take_census(const Scene& scene, const Frame& frame, const Features& featu
   Census census;
   Counter counter(frame, scene.camera, pool, census);
   counter.count_all(scene.objects);
-  double farthest_light = 0;
-  for (const Light& light : scene.lights)
-    if (const auto* point = std::get_if<PointLight>(&light.source))
-      farthest_light = std::max(farthest_light, length(frame.frame_from_scene(point->position)));
-  census.farthest = std::max(census.farthest, farthest_light);
-  constexpr double pixels_to_horizon = 1.0 / 16;
-  census.pixel_angle = pixel_angle(scene.camera);
-  const double plane_reach =
-      counter.highest_above_planes() / (pixels_to_horizon * census.pixel_angle);
+  for (const Light& light : scene.lights) {
+    const auto* point = std::get_if<PointLight>(&light.source);
+    if (point == nullptr) continue;
+    census.farthest = std::max(census.farthest, length(frame.frame_from_scene(point->position)));
+  }
+  const double planes_reach = reach_of_planes(scene, frame);
   // What the eye's distances are to the eye, a light's are to the light.
   for (const Light& light : scene.lights) {
     const auto* point = std::get_if<PointLight>(&light.source);
@@ -296,19 +320,19 @@ Census take_census(const Scene& scene, const Frame& frame, const Features& featu
     light_counter.count_all(scene.objects);
     census.light_clearance =
         std::min(census.light_clearance, around_light.clearance / census.farthest);
-    census.shadow_spread =
-        std::max(census.shadow_spread,
-                 std::max(around_light.farthest, plane_reach) / around_light.clearance);
+    census.shadow_spread = std::max(
+        census.shadow_spread, std::max(around_light.farthest, census.farthest + planes_reach) /
+                                  light_counter.clearance_of_structures());
     const double clearance = std::ldexp(around_light.clearance, frame.exponent());
     census.brightest =
         std::max(census.brightest, emitted / (4 * std::numbers::pi) / clearance / clearance);
   }
-  census.shadow_path = std::max(
-      shadow_path(scene, frame, features.squares, census.farthest, counter.farthest_but_squares()),
-      farthest_light);
+  census.shadow_path =
+      shadow_path(scene, frame, features.squares, census.farthest, counter.farthest_but_squares());
   if (features.reflects)
     census.magnification = magnification(scene, frame, features, census.farthest);
   census.gap = least_gap(scene, frame);
+  census.pixel_angle = pixel_angle(scene.camera);
   return census;
 }
 

@@ -21,11 +21,10 @@ struct Census {
   double clearance = std::numeric_limits<double>::infinity();
   double farthest = 0;           ///< point of a sphere, square or mesh, and point light
   double distance_in_radii = 0;  ///< the largest of farthest distance / radius
-  /// No occluder stands farther than this from what it shadows, and no point light from the eye.
-  double shadow_path = 0;
-  /// How many times as far from a point light the farthest thing that it reaches may be as the
-  /// nearest: so much wider a shadow can be than its occluder. A plane is seen up to a sixteenth of
-  /// a pixel below its horizon.
+  double shadow_path = 0;        ///< no occluder stands farther than this from what it shadows
+  /// How many times as far from a point light the farthest thing in view may be as the nearest
+  /// triangle or square: so much wider a shadow can be than its occluder. A plane is in view up to
+  /// a sixteenth of a pixel below its horizon.
   double shadow_spread = 1;
   /// The least distance of a point light to a surface, as a share of the farthest extent.
   double light_clearance = std::numeric_limits<double>::infinity();

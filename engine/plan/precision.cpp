@@ -33,7 +33,8 @@ double growth_along_path(const Census& census, double nearest) {
 }
 
 /// By how much it grows in the shadows of triangles and squares under a point light: points look
-/// for these from where they are, far from what is near the light. In double there is room for it.
+/// for these from where they are, far from what is near the light. In double it takes a light a
+/// millionth of the scene from them to show.
 double growth_by_spread(const Features& features, const Census& census) {
   const bool has_such_shadows = features.casts_shadows && features.point_lights > 0 &&
                                 features.triangles + features.squares > 0;
@@ -98,17 +99,9 @@ Choice<Precision> choose_precision(Precision wish, const Features& features, con
   const double path_error_px = direction_error_px * growth_along_path(census, census.nearest);
   if (!(path_error_px <= tolerance_px))
     return {double_precision,
-            because("single would displace shadows by {:.2g} pixels: occluders or lights up to "
-                    "{:.3g} times as far as the nearest surface",
+            because("single would displace shadows by {:.2g} pixels: occluders up to {:.3g} "
+                    "times as far as the nearest surface",
                     path_error_px, census.shadow_path / census.nearest)};
-
-  const double spread_error_px = direction_error_px * growth_by_spread(features, census);
-  if (!(spread_error_px <= tolerance_px))
-    return {double_precision,
-            because("single would displace shadows by {:.2g} pixels: a point light shines {:.3g} "
-                    "times as far as the nearest surface is to it",
-                    spread_error_px, census.shadow_spread)};
-  const double shadow_error_px = std::max(path_error_px, spread_error_px);
 
   const double surface_error = kappa * single_rounding * census.distance_in_radii;
   if (surface_error > surface_tolerance)
@@ -122,6 +115,14 @@ Choice<Precision> choose_precision(Precision wish, const Features& features, con
     return {double_precision,
             because("single could not tell a light from the surface {:.2g} of the extent away",
                     census.light_clearance)};
+
+  const double spread_error_px = direction_error_px * growth_by_spread(features, census);
+  if (!(spread_error_px <= tolerance_px))
+    return {double_precision,
+            because("single would displace shadows by {:.2g} pixels: a point light shines {:.3g} "
+                    "times as far as to the nearest triangle or square",
+                    spread_error_px, census.shadow_spread)};
+  const double shadow_error_px = std::max(path_error_px, spread_error_px);
 
   if (census.gap < 4 * kappa * single_rounding)
     return {double_precision,

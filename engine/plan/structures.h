@@ -27,7 +27,8 @@ struct Structures {
   bool sphere_bins = false;  ///< on the screen, for rays from the eye; else by the tree
   bool light_grids = false;  ///< over the spheres, for each light
   bool sphere_tree = false;
-  bool each_sphere = false;     ///< tried by rays but those from the eye, where there are few
+  bool each_sphere = false;     ///< tried by rays but those from the eye, where there are few; to
+                                ///< point lights as LitSphere
   bool triangle_bins = false;   ///< on the screen, for rays from the eye; else by the tree
   bool triangle_grids = false;  ///< for each distant light; else by the tree
   bool triangle_tree = false;

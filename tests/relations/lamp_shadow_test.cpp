@@ -6,6 +6,8 @@
 
 #include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
+#include "engine/render/tracer.h"
+#include "engine/sample/pattern.h"
 #include "tests/support/scenes.h"
 
 namespace raytracer::test {
@@ -69,25 +71,48 @@ TEST(LampShadow, OfAMeshReachesTheHorizon) {
   EXPECT_EQ(count_different(image, image_of(in_precision(text, "double"))), 0);
 }
 
-/// A lamp as far away as a sun: what is near to each other is not so to the lamp.
-TEST(LampShadow, OfAFarLampIsThatOfDouble) {
+/// Balls on a floor under a lamp as far away as a sun: what is near to each other is not so to the
+/// lamp. Single finds its shadows, too.
+TEST(LampShadow, OfAFarLampIsThatOfTheReference) {
   std::mt19937 random(4);  // the same numbers everywhere
   const auto from_to = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(random()) / 4294967295.0);
   };
-  for (const double far : {1e2, 1e4, 1e6}) {
-    std::vector<json> objects{plane_json({0, -0.5, 0}, {0, 1, 0})};
-    for (int i = 0; i < 40; ++i) {
-      const double x = from_to(-4, 4);
-      const double y = from_to(0, 3);
-      objects.push_back(sphere_json({x, y, from_to(-4, 4)}, 0.4));
+  WorkerPool pool(2);
+  for (const int count : {10, 40}) {
+    for (const double far : {1e2, 1e4, 1e6, 1e12}) {
+      std::vector<json> objects{plane_json({0, -0.5, 0}, {0, 1, 0})};
+      for (int i = 0; i < count; ++i) {
+        const double x = from_to(-4, 4);
+        const double y = from_to(0, 3);
+        objects.push_back(sphere_json({x, y, from_to(-4, 4)}, 0.4));
+      }
+      const json text = document(camera_json(150, 100, 0.8, {0, 4, -12}, {0, 0, 0}), objects,
+                                 {point_json({far, far, 0}, 12 * far * far)});
+      const Scene scene = scene_of(text);
+      Plan plan = make_plan(scene, this_machine(1));
+      EXPECT_EQ(plan.precision.value, Precision::single_precision) << far;
+      plan.kernel.value = Kernel::brute_force;
+      const Tracer tracer = make_tracer(plan, scene, pool);
+      Image exact(150, 100);
+      render_tile(tracer, sample_pattern(1), Transfer::linear, {0, 0, 150, 100}, &exact);
+      EXPECT_GT(count_lit(exact), 5000) << far;
+      for (const char* precision : {"single", "double"})
+        EXPECT_LE(count_different(image_of(in_precision(text, precision)), exact, 1.0 / 255), 2)
+            << count << " balls, " << far << ", " << precision;
     }
-    const json text = document(camera_json(150, 100, 0.8, {0, 4, -12}, {0, 0, 0}), objects,
-                               {point_json({far, far, 0}, 12 * far * far)});
-    const Image exact = image_of(in_precision(text, "double"));
-    EXPECT_LE(count_different(image_of(text), exact, 1.0 / 255), 2) << far;
-    EXPECT_GT(count_lit(exact), 5000) << far;
   }
+}
+
+/// A lamp in a tilted plane that passes near the eye lights what is before it.
+TEST(LampShadow, OfThePlaneThatTheLampIsInIsNone) {
+  const Vec3 normal{1, 2, 3};
+  const json text = document(
+      camera_json(40, 30, 0.8, normal * 0x1p-12, {18, -4, 6}),
+      {plane_json({0, 0, 0}, normal, constant_material({0, 0, 0})), sphere_json({18, -4, 6}, 4)},
+      {point_json({-29, 40, -17}, 60000)});
+  for (const char* precision : {"auto", "single", "double"})
+    EXPECT_GT(count_lit(image_of(in_precision(text, precision))), 200) << precision;
 }
 
 /// What a plan chose by itself it does not warn of.

@@ -41,26 +41,16 @@ HWY_INLINE M meets_plane(D d, const SimdPlane<T>& plane, const Start<V>& from,
                      hn::Set(d, static_cast<T>(plane.id)), from, direction, t);
 }
 
-/// Lanes whose point and a point light at `place` the plane stands between: by their heights above
-/// it, whose signs no distance between them makes less certain. A light in the plane is not hidden.
+/// Lanes whose point is on the other side of the plane than a point light, however far they are
+/// from each other. A light in the plane, of side 0, is not hidden.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M stands_between(D d, const SimdPlane<T>& plane, const Start<V>& from,
-                            const Triple<T>& place) {
-  const V3<V> normal = broadcast(d, plane.normal);
+HWY_INLINE M stands_between(D d, const SimdPlane<T>& plane, const Start<V>& from, T light_side) {
   const V height = hn::Set(d, plane.height);
-  const V noise = hn::Set(d, plane_noise<T>);
-  const auto above = [&](V along) HWY_ATTR {
-    const V rest = hn::Sub(along, height);
-    const M is_apart =
-        hn::Gt(hn::Abs(rest), hn::Mul(noise, hn::Add(hn::Abs(height), hn::Abs(along))));
-    return hn::IfThenElseZero(is_apart, rest);
-  };
-  const V point_above = above(dot(normal, from.point));
-  const V light_above = above(dot(normal, broadcast(d, place)));
-  const V zero = hn::Zero(d);
-  const M apart = hn::Or(hn::And(hn::Lt(point_above, zero), hn::Gt(light_above, zero)),
-                         hn::And(hn::Gt(point_above, zero), hn::Lt(light_above, zero)));
-  return hn::And(apart, hn::Ne(from.id, hn::Set(d, static_cast<T>(plane.id))));
+  const V along = dot(broadcast(d, plane.normal), from.point);
+  const V noise = hn::Mul(hn::Set(d, plane_noise<T>), hn::Add(hn::Abs(height), hn::Abs(along)));
+  const V towards_light = hn::Mul(hn::Set(d, light_side), hn::Sub(along, height));
+  return hn::And(hn::Lt(towards_light, hn::Neg(noise)),
+                 hn::Ne(from.id, hn::Set(d, static_cast<T>(plane.id))));
 }
 
 /// The lanes' planes across their rays (see across() in engine/math/vec.h).

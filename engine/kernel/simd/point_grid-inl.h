@@ -54,6 +54,12 @@ HWY_INLINE M occluded_in_point_grid(D d, const PointGrid<T>& grid, const Triple<
   HWY_ALIGN T towards_z[most_lanes];
   hn::Store(path, d, paths);
   hn::Store(from.id, d, ids);
+  HWY_ALIGN T points_x[most_lanes];
+  HWY_ALIGN T points_y[most_lanes];
+  HWY_ALIGN T points_z[most_lanes];
+  hn::Store(from.point.x, d, points_x);
+  hn::Store(from.point.y, d, points_y);
+  hn::Store(from.point.z, d, points_z);
   hn::Store(towards.x, d, towards_x);
   hn::Store(towards.y, d, towards_y);
   hn::Store(towards.z, d, towards_z);
@@ -68,8 +74,10 @@ HWY_INLINE M occluded_in_point_grid(D d, const PointGrid<T>& grid, const Triple<
       const auto all = [&](typename Grid::Column column)
                            HWY_ATTR { return hn::Set(d, values[column * count + i]); };
       const V3<V> center{all(Grid::x), all(Grid::y), all(Grid::z)};
+      const V radius2 = all(Grid::radius2);
       const M meets =
-          stands_before_light(d, center, all(Grid::radius2), all(Grid::nearest), towards, path);
+          grid.is_far ? stands_before_far_light(d, center, radius2, from.point, towards, path)
+                      : stands_before_light(d, center, radius2, all(Grid::nearest), towards, path);
       const M other = hn::Ne(all(Grid::id), from.id);
       dark = hn::Or(dark, hn::And(lanes, hn::And(meets, other)));
     }
@@ -79,6 +87,7 @@ HWY_INLINE M occluded_in_point_grid(D d, const PointGrid<T>& grid, const Triple<
     const std::size_t count = end - begin;
     const V3<V> own_towards =
         broadcast(d, Triple<T>{towards_x[lane], towards_y[lane], towards_z[lane]});
+    const V3<V> own_point = broadcast(d, Triple<T>{points_x[lane], points_y[lane], points_z[lane]});
     const V own_path = hn::Set(d, paths[lane]);
     const V own_id = hn::Set(d, ids[lane]);
     for (std::size_t i = 0; i < count; i += most_lanes) {
@@ -87,8 +96,11 @@ HWY_INLINE M occluded_in_point_grid(D d, const PointGrid<T>& grid, const Triple<
       // Then this one and all behind it are beyond the point.
       if (values[Grid::nearest * count + i] > paths[lane]) break;
       const V3<V> centers{next(Grid::x), next(Grid::y), next(Grid::z)};
-      const M meets = stands_before_light(d, centers, next(Grid::radius2), next(Grid::nearest),
-                                          own_towards, own_path);
+      const V radius2 = next(Grid::radius2);
+      const M meets = grid.is_far ? stands_before_far_light(d, centers, radius2, own_point,
+                                                            own_towards, own_path)
+                                  : stands_before_light(d, centers, radius2, next(Grid::nearest),
+                                                        own_towards, own_path);
       const M other = hn::And(hn::FirstN(d, count - i), hn::Ne(next(Grid::id), own_id));
       if (!hn::AllFalse(d, hn::And(meets, other))) {
         dark_alone |= std::uint64_t{1} << lane;

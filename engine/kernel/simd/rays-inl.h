@@ -19,8 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
-/// What a ray meets nearer than this share of a point light's distance hides the light: one that
-/// lies in a surface is not hidden by that.
+/// A triangle or a square that a ray meets nearer than this share of a point light's distance hides
+/// the light: one that lies in a surface is not hidden by that.
 template <typename T>
 inline constexpr T nearer_than_light = 1 - 4096 * std::numeric_limits<T>::epsilon();
 
@@ -57,7 +57,7 @@ HWY_INLINE M occluded(D d, const SimdScene<T>& scene, const SimdLight<T>& light,
                : occluded_in_point_grid(d, light.point_grid, light.place, from, towards, lit);
   else if (!light.is_distant)
     for (const LightBall<T>& ball : light.balls)
-      dark = hn::Or(dark, occluded_by(d, ball, from, towards, path, lit));
+      dark = hn::Or(dark, occluded_by(d, ball, light.is_far, from, towards, path, lit));
   else if (!scene.sphere_tree.is_empty())
     dark = occluded_in_tree(d, scene.sphere_tree, from, towards, distance, lit);
   else
@@ -70,10 +70,11 @@ HWY_INLINE M occluded(D d, const SimdScene<T>& scene, const SimdLight<T>& light,
     const M rest = hn::AndNot(dark, lit);
     dark = hn::Or(dark, occluded_in_tree(d, scene.triangle_tree, from, towards, distance, rest));
   }
-  for (const SimdPlane<T>& plane : scene.planes) {
+  for (std::size_t i = 0; i < scene.planes.size(); ++i) {
     V t;
-    const M hides = light.is_distant ? meets_plane(d, plane, from, towards, t)
-                                     : stands_between(d, plane, from, light.place);
+    const M hides = light.is_distant
+                        ? meets_plane(d, scene.planes[i], from, towards, t)
+                        : stands_between(d, scene.planes[i], from, light.plane_sides[i]);
     dark = hn::Or(dark, hn::And(lit, hides));
   }
   for (std::size_t i = 0; i < scene.squares.size(); ++i)

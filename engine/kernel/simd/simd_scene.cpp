@@ -197,15 +197,25 @@ void pack_primitives(const PackedScene& scene, const Structures& structures, Wor
 }
 
 template <typename T>
-std::vector<LightBall<T>> pack_balls(const Vec3& light, const PackedScene& scene) {
+std::vector<LightBall<T>> pack_balls(const Vec3& light, bool is_far, const PackedScene& scene) {
   std::vector<LightBall<T>> balls;
   balls.reserve(scene.spheres.size());
   for (const PackedSphere& sphere : scene.spheres) {
-    const auto lit = LitSphere::seen_from<T>(light, sphere);
+    const auto lit = LitSphere::seen_from<T>(light, is_far, sphere);
     balls.push_back({narrowed<T>(lit.center), static_cast<T>(lit.radius2),
                      static_cast<T>(lit.nearest), static_cast<T>(scene.numbers(sphere.id))});
   }
   return balls;
+}
+
+/// By its exact height over the plane: from what T holds of a plane near the eye that of a light
+/// far away is rounding alone.
+template <typename T>
+T side_of(const Vec3& light, const PackedPlane& plane) {
+  constexpr double noise = 64 * std::numeric_limits<double>::epsilon();
+  const double height = dot(plane.normal, light - plane.point);
+  if (std::abs(height) <= noise * (max_abs(light) + max_abs(plane.point))) return 0;
+  return height > 0 ? T(1) : T(-1);
 }
 
 /// Whether distant lights' grids are larger than what a processor's caches keep of them. Where they
@@ -254,8 +264,11 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
       simd.grid = build_distant_grid<T>(light.place, scene.spheres, scene.numbers, pool);
     if (packed.has_light_grids && !light.is_distant)
       simd.point_grid = build_point_grid<T>(light.place, scene.spheres, scene.numbers, pool);
+    simd.is_far = !light.is_distant && is_far_light(light.place, scene.spheres);
     if (features.casts_shadows && !packed.has_light_grids && !light.is_distant)
-      simd.balls = pack_balls<T>(light.place, scene);
+      simd.balls = pack_balls<T>(light.place, simd.is_far, scene);
+    for (const PackedPlane& plane : scene.planes)
+      simd.plane_sides.push_back(light.is_distant ? 0 : side_of<T>(light.place, plane));
     if (structures.triangle_grids && light.is_distant)
       simd.triangle_grid = build_triangle_grid<T>(light.place, scene.triangles, pool);
     for (const PackedSquare& square : scene.squares)

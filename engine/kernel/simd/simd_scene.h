@@ -130,7 +130,9 @@ struct SimdLight {
   std::vector<Stencil<T>> stencils;  ///< distant: one for each square
   std::array<Triple<T>, 2> across;   ///< distant: unit, across its direction
   std::vector<LightDisc<T>> discs;   ///< where is_plainly_lit: of all spheres
-  std::vector<LightBall<T>> balls;   ///< point: of all spheres, where there are few
+  std::vector<LightBall<T>> balls;   ///< point: of all spheres, where there are few ...
+  bool is_far;                       ///< ... as is_far_light() says of them
+  std::vector<T> plane_sides;        ///< point: of each plane 1 or -1, 0 if the light is in it
   DistantGrid<T> grid;               ///< distant: over the spheres, where there are many
   PointGrid<T> point_grid;           ///< point: likewise
   TriangleGrid<T> triangle_grid;     ///< distant, if its rays do not go through the tree
@@ -195,11 +197,12 @@ struct SimdScene {
   Triple<T> right;
   Triple<T> up;
   bool has_spheres;
-  std::vector<SimdSphere<T>> spheres;  ///< where rays but those from the eye try each
-  ScreenBins bins;                     ///< of the spheres, for rays from the eye
-  bool has_sphere_bins;                ///< else rays from the eye find spheres by the tree
-  bool has_light_grids;                ///< for shadows of spheres; else their tree, or every sphere
-  bool fetches_light_cells;            ///< before they are needed: the caches cannot hold them all
+  std::vector<SimdSphere<T>>
+      spheres;               ///< where rays but those from the eye and to point lights try each
+  ScreenBins bins;           ///< of the spheres, for rays from the eye
+  bool has_sphere_bins;      ///< else rays from the eye find spheres by the tree
+  bool has_light_grids;      ///< for shadows of spheres; else their tree, or each
+  bool fetches_light_cells;  ///< before they are needed: the caches cannot hold them all
   std::vector<SimdSquare<T>> squares;
   std::vector<SimdPlane<T>> planes;
   SimdTree<SphereBlock<T>> sphere_tree;      ///< empty where nothing needs it

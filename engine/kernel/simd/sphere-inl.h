@@ -102,12 +102,26 @@ HWY_INLINE M stands_before_light(D d, const V3<V>& center, V radius2, V nearest,
   return hn::And(hn::And(is_ahead, hn::Lt(b, path)), hn::Ge(radius2, dot(l, l)));
 }
 
+/// The same before a far light: as the points see it.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M stands_before_far_light(D d, const V3<V>& center, V radius2, const V3<V>& point,
+                                     const V3<V>& towards, V path) {
+  const V3<V> f = sub(center, point);
+  const V b = dot(f, towards);
+  const V3<V> l = mul_add(towards, hn::Neg(b), f);
+  const M is_between = hn::And(hn::Gt(b, hn::Zero(d)), hn::Lt(b, path));
+  return hn::And(is_between, hn::Ge(radius2, dot(l, l)));
+}
+
 /// Lanes of `lit` from which the sphere stands before its point light, `path` away.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M occluded_by(D d, const LightBall<T>& ball, const Start<V>& from, const V3<V>& towards,
-                         V path, M lit) {
-  const M meets = stands_before_light(d, broadcast(d, ball.center), hn::Set(d, ball.radius2),
-                                      hn::Set(d, ball.nearest), towards, path);
+HWY_INLINE M occluded_by(D d, const LightBall<T>& ball, bool is_far, const Start<V>& from,
+                         const V3<V>& towards, V path, M lit) {
+  const V3<V> center = broadcast(d, ball.center);
+  const V radius2 = hn::Set(d, ball.radius2);
+  const M meets =
+      is_far ? stands_before_far_light(d, center, radius2, from.point, towards, path)
+             : stands_before_light(d, center, radius2, hn::Set(d, ball.nearest), towards, path);
   return hn::And(hn::And(lit, meets), hn::Ne(from.id, hn::Set(d, ball.id)));
 }
 
