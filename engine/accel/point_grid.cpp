@@ -7,7 +7,7 @@
 #include "engine/accel/binning.h"
 #include "engine/accel/lit_sphere.h"
 #include "engine/accel/projection.h"
-#include "engine/pack/view.h"
+#include "engine/plan/view.h"
 
 namespace raytracer {
 namespace {

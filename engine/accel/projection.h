@@ -6,7 +6,7 @@
 #include "engine/accel/box.h"
 #include "engine/math/vec.h"
 #include "engine/pack/packed_scene.h"
-#include "engine/pack/view.h"
+#include "engine/plan/view.h"
 
 namespace raytracer {
 

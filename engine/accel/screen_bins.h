@@ -10,8 +10,8 @@
 
 #include "engine/accel/binning.h"
 #include "engine/pack/packed_scene.h"
-#include "engine/pack/view.h"
 #include "engine/parallel/worker_pool.h"
+#include "engine/plan/view.h"
 
 namespace raytracer {
 

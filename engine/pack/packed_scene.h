@@ -9,9 +9,9 @@
 #include "engine/math/vec.h"
 #include "engine/memory/page_allocator.h"
 #include "engine/pack/numbering.h"
-#include "engine/pack/view.h"
 #include "engine/parallel/worker_pool.h"
 #include "engine/plan/frame.h"
+#include "engine/plan/view.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {

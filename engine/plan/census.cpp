@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "engine/math/block.h"
-#include "engine/pack/view.h"
 #include "engine/parallel/chunks.h"
 #include "engine/plan/coincidence.h"
 #include "engine/plan/magnification.h"
 #include "engine/plan/sphere_tally.h"
+#include "engine/plan/view.h"
 
 namespace raytracer {
 namespace {

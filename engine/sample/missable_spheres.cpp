@@ -7,7 +7,7 @@
 
 #include "engine/accel/projection.h"
 #include "engine/image/pixel_spreads.h"
-#include "engine/pack/view.h"
+#include "engine/plan/view.h"
 
 namespace raytracer {
 

@@ -1,6 +1,6 @@
 // The camera: which way each pixel looks.
 
-#include "engine/pack/view.h"
+#include "engine/plan/view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/pack/view.h"
+#include "engine/plan/view.h"
 
 #include <cmath>
 
