@@ -52,6 +52,7 @@ TEST(LampShadow, OfABallReachesTheHorizon) {
 
 TEST(LampShadow, OfManyBallsReachesTheHorizon) {
   std::vector<json> balls;
+  balls.reserve(40);
   for (int i = 0; i < 40; ++i) balls.push_back(sphere_json({0, 2.8, 0}, 1.5 - 0.01 * i));
   expect_no_light_on_the_ground(far_ground({2, 1.6, 0}, balls));
 }

@@ -20,8 +20,10 @@ Scene critical_balls() {
   json balls = json::array();
   for (int level = 0; level < 255; ++level) {
     const auto bound = static_cast<float>((level + 0.5) / 255);
-    const double x = level % 16 - 7.5;
-    const double y = level / 16 - 7.5;
+    const int column = level % 16;
+    const int row = level / 16;
+    const double x = column - 7.5;
+    const double y = row - 7.5;
     balls.push_back(sphere_json(
         {x, y, 0}, 0.5,
         constant_material({std::nextafter(bound, 0.0F), bound, std::nextafter(bound, 1.0F)})));
