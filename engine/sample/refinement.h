@@ -3,7 +3,7 @@
 // The sum of squared errors is brought to a bound by the fewest samples if all pixels' errors per
 // sample are equal (Lagrange): where errors fall as n^-3/2, n grows as detail^2/5, detail being the
 // squared error of one sample, and a common level of the errors per sample tells every pixel its
-// number.
+// number. What that brings is planned by a faster fall where enough samples told of an error.
 //
 // New samples replace the old ones, as even spread is worth more than their sum: a pixel that is
 // refined gets at least twice as many, and at most sixteen times, because the error that asks for
