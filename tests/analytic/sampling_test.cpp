@@ -143,6 +143,14 @@ TEST(Render, SaysItsError) {
   }
 }
 
+/// The document with these settings.
+Rendering rendered(json text, const json& settings) {
+  text["render"] = settings;
+  WorkerPool pool(2);
+  RenderProgress progress;
+  return render(scene_of(text), Limits{}, pool, progress);
+}
+
 /// An edge of 0.2 % is an edge.
 TEST(Contract, OfLittleContrastSeesIt) {
   json text = document(camera_json(200, 150, 0.9, {0, 3, -9}, {0, 0, 0}),
@@ -151,15 +159,9 @@ TEST(Contract, OfLittleContrastSeesIt) {
   text["ambient"] = 1;
   text["shadows"] = "ambient";
   text["background"] = {0.5009, 0.5009, 0.5009};
-  WorkerPool pool(2);
-  const auto with = [&](const json& settings) {
-    text["render"] = settings;
-    RenderProgress progress;
-    return render(scene_of(text), Limits{}, pool, progress);
-  };
-  const Image exact = with({{"samples", 4096}, {"precision", "double"}}).image;
+  const Image exact = rendered(text, {{"samples", 4096}, {"precision", "double"}}).image;
   for (const char* precision : {"single", "double"}) {
-    const Rendering rendering = with({{"target_rmse", 1e-5}, {"precision", precision}});
+    const Rendering rendering = rendered(text, {{"target_rmse", 1e-5}, {"precision", precision}});
     const double error = rmse(rendering.image, exact);
     EXPECT_GT(error, 1e-6) << "or there is nothing to see";
     EXPECT_GT(rendering.estimated_error.value_or(0), error / 2) << precision;
@@ -183,14 +185,8 @@ TEST(Contract, OfAccuracyIsKeptWhereALatticeIsFinerThanPixels) {
       {"type": "sphere", "center": [2.5, 0, -1], "radius": 2, "material": "blue"},
       {"type": "sphere_square", "center": [0, -3, 0], "radius": 0.028, "n": 250, "axes": "xz",
        "material": "white"}]})");
-  WorkerPool pool(2);
-  const auto with = [&](const json& settings) {
-    text["render"] = settings;
-    RenderProgress progress;
-    return render(scene_of(text), Limits{}, pool, progress);
-  };
-  const Image exact = with({{"samples", 6000}}).image;
-  const Rendering rendering = with({{"target_rmse", 0.01}});
+  const Image exact = rendered(text, {{"samples", 6000}}).image;
+  const Rendering rendering = rendered(text, {{"target_rmse", 0.01}});
   EXPECT_EQ(rendering.stop, Stop::target);
   EXPECT_LE(rmse(rendering.image, exact), 0.01);
 }
@@ -200,17 +196,11 @@ TEST(Contract, OfAccuracyIsKeptWhereALatticeIsFinerThanPixels) {
 TEST(Contract, OfAccuracyIsKeptWhereStarsAreSmallerThanPixels) {
   std::ifstream file(SCENES_DIRECTORY "/earth-and-pebble.json");
   json text = json::parse(file);
-  WorkerPool pool(2);
   for (const auto& [width, height] : {std::pair{44, 31}, {52, 37}, {61, 43}}) {
     text["camera"]["width"] = width;
     text["camera"]["height"] = height;
-    const auto with = [&](const json& settings) {
-      text["render"] = settings;
-      RenderProgress progress;
-      return render(scene_of(text), Limits{}, pool, progress);
-    };
-    const Image exact = with({{"samples", 3001}}).image;
-    const Rendering rendering = with({{"target_rmse", 0.003}});
+    const Image exact = rendered(text, {{"samples", 3001}}).image;
+    const Rendering rendering = rendered(text, {{"target_rmse", 0.003}});
     EXPECT_EQ(rendering.stop, Stop::target);
     EXPECT_LE(rmse(rendering.image, exact), 0.003) << width << " x " << height;
   }

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "engine/kernel/this_machine.h"
+#include "engine/plan/health.h"
 #include "engine/plan/plan.h"
 #include "engine/render/tracer.h"
 #include "engine/sample/pattern.h"
@@ -116,14 +118,23 @@ TEST(LampShadow, OfThePlaneThatTheLampIsInIsNone) {
     EXPECT_GT(count_lit(image_of(in_precision(text, precision))), 200) << precision;
 }
 
-/// What a plan chose by itself it does not warn of.
+/// Single that a plan chose by itself it does not warn of, as it does of single that is asked for.
 TEST(LampShadow, NearALampThePlanAgreesWithItself) {
-  const json text = document(camera_json(40, 30, 1, {0, 3, -8}, {0, 0, 0}),
-                             {plane_json({0, 0, 0}, {0, 1, 0})}, {point_json({0, 0.1, 0}, 400)});
-  const Scene scene = scene_of(text);
-  const Plan plan = make_plan(scene, this_machine(1));
-  EXPECT_EQ(plan.precision.value, Precision::double_precision);
-  EXPECT_LT(plan.arithmetic_error.levels, 1);
+  const auto near_the_ground = [](double height, const char* precision) {
+    const json text =
+        document(camera_json(40, 30, 1, {0, 3, -8}, {0, 0, 0}), {plane_json({0, 0, 0}, {0, 1, 0})},
+                 {point_json({0, height, 0}, 400)});
+    return scene_of(in_precision(text, precision));
+  };
+  for (const auto& [height, chosen] :
+       {std::pair{0.1, Precision::double_precision}, std::pair{0.2, Precision::single_precision}}) {
+    const Scene scene = near_the_ground(height, "auto");
+    const Plan plan = make_plan(scene, this_machine(1));
+    EXPECT_EQ(plan.precision.value, chosen) << height;
+    EXPECT_TRUE(find_strains(scene, plan).empty()) << height;
+    const Scene single = near_the_ground(height, "single");
+    EXPECT_EQ(find_strains(single, make_plan(single, this_machine(1))).size(), 1U) << height;
+  }
 }
 
 }  // namespace

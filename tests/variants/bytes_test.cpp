@@ -7,9 +7,8 @@
 #include "engine/engine.h"
 #include "engine/kernel/simd/instruction_sets.h"
 #include "engine/plan/plan.h"
-#include "engine/render/tracer.h"
-#include "engine/sample/pattern.h"
 #include "tests/support/scenes.h"
+#include "tests/variants/image_by.h"
 
 namespace raytracer::test {
 namespace {
@@ -34,26 +33,16 @@ Scene critical_balls() {
   return scene_of(text);
 }
 
-template <typename Picture>
-Picture traced(const Tracer& tracer, const Scene& scene) {
-  Picture picture(scene.camera.width, scene.camera.height);
-  for (const Tile& tile : split_into_tiles(scene.camera.width, scene.camera.height, 32))
-    render_tile(tracer, sample_pattern(1), Transfer::linear, tile, &picture);
-  return picture;
-}
-
 TEST(Bytes, AreTheFloatsLevels) {
   Scene scene = critical_balls();
   for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
     scene.render.precision = precision;
     for (const InstructionSet& set : supported_instruction_sets()) {
       SCOPED_TRACE(set.name);
-      WorkerPool pool(1);
       const Plan plan = make_plan(scene, {set});
       ASSERT_EQ(plan.kernel.value, Kernel::simd);
-      const Tracer tracer = make_tracer(plan, scene, pool);
-      const auto floats = traced<Image>(tracer, scene);
-      const auto bytes = traced<ByteImage>(tracer, scene);
+      const Image floats = image_by(plan, scene);
+      const ByteImage bytes = image_by<unsigned char>(plan, scene);
       const std::set<float> shown(floats.values.begin(), floats.values.end());
       EXPECT_GE(shown.size(), 3U * 255);
       for (std::size_t i = 0; i < floats.values.size(); ++i)

@@ -18,8 +18,9 @@
 #include "engine/plan/plan.h"
 #include "engine/render/tracer.h"
 #include "engine/scene/read_scene.h"
+#include "tests/variants/image_by.h"
 
-namespace raytracer {
+namespace raytracer::test {
 namespace {
 
 constexpr int width_px = 160;
@@ -205,16 +206,6 @@ Image reference_image(const Scene& scene) {
   return image;
 }
 
-template <typename Channel = float>
-Raster<Channel> image_by(const Plan& plan, const Scene& scene) {
-  WorkerPool pool(2);
-  const Tracer tracer = make_tracer(plan, scene, pool);
-  Raster<Channel> image(scene.camera.width, scene.camera.height);
-  for (const Tile& tile : split_into_tiles(image.width, image.height, 32))
-    render_tile(tracer, sample_pattern(1), scene.render.transfer, tile, &image);
-  return image;
-}
-
 Image image_on(const InstructionSet& set, Precision precision, Scene scene) {
   scene.render.precision = precision;
   const Plan plan = make_plan(scene, {set});
@@ -359,4 +350,4 @@ TEST(Variants, leavesTheEyeInsideASphereToTheReference) {
 }
 
 }  // namespace
-}  // namespace raytracer
+}  // namespace raytracer::test

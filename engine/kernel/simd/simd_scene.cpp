@@ -264,9 +264,10 @@ SimdScene<T> make_simd_scene(const PackedScene& scene, const Features& features,
       simd.grid = build_distant_grid<T>(light.place, scene.spheres, scene.numbers, pool);
     if (packed.has_light_grids && !light.is_distant)
       simd.point_grid = build_point_grid<T>(light.place, scene.spheres, scene.numbers, pool);
-    simd.is_far = !light.is_distant && is_far_light(light.place, scene.spheres);
-    if (features.casts_shadows && !packed.has_light_grids && !light.is_distant)
+    if (features.casts_shadows && !packed.has_light_grids && !light.is_distant) {
+      simd.is_far = is_far_light(light.place, scene.spheres);
       simd.balls = pack_balls<T>(light.place, simd.is_far, scene);
+    }
     for (const PackedPlane& plane : scene.planes)
       simd.plane_sides.push_back(light.is_distant ? 0 : side_of<T>(light.place, plane));
     if (structures.triangle_grids && light.is_distant)
