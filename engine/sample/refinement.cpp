@@ -25,10 +25,19 @@ constexpr int most_growth = 16;
 constexpr int telling_samples = 16;
 
 /// Numbers of samples: 4, 16, 32, 48, 64, 96 ...: from 16 on they fill packets of any width, from
-/// 32 on two in an octave.
+/// 32 on two in an octave. Of lines, the squares of 3, 6, 9, 12, 18, 24, 36 ...
 constexpr int rung_count = 46;
+constexpr int rung_count_of_lines = 17;  // up to 1,152 lines
 
-constexpr int samples_of_rung(int rung) {
+/// Whose time a line takes.
+constexpr double samples_of_a_line = 3;
+
+constexpr int samples_of_rung(int rung, Integration integration) {
+  if (integration == Integration::lines) {
+    if (rung < 3) return 9 * (rung + 1) * (rung + 1);
+    const int lines = (rung % 2 == 1 ? 12 : 18) << (rung - 3) / 2;
+    return lines * lines;
+  }
   if (rung < 2) return rung == 0 ? 4 : 16;
   return rung % 2 == 0 ? 32 << (rung - 2) / 2 : 48 << (rung - 3) / 2;
 }
@@ -57,13 +66,20 @@ class Ladder {
   std::array<int, step_count> samples{};     ///< of the highest rung of at most as many
   std::array<double, step_count> factors{};  ///< of one sample's squared error
 
-  explicit Ladder(int most_samples) {
-    const int highest = most_samples - most_samples % 4;
+  Ladder(int most_samples, Integration integration) {
+    const bool has_lines = integration == Integration::lines;
+    const int count = has_lines ? rung_count_of_lines : rung_count;
+    const auto of_rung = [=](int rung) { return samples_of_rung(rung, integration); };
+    // Lines are as many as a rung says, samples any multiple of four.
+    int highest = most_samples - most_samples % 4;
+    if (has_lines)
+      for (int rung = 0; rung < count && (rung == 0 || of_rung(rung) <= most_samples); ++rung)
+        highest = of_rung(rung);
     int step = 0;
-    for (int rung = 0; rung < rung_count && samples_of_rung(rung) < highest; ++rung) {
-      const bool is_last = rung + 1 == rung_count || samples_of_rung(rung + 1) > highest;
-      const int end = step_of(is_last ? highest : samples_of_rung(rung + 1));
-      fill(step, end, samples_of_rung(rung));
+    for (int rung = 0; rung < count && of_rung(rung) < highest; ++rung) {
+      const bool is_last = rung + 1 == count || of_rung(rung + 1) > highest;
+      const int end = step_of(is_last ? highest : of_rung(rung + 1));
+      fill(step, end, of_rung(rung));
       step = end;
     }
     fill(step, step_count, highest);
@@ -162,7 +178,7 @@ class Kinds {
 class Levels {
  public:
   Levels(std::span<const Kind> kinds, const RefinementGoal& goal)
-      : kinds_(kinds), goal_(goal), ladder_(goal.most_samples) {}
+      : kinds_(kinds), goal_(goal), ladder_(goal.most_samples, goal.integration) {}
 
   /// The samples that a kind's pixels get next, or 0.
   int samples_at(int level, const Kind& kind) const {
@@ -183,7 +199,8 @@ class Levels {
 
   bool is_affordable(int level) const {
     double samples = 0;
-    for (const Kind& kind : kinds_) samples += kind.count * samples_at(level, kind);
+    for (const Kind& kind : kinds_)
+      samples += kind.count * work_of(samples_at(level, kind), goal_.integration);
     return samples <= goal_.samples;
   }
 
@@ -226,11 +243,22 @@ int most_samples(const Scene& scene, const Limits& limits) {
                                      static_cast<double>(1 << 26)));
 }
 
-int first_compared_samples(const Census& census, int most_samples) {
+int first_compared_samples(const Census& census, Integration integration, int most_samples) {
   constexpr int fewest_in_halves = 4;
+  constexpr int of_three_lines = 9;
+  if (integration == Integration::lines) return most_samples < of_three_lines ? 1 : of_three_lines;
   if (most_samples < fewest_in_halves) return 1;
   const int probing = probing_samples(census);
   return probing <= most_samples ? probing : fewest_in_halves;
+}
+
+double work_of(double samples, Integration integration) {
+  return integration == Integration::lines ? samples_of_a_line * std::sqrt(samples) : samples;
+}
+
+double samples_of_work(double work, Integration integration) {
+  const double lines = work / samples_of_a_line;
+  return integration == Integration::lines ? lines * lines : work;
 }
 
 std::vector<PixelSamples> next_samples(std::span<const RoughPixel> pixels,

@@ -52,7 +52,7 @@ nlohmann::json last_data(const std::string& stream) {
 
 TEST(Events, tell_of_progress_while_the_job_runs_and_then_of_its_end) {
   const ServerProcess server;
-  const std::string job = start(server, square_scene(200, 1), "?budget_ms=1500");
+  const std::string job = start(server, square_scene(1000, 1), "?budget_ms=1500");
   const auto stream = watch(server, job);
   EXPECT_TRUE(stream->receives("event: progress\ndata: {", 1s)) << stream->received();
   EXPECT_NE(stream->received().find("Content-Type: text/event-stream\r\n"), std::string::npos);

@@ -1,0 +1,123 @@
+// Every instruction set integrates the same along lines, in blocks and in single pixels, and what
+// the lines tell of their errors is true.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "engine/engine.h"
+#include "engine/kernel/simd/instruction_sets.h"
+#include "engine/plan/plan.h"
+#include "engine/render/tracer.h"
+#include "engine/tradeoff/difference.h"
+#include "tests/support/scenes.h"
+
+namespace raytracer::test {
+namespace {
+
+/// A large and a small sphere over a square, with shadows of each on each, of a width and a height
+/// that no packet divides.
+json balls_over_a_square() {
+  return document(camera_json(53, 37, 1, {0, 3, -8}, {}),
+                  {sphere_json({-1, 0, 0}, 1.2), sphere_json({1.2, 0.5, -1}, 0.4),
+                   square_json({0, -2, 0}, 0.5, 4)},
+                  {distant_json({1, -1, 1}), distant_json({-0.7, -1, 0.2})});
+}
+
+Scene with_target(json text, const char* precision) {
+  text["render"] = {{"target_rmse", 0.01}, {"precision", precision}};
+  return scene_of(text);
+}
+
+struct Integrated {
+  Image image;
+  PixelSpreads spreads;
+  int left = 0;
+
+  Integrated(const Plan& plan, const Scene& scene, std::size_t lines)
+      : image(scene.camera.width, scene.camera.height), spreads(image.width, image.height) {
+    WorkerPool pool(1);
+    const Tracer tracer = make_tracer(plan, scene, pool);
+    for (const Tile& tile : split_into_tiles(image.width, image.height, block_side))
+      left += integrate_block(tracer, {lines}, scene.render.transfer, tile, image, spreads).left;
+  }
+};
+
+Image reference_of(json text) {
+  text["render"] = {{"samples", 2048}, {"precision", "double"}};
+  return image_of(text);
+}
+
+TEST(Lines, AreTheSameInAllInstructionSets) {
+  const Image exact = reference_of(balls_over_a_square());
+  for (const char* precision : {"single", "double"}) {
+    const Scene scene = with_target(balls_over_a_square(), precision);
+    for (const InstructionSet& set : supported_instruction_sets()) {
+      const Plan plan = make_plan(scene, {set});
+      ASSERT_EQ(plan.integration.value, Integration::lines);
+      const Integrated coarse(plan, scene, 3);
+      const Integrated fine(plan, scene, 12);
+      EXPECT_EQ(coarse.left, 0) << set.name;
+      EXPECT_LT(difference(coarse.image, exact).rmse, 0.004) << set.name << ", " << precision;
+      EXPECT_LT(difference(fine.image, exact).rmse, 0.0007) << set.name << ", " << precision;
+    }
+  }
+}
+
+TEST(Lines, TellTheirErrors) {
+  const Image exact = reference_of(balls_over_a_square());
+  const Scene scene = with_target(balls_over_a_square(), "single");
+  for (const std::size_t lines : {3U, 6U}) {
+    const Integrated integrated(make_plan(scene, this_machine(1)), scene, lines);
+    double told2 = 0;
+    for (const float error2 : integrated.spreads.error2) told2 += static_cast<double>(error2);
+    const double told = std::sqrt(told2 / static_cast<double>(exact.values.size()));
+    const double rmse = difference(integrated.image, exact).rmse;
+    EXPECT_GT(told, rmse / 2) << lines;
+    EXPECT_LT(told, 2 * rmse) << lines;
+  }
+}
+
+TEST(Lines, OfSinglePixelsAreThoseOfTheirBlock) {
+  for (const char* precision : {"single", "double"}) {
+    const Scene scene = with_target(balls_over_a_square(), precision);
+    for (const InstructionSet& set : supported_instruction_sets()) {
+      const Plan plan = make_plan(scene, {set});
+      const Integrated all(plan, scene, 6);
+      WorkerPool pool(1);
+      const Tracer tracer = make_tracer(plan, scene, pool);
+      const std::vector<std::uint8_t> places{0, 3, 17, 5, 21, 54, 130, 255};
+      std::vector<SampledPixel> pixels(places.size());
+      integrate_pixels(tracer, {6}, scene.render.transfer, {16, 16, places}, pixels);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const int x = 16 + places[i] % block_side;
+        const int y = 16 + places[i] / block_side;
+        EXPECT_TRUE(pixels[i].is_number);
+        for (std::size_t k = 0; k < 3; ++k)
+          EXPECT_NEAR(pixels[i].color[k], all.image.pixel(x, y)[k], 1e-5)
+              << set.name << " at " << x << ", " << y;
+      }
+    }
+  }
+}
+
+/// Where spheres intersect, and where more are in sight than are looked for.
+TEST(Lines, AreNotDrawnWhereTheyWouldNotBeExact) {
+  const auto left_of = [](const json& text) {
+    const Scene scene = with_target(text, "single");
+    return Integrated(make_plan(scene, this_machine(1)), scene, 3).left;
+  };
+  const json camera = camera_json(32, 32, 0.5, {0, 0, -8}, {});
+  const json light = distant_json({1, -1, 1});
+  EXPECT_EQ(left_of(document(camera, {sphere_json({-1, 0, 0}, 0.9)}, {light})), 0);
+  EXPECT_NE(left_of(document(camera, {sphere_json({-0.5, 0, 0}, 1), sphere_json({0.5, 0, 0}, 1)},
+                             {light})),
+            0);
+  EXPECT_NE(left_of(document(camera_json(32, 32, 0.5, {0, 3, -8}, {0, -2, 40}),
+                             {square_json({0, -2, 40}, 0.05, 200)}, {light})),
+            0);
+}
+
+}  // namespace
+}  // namespace raytracer::test
