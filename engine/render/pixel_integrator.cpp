@@ -4,6 +4,7 @@
 
 #include "engine/math/block.h"
 #include "engine/sample/pattern.h"
+#include "engine/sample/refinement.h"
 
 namespace raytracer {
 namespace {
@@ -11,9 +12,6 @@ namespace {
 std::size_t lines_of(int samples) {
   return static_cast<std::size_t>(std::lround(std::sqrt(samples)));
 }
-
-/// As many or a few more, in halves.
-int in_halves(int samples) { return (samples + 3) / 4 * 4; }
 
 std::uint32_t part_bit(std::uint8_t place) {
   const int column = place % block_side / part_side;
@@ -25,17 +23,14 @@ std::uint32_t part_bit(std::uint8_t place) {
 
 BeyondRange PixelIntegrator::integrate(std::size_t block, const Tile& tile, int samples,
                                        Image& image, PixelSpreads& spreads) {
-  const IntegratedBlock integrated =
+  const std::uint16_t not_done =
       integrate_block(tracer_, {lines_of(samples)}, transfer_, tile, image, spreads);
-  left_[block] = integrated.left;
-  BeyondRange beyond = integrated.beyond;
-  if (integrated.left != 0) {
-    Tile left = tile;
-    left.parts = integrated.left;
-    beyond += render_tile(tracer_, staggered_pattern(in_halves(samples)), transfer_, left, &image,
-                          {.pixels = &spreads});
-  }
-  return beyond;
+  left_[block] = not_done;
+  if (not_done == 0) return {};
+  Tile left = tile;
+  left.parts = not_done;
+  return render_tile(tracer_, staggered_pattern(rung_of_samples(samples)), transfer_, left, &image,
+                     {.pixels = &spreads});
 }
 
 void PixelIntegrator::integrate(std::size_t block, int samples, const BlockPixels& pixels,
@@ -61,7 +56,7 @@ void PixelIntegrator::integrate(std::size_t block, int samples, const BlockPixel
     integrate_pixels(tracer_, lines, transfer_, these, to);
   });
   for_those(true, [&](const BlockPixels& these, std::span<SampledPixel> to) {
-    sample_pixels(tracer_, sample_pattern(in_halves(samples)), transfer_, these, to);
+    sample_pixels(tracer_, sample_pattern(rung_of_samples(samples)), transfer_, these, to);
   });
 }
 

@@ -39,7 +39,8 @@ RefinedImage::RefinedImage(Tracing& tracing, Image& image)
     : tracing_(tracing),
       width_(tracing.scene.camera.width),
       height_(tracing.scene.camera.height),
-      errors_(width_, height_, error_scale(tracing.plan.census), tracing.pool),
+      errors_(width_, height_, error_scale(tracing.plan.census, tracing.plan.integration.value),
+              tracing.pool),
       shown_(tracing.progress.preview, image),
       image_(image) {
   if (tracing.plan.integration.value == Integration::lines)

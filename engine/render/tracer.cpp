@@ -146,15 +146,14 @@ void sample(const SimdTracer<T>& tracer, const SamplePattern& pattern, Transfer 
 }
 
 template <typename T>
-IntegratedBlock integrate(const SimdTracer<T>& tracer, const LinePattern& pattern,
-                          Transfer transfer, const Tile& block, Image& image,
-                          PixelSpreads& spreads) {
+std::uint16_t integrate(const SimdTracer<T>& tracer, const LinePattern& pattern, Transfer transfer,
+                        const Tile& block, Image& image, PixelSpreads& spreads) {
   return integrate_block(tracer.scene, pattern, transfer, block, tracer.target, image, spreads);
 }
-IntegratedBlock integrate(const ReferenceTracer& /*tracer*/, const LinePattern& /*pattern*/,
-                          Transfer /*transfer*/, const Tile& block, Image& /*image*/,
-                          PixelSpreads& /*spreads*/) {
-  return {.left = block.parts};
+std::uint16_t integrate(const ReferenceTracer& /*tracer*/, const LinePattern& /*pattern*/,
+                        Transfer /*transfer*/, const Tile& block, Image& /*image*/,
+                        PixelSpreads& /*spreads*/) {
+  return block.parts;
 }
 
 template <typename T>
@@ -198,8 +197,8 @@ void sample_pixels(const Tracer& tracer, const SamplePattern& pattern, Transfer 
              tracer);
 }
 
-IntegratedBlock integrate_block(const Tracer& tracer, const LinePattern& pattern, Transfer transfer,
-                                const Tile& block, Image& image, PixelSpreads& spreads) {
+std::uint16_t integrate_block(const Tracer& tracer, const LinePattern& pattern, Transfer transfer,
+                              const Tile& block, Image& image, PixelSpreads& spreads) {
   return std::visit(
       [&](const auto& chosen) {
         return integrate(chosen, pattern, transfer, block, image, spreads);

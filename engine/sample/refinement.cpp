@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 
+#include "engine/kernel/line_pattern.h"
 #include "engine/plan/sampling.h"
 #include "engine/sample/error_rules.h"
 #include "engine/scene/overrides.h"
@@ -27,7 +28,7 @@ constexpr int telling_samples = 16;
 /// Numbers of samples: 4, 16, 32, 48, 64, 96 ...: from 16 on they fill packets of any width, from
 /// 32 on two in an octave. Of lines, the squares of 3, 6, 9, 12, 18, 24, 36 ...
 constexpr int rung_count = 46;
-constexpr int rung_count_of_lines = 17;  // up to 1,152 lines
+constexpr int rung_count_of_lines = 16;  // up to 768 lines
 
 /// Whose time a line takes.
 constexpr double samples_of_a_line = 3;
@@ -41,6 +42,9 @@ constexpr int samples_of_rung(int rung, Integration integration) {
   if (rung < 2) return rung == 0 ? 4 : 16;
   return rung % 2 == 0 ? 32 << (rung - 2) / 2 : 48 << (rung - 3) / 2;
 }
+
+static_assert(samples_of_rung(rung_count_of_lines - 1, Integration::lines) <=
+              static_cast<int>(most_lines_of_pixel * most_lines_of_pixel));
 
 /// Numbers of samples as they are wanted, by steps of their logarithm.
 constexpr int steps_per_octave = 16;
@@ -250,6 +254,12 @@ int first_compared_samples(const Census& census, Integration integration, int mo
   if (most_samples < fewest_in_halves) return 1;
   const int probing = probing_samples(census);
   return probing <= most_samples ? probing : fewest_in_halves;
+}
+
+int rung_of_samples(int samples) {
+  int rung = 1;
+  while (rung + 1 < rung_count && samples_of_rung(rung, Integration::samples) < samples) ++rung;
+  return samples_of_rung(rung, Integration::samples);
 }
 
 double work_of(double samples, Integration integration) {

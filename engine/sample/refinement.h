@@ -30,6 +30,10 @@ int most_samples(const Scene& scene, const Limits& limits);
 /// three of them do.
 int first_compared_samples(const Census& census, Integration integration, int most_samples);
 
+/// The least number of samples that a refinement gives a pixel, of at least 16 and as many as
+/// these.
+int rung_of_samples(int samples);
+
 /// What a pixel's samples take, in samples: lines that do the work of n, its root, take as long as
 /// three samples each.
 double work_of(double samples, Integration integration);

@@ -22,7 +22,7 @@ json balls_over_a_square() {
   return document(camera_json(53, 37, 1, {0, 3, -8}, {}),
                   {sphere_json({-1, 0, 0}, 1.2), sphere_json({1.2, 0.5, -1}, 0.4),
                    square_json({0, -2, 0}, 0.5, 4)},
-                  {distant_json({1, -1, 1}), distant_json({-0.7, -1, 0.2})});
+                  {distant_json({1, -1, 1}, 0.4), distant_json({-0.7, -1, 0.2}, 0.4)});
 }
 
 Scene with_target(json text, const char* precision) {
@@ -40,7 +40,7 @@ struct Integrated {
     WorkerPool pool(1);
     const Tracer tracer = make_tracer(plan, scene, pool);
     for (const Tile& tile : split_into_tiles(image.width, image.height, block_side))
-      left += integrate_block(tracer, {lines}, scene.render.transfer, tile, image, spreads).left;
+      left += integrate_block(tracer, {lines}, scene.render.transfer, tile, image, spreads);
   }
 };
 
@@ -109,7 +109,7 @@ TEST(Lines, AreNotDrawnWhereTheyWouldNotBeExact) {
     return Integrated(make_plan(scene, this_machine(1)), scene, 3).left;
   };
   const json camera = camera_json(32, 32, 0.5, {0, 0, -8}, {});
-  const json light = distant_json({1, -1, 1});
+  const json light = distant_json({1, -1, 1}, 0.5);
   EXPECT_EQ(left_of(document(camera, {sphere_json({-1, 0, 0}, 0.9)}, {light})), 0);
   EXPECT_NE(left_of(document(camera, {sphere_json({-0.5, 0, 0}, 1), sphere_json({0.5, 0, 0}, 1)},
                              {light})),
@@ -117,6 +117,46 @@ TEST(Lines, AreNotDrawnWhereTheyWouldNotBeExact) {
   EXPECT_NE(left_of(document(camera_json(32, 32, 0.5, {0, 3, -8}, {0, -2, 40}),
                              {square_json({0, -2, 40}, 0.05, 200)}, {light})),
             0);
+}
+
+/// Those beyond the eye's plane have silhouettes' cones that go on before it.
+TEST(Lines, DoNotShowWhatIsBehindTheEye) {
+  const json text = document(
+      camera_json(48, 32, 2.7, {0, 0, 0}, {0, 0, 1}),
+      {sphere_json({6, 0.5, -1.5}, 3), sphere_json({-5, -3, -1}, 2), sphere_json({0, 0, 5}, 1)},
+      {distant_json({0, -1, 1})});
+  const Scene scene = with_target(text, "double");
+  const Plan plan = make_plan(scene, this_machine(1));
+  ASSERT_EQ(plan.integration.value, Integration::lines);
+  EXPECT_LT(difference(image_of(scene), reference_of(text)).rmse, 0.01);
+}
+
+/// Along a line it is a step of less than the line's numbers tell apart.
+TEST(Lines, EndWhereASphereIsAsGoodAsAPoint) {
+  for (const double radius : {1e-4, 1e-8, 1e-12, 1e-17})
+    for (const char* precision : {"single", "double"}) {
+      const json text = document(camera_json(17, 9, 0.5, {0, 0, -10}, {}),
+                                 {sphere_json({0, 0, 0}, radius)}, {distant_json({0, 0, 1})});
+      const Image image = image_of(with_target(text, precision));
+      EXPECT_LT(color_at(image, 8, 4).x, 1e-3) << radius;
+    }
+}
+
+/// What a square shadows, beyond its own spheres, and what is brighter than can be shown has edges
+/// that lines do not look for.
+TEST(Lines, LeaveShadowsOfSquaresAndClampedColoursToSamples) {
+  const json camera = camera_json(32, 32, 0.8, {0, 2, -8}, {});
+  const auto left_of = [&](const std::vector<json>& objects, double intensity) {
+    const Scene scene =
+        with_target(document(camera, objects, {distant_json({0.2, -1, 0.3}, intensity)}), "single");
+    const Plan plan = make_plan(scene, this_machine(1));
+    EXPECT_EQ(plan.integration.value, Integration::lines);
+    return Integrated(plan, scene, 3).left;
+  };
+  const json ball = sphere_json({0, 0, 0}, 1);
+  EXPECT_EQ(left_of({ball, square_json({0, -2, 0}, 0.5, 2)}, 0.5), 0);
+  EXPECT_NE(left_of({ball, square_json({0, 2, 2}, 0.5, 2)}, 0.5), 0);
+  EXPECT_NE(left_of({ball}, 5), 0);
 }
 
 }  // namespace

@@ -46,6 +46,12 @@ class EyeRays {
     return {step * scene_.right.x, step * scene_.right.y, step * scene_.right.z};
   }
 
+  /// The same to the one above it.
+  Triple<T> step_up() const {
+    const auto step = static_cast<T>(step_y_);
+    return {step * scene_.up.x, step * scene_.up.y, step * scene_.up.z};
+  }
+
   /// What the active lanes meet of `contents`, as PartContents.
   template <class Contents>
   HWY_INLINE Nearest<V> meet(D d, const Contents& contents, const V3<V>& direction,
@@ -73,12 +79,6 @@ class EyeRays {
     const Packet<V> packet{start(d), direction, hn::Set(d, T(1)),
                            hn::Iota(d, static_cast<T>(first))};
     return shade_packet(d, scene_, packet, nearest, active, scene_.reflects, reflected);
-  }
-
-  /// The same to the one above it.
-  Triple<T> step_up() const {
-    const auto step = static_cast<T>(step_y_);
-    return {step * scene_.up.x, step * scene_.up.y, step * scene_.up.z};
   }
 
   const SimdScene<T>& scene() const { return scene_; }

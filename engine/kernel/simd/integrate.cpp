@@ -39,17 +39,32 @@ HWY_INLINE V3<hn::Vec<D>> background_of(D d, const SimdScene<T>& scene, Transfer
   return resolved(d, clamped(d, broadcast(d, scene.background)), hn::Set(d, T(1)), transfer);
 }
 
+template <class D>
+HWY_INLINE void store_part(const PartIntegral<D>& part, const PlacesOfPart& pixels,
+                           const Tile& tile, Image& image, PixelSpreads& spreads) {
+  for (std::size_t k = 0; k < pixels.count; ++k) {
+    const int x = tile.x_begin + pixels.places[k] % block_side;
+    const int y = tile.y_begin + pixels.places[k] / block_side;
+    float* const pixel = image.pixel(x, y);
+    pixel[0] = static_cast<float>(part.red[k]);
+    pixel[1] = static_cast<float>(part.green[k]);
+    pixel[2] = static_cast<float>(part.blue[k]);
+    spreads.set(spreads.index(x, y),
+                {static_cast<float>(part.error2[k]), static_cast<float>(part.variance[k])});
+  }
+}
+
 template <typename T>
-IntegratedBlock integrate_block(const SimdScene<T>& scene, const LinePattern& pattern,
-                                Transfer transfer, const Tile& tile, Image& image,
-                                PixelSpreads& spreads) {
+std::uint16_t integrate_block(const SimdScene<T>& scene, const LinePattern& pattern,
+                              Transfer transfer, const Tile& tile, Image& image,
+                              PixelSpreads& spreads) {
   using D = hn::ScalableTag<T>;
   const D d;
   using Part = PartIntegral<D>;
   Part part(d, scene, pattern, transfer, tile.x_begin, tile.y_begin);
   const Block block{tile.x_begin, tile.y_begin, tile.x_end - tile.x_begin,
                     tile.y_end - tile.y_begin, tile.parts};
-  IntegratedBlock integrated;
+  std::uint32_t left = 0;
   std::uint32_t empty = 0;
   for (int i = 0; i < all_parts_count; ++i) {
     const auto bit = std::uint32_t{1} << i;
@@ -61,30 +76,17 @@ IntegratedBlock integrate_block(const SimdScene<T>& scene, const LinePattern& pa
     if (pixels.count == 0) continue;
     const auto outcome = part.run(d, i, std::span(pixels.places).first(pixels.count));
     if (outcome == Part::Outcome::nothing_there) empty |= bit;
-    if (outcome == Part::Outcome::not_exact) integrated.left |= static_cast<std::uint16_t>(bit);
-    if (outcome != Part::Outcome::done) continue;
-    for (std::size_t k = 0; k < pixels.count; ++k) {
-      const int x = tile.x_begin + pixels.places[k] % block_side;
-      const int y = tile.y_begin + pixels.places[k] / block_side;
-      float* const pixel = image.pixel(x, y);
-      pixel[0] = static_cast<float>(part.red[k]);
-      pixel[1] = static_cast<float>(part.green[k]);
-      pixel[2] = static_cast<float>(part.blue[k]);
-      spreads.set(spreads.index(x, y),
-                  {static_cast<float>(part.error2[k]), static_cast<float>(part.variance[k])});
-    }
-    if (part.is_in_range()) continue;
-    for (std::size_t k = 0; k < pixels.count; ++k) {
-      const LineRange range = part.range_of(k);
-      integrated.beyond.clamped += range == LineRange::clamped_line ? 1 : 0;
-      integrated.beyond.not_numbers += range == LineRange::not_a_number ? 1 : 0;
-    }
+    if (outcome == Part::Outcome::not_exact ||
+        (outcome == Part::Outcome::done && !part.found_all()))
+      left |= bit;
+    else if (outcome == Part::Outcome::done)
+      store_part(part, pixels, tile, image, spreads);
   }
   if (empty != 0) {
     const PlainRow row(d, background_of(d, scene, transfer));
     fill_parts(row, block, empty, Canvas(&image));
   }
-  return integrated;
+  return static_cast<std::uint16_t>(left);
 }
 
 template <typename T>
@@ -116,19 +118,19 @@ void integrate_pixels(const SimdScene<T>& scene, const LinePattern& pattern, Tra
       results[i] = {{static_cast<float>(part.red[k]), static_cast<float>(part.green[k]),
                      static_cast<float>(part.blue[k])},
                     {static_cast<float>(part.error2[k]), static_cast<float>(part.variance[k])},
-                    part.range_of(k) != LineRange::not_a_number};
+                    part.red[k] + part.green[k] + part.blue[k] >= 0};
     }
   }
 }
 
-IntegratedBlock block_in_single(const SimdScene<float>& scene, const LinePattern& pattern,
-                                Transfer transfer, const Tile& block, Image& image,
-                                PixelSpreads& spreads) {
+std::uint16_t block_in_single(const SimdScene<float>& scene, const LinePattern& pattern,
+                              Transfer transfer, const Tile& block, Image& image,
+                              PixelSpreads& spreads) {
   return integrate_block(scene, pattern, transfer, block, image, spreads);
 }
-IntegratedBlock block_in_double(const SimdScene<double>& scene, const LinePattern& pattern,
-                                Transfer transfer, const Tile& block, Image& image,
-                                PixelSpreads& spreads) {
+std::uint16_t block_in_double(const SimdScene<double>& scene, const LinePattern& pattern,
+                              Transfer transfer, const Tile& block, Image& image,
+                              PixelSpreads& spreads) {
   return integrate_block(scene, pattern, transfer, block, image, spreads);
 }
 void pixels_in_single(const SimdScene<float>& scene, const LinePattern& pattern, Transfer transfer,
@@ -155,16 +157,16 @@ HWY_EXPORT(pixels_in_double);
 
 }  // namespace
 
-IntegratedBlock integrate_block(const SimdScene<float>& scene, const LinePattern& pattern,
-                                Transfer transfer, const Tile& block, std::int64_t target,
-                                Image& image, PixelSpreads& spreads) {
+std::uint16_t integrate_block(const SimdScene<float>& scene, const LinePattern& pattern,
+                              Transfer transfer, const Tile& block, std::int64_t target,
+                              Image& image, PixelSpreads& spreads) {
   return HWY_DISPATCH_TABLE(block_in_single)[dispatch_index(target)](scene, pattern, transfer,
                                                                      block, image, spreads);
 }
 
-IntegratedBlock integrate_block(const SimdScene<double>& scene, const LinePattern& pattern,
-                                Transfer transfer, const Tile& block, std::int64_t target,
-                                Image& image, PixelSpreads& spreads) {
+std::uint16_t integrate_block(const SimdScene<double>& scene, const LinePattern& pattern,
+                              Transfer transfer, const Tile& block, std::int64_t target,
+                              Image& image, PixelSpreads& spreads) {
   return HWY_DISPATCH_TABLE(block_in_double)[dispatch_index(target)](scene, pattern, transfer,
                                                                      block, image, spreads);
 }

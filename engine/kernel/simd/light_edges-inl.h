@@ -34,11 +34,11 @@ struct PartShadows {
 /// Those that stand before a light as seen from some of the part's spheres: around all of which
 /// there is a rectangle across the light's direction.
 template <class D, typename T = hn::TFromD<D>>
-HWY_INLINE void find_part_shadows(D d, const SimdScene<T>& scene, const PartSpheres<T>& spheres,
+HWY_INLINE bool find_part_shadows(D d, const SimdScene<T>& scene, const PartSpheres<T>& spheres,
                                   PartShadows<T>& shadows) {
   using V = hn::Vec<D>;
   using S = PartSpheres<T>;
-  if (scene.shadows == Shadows::off) return;
+  if (scene.shadows == Shadows::off) return true;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const SimdLight<T>& light = scene.lights[i];
     auto& found = shadows.lights[i];
@@ -76,11 +76,12 @@ HWY_INLINE void find_part_shadows(D d, const SimdScene<T>& scene, const PartSphe
     for (const LightDisc<T>& disc : light.discs) {
       const T du = disc.u - std::clamp(disc.u, u_begin, u_end);
       const T dv = disc.v - std::clamp(disc.v, v_begin, v_end);
-      if (du * du + dv * dv <= disc.radius2 && disc.w >= w_begin &&
-          found.count < PartShadows<T>::most)
-        found.discs[found.count++] = &disc;
+      if (du * du + dv * dv > disc.radius2 || disc.w < w_begin) continue;
+      if (found.count == PartShadows<T>::most) return false;
+      found.discs[found.count++] = &disc;
     }
   }
+  return true;
 }
 
 /// By how much neighbours miss the ray from a sphere's point with `normal` to a distant light, in
@@ -183,7 +184,9 @@ HWY_INLINE V sign_change(D d, const SpanValues<V>& values, M is_first, int secan
   const V root = hn::Div(values.begin, q);
   const M is_there = hn::And(hn::Ge(root, low), hn::Le(root, high));
   const V other = hn::Div(q, square);
-  V x = hn::Min(hn::Max(hn::IfThenElse(is_there, root, other), low), high);
+  const M other_is_there = hn::And(hn::Ge(other, low), hn::Le(other, high));
+  V x = hn::IfThenElse(is_there, root,
+                       hn::IfThenElse(other_is_there, other, hn::Mul(half, hn::Add(low, high))));
   for (int i = 0; i < secants; ++i) {
     const V f = value_at(x);
     const M is_low = hn::Not(hn::Xor(hn::Gt(f, zero), hn::Gt(f_low, zero)));

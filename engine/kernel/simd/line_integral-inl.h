@@ -46,6 +46,7 @@ class LineIntegral {
   /// of them is too near (Silhouettes::set()).
   HWY_NOINLINE bool run(D d) {
     if (!silhouettes_.set(spheres_, grain_.most_span)) return false;
+    found_all_ = true;
     lines_.clear_colours(d);
     const auto take = [&](M which, const auto&... values) HWY_ATTR {
       spans_.push(d, which, values...);
@@ -57,6 +58,10 @@ class LineIntegral {
     colour_points(d);
     return true;
   }
+
+  /// Whether, in the last run, no colour was clamped and no square shadowed anything else: the
+  /// edges that those make are not looked for.
+  bool found_all() const { return found_all_; }
 
   LitSpans<D> lit_spans;
 
@@ -93,6 +98,7 @@ class LineIntegral {
     const V3<V> view = negate(sight.direction);
     V3<V> colour;
     if (HWY_UNLIKELY(is_among_squares(d, scene_, surface.at, active))) {
+      found_all_ = false;
       colour = shade_fully(d, scene_, surface, view, active);
     } else {
       const hn::RebindToSigned<D> di;
@@ -106,9 +112,9 @@ class LineIntegral {
     }
     const auto* const line = points_.values[Point::line] + first;
     const std::size_t count = std::min(points_.count - first, lanes);
-    const M is_in_range = in_range_of(d, colour);
-    if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Or(is_in_range, hn::Not(active)))))
-      note_beyond(d, colour, line, count);
+    const V one = hn::Set(d, T(1));
+    const V highest = hn::Max(colour.x, hn::Max(colour.y, colour.z));
+    found_all_ &= hn::AllTrue(d, hn::Or(hn::Le(highest, one), hn::Not(active)));
     const V3<V> seen = scale(clamped(d, colour), weight);
     alignas(64) T red[lanes];
     alignas(64) T green[lanes];
@@ -124,24 +130,6 @@ class LineIntegral {
     }
   }
 
-  HWY_INLINE M in_range_of(D d, const V3<V>& colour) const {
-    const V one = hn::Set(d, T(1));
-    return hn::And(hn::And(hn::Le(colour.x, one), hn::Le(colour.y, one)), hn::Le(colour.z, one));
-  }
-  [[gnu::cold]] HWY_NOINLINE void note_beyond(D d, const V3<V>& colour, const T* line,
-                                              std::size_t count) {
-    lines_.are_in_range = false;
-    const std::uint64_t shown = bits_of(d, in_range_of(d, colour));
-    const std::uint64_t nan = bits_of(d, hn::IsNaN(hn::Add(colour.x, hn::Add(colour.y, colour.z))));
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto worst = (nan >> i & 1U) != 0     ? LineRange::not_a_number
-                         : (shown >> i & 1U) == 0 ? LineRange::clamped_line
-                                                  : LineRange::in_range;
-      std::uint8_t& of_line = lines_.beyond[static_cast<std::size_t>(line[i])];
-      of_line = std::max<std::uint8_t>(of_line, worst);
-    }
-  }
-
   const LineRays<D>& rays_;
   const SimdScene<T>& scene_;
   const LineGrain<T>& grain_;
@@ -150,6 +138,7 @@ class LineIntegral {
   Silhouettes<D> silhouettes_;
   Queue<D, SpanColumn::count> spans_;
   Queue<D, PointColumn::count> points_;
+  bool found_all_ = true;
 };
 
 }  // namespace HWY_NAMESPACE

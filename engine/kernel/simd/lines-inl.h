@@ -13,20 +13,18 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/kernel/line_pattern.h"
 #include "engine/kernel/simd/eye-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
-/// What cannot be shown of colours along a line; the worse is the greater.
-enum LineRange : std::uint8_t { in_range, clamped_line, not_a_number };
-
 /// Lines as long as a pixel's side, by where they begin, and the integrals of the colours along
 /// them. There are as many more places as a packet has lanes.
 template <typename T>
 struct Lines {
-  static constexpr std::size_t most = 1024;
+  static constexpr std::size_t most = most_lines_of_pixel;
   static constexpr std::size_t places = most + 16;
   std::size_t count = 0;
   alignas(64) T right[places];       ///< in pixels, of the block's left side
@@ -35,13 +33,9 @@ struct Lines {
   alignas(64) T red[places];
   alignas(64) T green[places];
   alignas(64) T blue[places];
-  bool are_in_range = true;        ///< all colours along them can be shown
-  std::uint8_t beyond[most] = {};  ///< else a LineRange of each
 
   template <class D>
   HWY_INLINE void clear_colours(D d) {
-    if (!are_in_range) std::fill_n(beyond, most, std::uint8_t{0});
-    are_in_range = true;
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
       hn::Store(hn::Zero(d), d, red + i);
       hn::Store(hn::Zero(d), d, green + i);
@@ -54,10 +48,11 @@ struct Lines {
 /// be no more than what lies between them.
 template <typename T>
 struct LineGrain {
-  T most_span;        ///< in a sphere's radii, between places at which the light is asked for
-  T most_turn;        ///< of the normal, in radians, for two points
-  T negligible_bend;  ///< of an incidence, for a single one
-  int secants;        ///< to an edge of light
+  T most_span;         ///< in a sphere's radii, between places at which the light is asked for
+  T most_turn;         ///< of the normal, in radians, for two points
+  T negligible_bend;   ///< of an incidence, for a single one, ...
+  T negligible_turn2;  ///< ... and of the normal, squared, as highlights see it
+  int secants;         ///< to an edge of light
 
   LineGrain(std::size_t line_count, double shininess) {
     const auto count = static_cast<double>(line_count);
@@ -65,6 +60,7 @@ struct LineGrain {
     const double highlight = 3.5 / std::sqrt(std::max(1.0, shininess));
     most_turn = static_cast<T>(std::min(1.5, highlight * std::sqrt(12 / count)));
     secants = line_count < 6 ? 1 : line_count < 18 ? 2 : 3;
+    negligible_turn2 = shininess > 0 ? static_cast<T>(0.1 / shininess) : T(4);
     negligible_bend = static_cast<T>(0.012 / count);
   }
 };

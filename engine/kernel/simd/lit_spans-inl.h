@@ -29,9 +29,9 @@ class LitSpans {
   HWY_INLINE LitSpans(const LineRays<D>& rays, const LineGrain<T>& grain)
       : rays_(rays), scene_(rays.scene()), grain_(grain) {}
 
-  /// These are the spheres that lines may show.
-  HWY_INLINE void set(D d, const PartSpheres<T>& spheres) {
-    find_part_shadows(d, scene_, spheres, shadows_);
+  /// These are the spheres that lines may show. False where too many others shadow them.
+  HWY_INLINE bool set(D d, const PartSpheres<T>& spheres) {
+    return find_part_shadows(d, scene_, spheres, shadows_);
   }
 
   /// Adds to how much of what crosses pixels, whose middles show these of the spheres, is upright
@@ -133,10 +133,12 @@ class LitSpans {
       find(hn::And(in_first, in_second), hn::Lt(zero, zero), 2 * i + 1);
     }
 
-    const M is_bent = hn::Gt(bend, hn::Set(d, grain_.negligible_bend));
     const V3<V> turned = sub(at_end.normal, at_begin.normal);
+    const V turn2 = dot(turned, turned);
+    const M is_bent = hn::Or(hn::Gt(bend, hn::Set(d, grain_.negligible_bend)),
+                             hn::Gt(turn2, hn::Set(d, grain_.negligible_turn2)));
     const V pieces_per_length =
-        hn::Div(hn::Sqrt(dot(turned, turned)), hn::Mul(length, hn::Set(d, grain_.most_turn)));
+        hn::Div(hn::Sqrt(turn2), hn::Mul(length, hn::Set(d, grain_.most_turn)));
     V x = begin;
     M rest = active;
     while (!hn::AllFalse(d, rest)) {

@@ -116,7 +116,7 @@ class PartIntegral {
       column_[i] = static_cast<T>(x);
       low_[i] = static_cast<T>(y);
     }
-    integral_.lit_spans.set(d, spheres_);
+    if (!integral_.lit_spans.set(d, spheres_)) return Outcome::not_exact;
     turn_lines(d);
     draw_lines(d);
     if (!integral_.run(d)) return Outcome::not_exact;
@@ -124,15 +124,9 @@ class PartIntegral {
     return Outcome::done;
   }
 
-  /// The worst of a pixel's lines.
-  LineRange range_of(std::size_t pixel) const {
-    if (lines_.are_in_range) return LineRange::in_range;
-    std::uint8_t worst = 0;
-    for (std::size_t line = pixel; line < lines_.count; line += count_)
-      worst = std::max(worst, lines_.beyond[line]);
-    return static_cast<LineRange>(worst);
-  }
-  bool is_in_range() const { return lines_.are_in_range; }
+  /// Whether, in the last run, all edges were found: nothing was clamped, and no square shadowed
+  /// anything else.
+  bool found_all() const { return integral_.found_all(); }
 
   BlockContents<T> contents;
   /// Of the pixels in their order.
@@ -179,7 +173,8 @@ class PartIntegral {
         const V near = hn::Mul(reach, b);
         const V radius = hn::Mul(all(S::radius2), all(S::curvature));
         const V width = hn::Mul(near, hn::MulAdd(hn::Set(d, T(2)), radius, near));
-        const M is_silhouette = hn::And(is_open, hn::Lt(hn::Abs(beyond), width));
+        const M is_silhouette =
+            hn::And(hn::And(is_open, hn::Gt(b, zero)), hn::Lt(hn::Abs(beyond), width));
         const V across = dot(l, broadcast(d, right));
         const V along = dot(l, broadcast(d, up));
         const V across2 = hn::Mul(across, across);
@@ -251,8 +246,8 @@ class PartIntegral {
   int part_ = -1;
   PartSpheres<T> spheres_;
   std::size_t count_ = 0;
-  alignas(64) T column_[places];  ///< of the pixels
-  alignas(64) T low_[places];     ///< how far their lower sides are below that of the first row
+  alignas(64) T column_[places] = {};  ///< of the pixels
+  alignas(64) T low_[places] = {};  ///< how far their lower sides are below that of the first row
   alignas(64) T is_upright_[places];
   Lines<T> lines_;
   LineRays<D> rays_;

@@ -28,7 +28,7 @@ namespace HWY_NAMESPACE {
 /// its ball).
 template <typename T>
 struct PartSpheres {
-  static constexpr std::size_t most = 64;
+  static constexpr std::size_t most = 24;
   enum Value : std::size_t {
     x,
     y,
@@ -129,11 +129,11 @@ HWY_INLINE void add_spheres_of_square(D d, const EyeRays<D>& eye, const SimdSqua
   constexpr T most_cells = 1024;  // a far square's parts show too many, whatever they are
   const T columns = cells.high_first - cells.low_first + 1;
   const T rows = cells.high_second - cells.low_second + 1;
+  if (cells.is_known && (columns < 1 || rows < 1)) return;
   if (!cells.is_known || columns * rows > most_cells) {
     spheres.are_all = false;
     return;
   }
-  if (columns < 1 || rows < 1) return;
   using V = hn::Vec<D>;
   const T unit = square.unit_per_cell;
   const T radius = T(0.5) * unit;

@@ -10,6 +10,7 @@
 #define RAYTRACER_KERNEL_SIMD_SILHOUETTES_INL_H_
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -79,14 +80,16 @@ class Silhouettes {
       const V inverse_square = inverse(d, square);
       const V entry = hn::Max(hn::Mul(hn::Neg(hn::Add(half_slope, root)), inverse_square), zero);
       const V exit = hn::Min(hn::Mul(hn::Sub(root, half_slope), inverse_square), one);
-      const M is_crossed = hn::And(hn::Gt(discriminant, zero), hn::Lt(entry, exit));
+      // The cone goes on behind the eye.
+      const M is_ahead = hn::Gt(hn::MulAdd(dot(c, step), entry, dot(c, from)), zero);
+      const M is_crossed =
+          hn::And(is_ahead, hn::And(hn::Gt(discriminant, zero), hn::Lt(entry, exit)));
       const V never = hn::Set(d, T(2));
       hn::Store(hn::IfThenElse(is_crossed, entry, never), d, entries[j]);
       hn::Store(hn::IfThenElse(is_crossed, exit, never), d, exits[j]);
     }
 
     const V line = hn::Iota(d, static_cast<T>(first));
-    const V negligible = hn::Set(d, T(1e-5));
     V background = zero;
     V x = zero;
     M active = hn::FirstN(d, lines.count - first);
@@ -109,7 +112,7 @@ class Silhouettes {
       const V width = hn::Sub(end, x);
       const M shows = hn::Ge(sphere, zero);
       background = hn::Add(background, hn::IfThenElseZero(hn::AndNot(shows, active), width));
-      const M is_span = hn::And(hn::And(active, shows), hn::Gt(width, negligible));
+      const M is_span = hn::And(active, shows);
       if (!hn::AllFalse(d, is_span)) take(is_span, x, end, right, down, is_upright, line, sphere);
       x = end;
       active = hn::And(active, hn::Lt(x, one));
@@ -152,7 +155,10 @@ class Silhouettes {
     const T distance2 = v[S::eye_c][sphere] + v[S::radius2][sphere];
     const Triple<T>& step = rays_.steps[0];
     const T pixel2 = step.x * step.x + step.y * step.y + step.z * step.z;
-    most_spans_[sphere] = most_span * std::sqrt(v[S::radius2][sphere] / (distance2 * pixel2));
+    // A line of specks is not to take ever so many steps.
+    constexpr T least = T(1e-3);
+    const T radius = std::sqrt(v[S::radius2][sphere] / (distance2 * pixel2));
+    most_spans_[sphere] = std::max(most_span * radius, least);
   }
 
   const LineRays<D>& rays_;
