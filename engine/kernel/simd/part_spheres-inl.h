@@ -29,6 +29,7 @@ namespace HWY_NAMESPACE {
 template <typename T>
 struct PartSpheres {
   static constexpr std::size_t most = 24;
+  static constexpr std::size_t row_size = 32;  ///< whole packets
   enum Value : std::size_t {
     x,
     y,
@@ -44,7 +45,7 @@ struct PartSpheres {
   };
   static constexpr T no_cell = std::numeric_limits<T>::max();
 
-  alignas(64) T values[value_count][most];
+  alignas(64) T values[value_count][row_size];
   std::size_t count = 0;
   bool are_all = true;  ///< that the part may show, and none intersects another
 
