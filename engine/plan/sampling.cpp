@@ -23,7 +23,8 @@ std::string why_fixed(const RenderSettings& settings) {
 
 std::string why_contract(const RenderSettings& settings, std::optional<double> sought) {
   const std::string how =
-      "four samples per pixel, sixteen if spheres may be smaller than a pixel, or three lines where "
+      "four samples per pixel, sixteen if spheres may be smaller than a pixel, or three lines "
+      "where "
       "pixels are integrated, under a budget one sample before them; then in each pixel as many as "
       "their variance and the difference between two parts of them ask for";
   if (settings.target_rmse && settings.budget_ms)

@@ -135,10 +135,10 @@ class LineIntegral {
   const LineGrain<T>& grain_;
   const PartSpheres<T>& spheres_;
   Lines<T>& lines_;
+  bool found_all_ = true;
   Silhouettes<D> silhouettes_;
   Queue<D, SpanColumn::count> spans_;
   Queue<D, PointColumn::count> points_;
-  bool found_all_ = true;
 };
 
 }  // namespace HWY_NAMESPACE

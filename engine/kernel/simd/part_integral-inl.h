@@ -68,8 +68,9 @@ inline double error2_share(std::size_t line_count) {
   return unseen / (27 * 2.25);
 }
 
+// The rays are made before the integral that needs them, whose columns begin at multiples of 64.
 template <class D>
-class PartIntegral {
+class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
  public:
   using T = hn::TFromD<D>;
 
@@ -129,12 +130,6 @@ class PartIntegral {
   bool found_all() const { return integral_.found_all(); }
 
   BlockContents<T> contents;
-  /// Of the pixels in their order.
-  alignas(64) T red[places];
-  alignas(64) T green[places];
-  alignas(64) T blue[places];
-  alignas(64) T error2[places];    ///< as PixelSpread
-  alignas(64) T variance[places];  ///< likewise
 
  private:
   using V = hn::Vec<D>;
@@ -244,13 +239,23 @@ class PartIntegral {
   int x_;  ///< the lower left corner of the block's first pixel, y = 0 at the bottom
   int y_;
   int part_ = -1;
-  PartSpheres<T> spheres_;
   std::size_t count_ = 0;
-  alignas(64) T column_[places] = {};  ///< of the pixels
-  alignas(64) T low_[places] = {};  ///< how far their lower sides are below that of the first row
-  alignas(64) T is_upright_[places];
-  Lines<T> lines_;
   LineRays<D> rays_;
+
+ public:
+  /// Of the pixels in their order.
+  alignas(64) T red[places];
+  alignas(64) T green[places];
+  alignas(64) T blue[places];
+  alignas(64) T error2[places];    ///< as PixelSpread
+  alignas(64) T variance[places];  ///< likewise
+
+ private:
+  alignas(64) T column_[places] = {};  ///< of the pixels
+  alignas(64) T low_[places] = {};     ///< how far their lower sides are below the first row's
+  alignas(64) T is_upright_[places];
+  PartSpheres<T> spheres_;
+  Lines<T> lines_;
   LineIntegral<D> integral_;
 };
 

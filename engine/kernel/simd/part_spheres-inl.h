@@ -29,7 +29,8 @@ namespace HWY_NAMESPACE {
 template <typename T>
 struct PartSpheres {
   static constexpr std::size_t most = 24;
-  static constexpr std::size_t row_size = 32;  ///< whole packets
+  static constexpr std::size_t row_size = 32;
+  static_assert(row_size * sizeof(T) % 64 == 0, "rows are loaded by whole packets");
   enum Value : std::size_t {
     x,
     y,
