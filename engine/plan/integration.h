@@ -1,7 +1,6 @@
 // What a pixel's colour is made of under a contract: samples, or integrals along lines across it.
 //
-// Lines find the edges that cross them, and cost by what is seen; samples can show anything. On the
-// scenes of tests/tradeoff lines take a fifth to a twentieth of the time for the same error.
+// Lines find the edges that cross them, and cost by what is seen; samples can show anything.
 #pragma once
 
 #include <cstdint>

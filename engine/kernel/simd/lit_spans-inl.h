@@ -19,6 +19,17 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
+/// Adds an edge, where there is one, to how much of what crosses pixels is upright and how much
+/// level: by the squares of its normal, (across, along) of any length.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void weigh_edge(D d, M is_edge, V across, V along, V& upright, V& level) {
+  const V across2 = hn::Mul(across, across);
+  const V along2 = hn::Mul(along, along);
+  const V weight = hn::IfThenElseZero(is_edge, hn::Div(hn::Set(d, T(1)), hn::Add(across2, along2)));
+  upright = hn::MulAdd(across2, weight, upright);
+  level = hn::MulAdd(along2, weight, level);
+}
+
 template <class D>
 class LitSpans {
  public:
@@ -56,12 +67,7 @@ class LitSpans {
       const V along = hn::Sub(value_at(above), f);
       const M crosses =
           hn::And(active, hn::Lt(hn::Abs(f), hn::Add(hn::Abs(across), hn::Abs(along))));
-      const V across2 = hn::Mul(across, across);
-      const V along2 = hn::Mul(along, along);
-      const V weight =
-          hn::IfThenElseZero(crosses, hn::Div(hn::Set(d, T(1)), hn::Add(across2, along2)));
-      upright = hn::MulAdd(across2, weight, upright);
-      level = hn::MulAdd(along2, weight, level);
+      weigh_edge(d, crosses, across, along, upright, level);
     }
   }
 

@@ -170,14 +170,8 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
         const V width = hn::Mul(near, hn::MulAdd(hn::Set(d, T(2)), radius, near));
         const M is_silhouette =
             hn::And(hn::And(is_open, hn::Gt(b, zero)), hn::Lt(hn::Abs(beyond), width));
-        const V across = dot(l, broadcast(d, right));
-        const V along = dot(l, broadcast(d, up));
-        const V across2 = hn::Mul(across, across);
-        const V along2 = hn::Mul(along, along);
-        const V weight =
-            hn::IfThenElseZero(is_silhouette, hn::Div(hn::Set(d, T(1)), hn::Add(across2, along2)));
-        upright = hn::MulAdd(across2, weight, upright);
-        level = hn::MulAdd(along2, weight, level);
+        weigh_edge(d, is_silhouette, dot(l, broadcast(d, right)), dot(l, broadcast(d, up)), upright,
+                   level);
         // What is behind a sphere that covers the pixel is not seen.
         is_open = hn::AndNot(hn::Lt(beyond, hn::Neg(width)), is_open);
       }
