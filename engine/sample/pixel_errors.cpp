@@ -43,21 +43,25 @@ PixelErrors::PixelErrors(int width, int height, const ErrorScale& scale, WorkerP
       counts_(sums_.size()),
       has_detail_(columns_ * rows_),
       may_err_(columns_ * rows_) {
-  for (std::size_t row = 0; row < rows_; ++row)
-    for (std::size_t column = 0; column < columns_; ++column)
-      for_each_part_of(column, row, [this](std::size_t, std::size_t place, std::size_t first) {
-        const int count =
-            std::min(part_side, width_ - x_of(first)) * std::min(part_side, height_ - y_of(first));
-        counts_[place] = static_cast<float>(count);
-      });
+  const int part_columns = spreads_.stride / part_side;
+  const int part_rows = spreads_.rows() / part_side;
+  for (int y = 0; y < part_rows; ++y) {
+    float* const row = &counts_[static_cast<std::size_t>(y + 1) * stride_ + 1];
+    const int pixel_rows = std::min(part_side, height_ - part_side * y);
+    std::fill_n(row, part_columns, static_cast<float>(part_side * pixel_rows));
+    const int last_columns = width_ - part_side * (part_columns - 1);
+    row[part_columns - 1] = static_cast<float>(last_columns * pixel_rows);
+  }
 }
 
 void PixelErrors::set_all(int samples) {
   for (int y = 0; y < height_; ++y) std::fill_n(&samples_[index(0, y)], width_, samples);
+  sample_count_ = std::int64_t{samples} * width_ * height_;
   std::fill(guesses_.begin(), guesses_.end(), no_guess);
 }
 
 void PixelErrors::set(std::size_t pixel, int samples, const PixelSpread& spread) {
+  sample_count_ += samples - samples_[pixel];
   samples_[pixel] = samples;
   spreads_.set(pixel, spread);
 }
@@ -145,8 +149,10 @@ void PixelErrors::choose_blocks(std::size_t row) {
     bool may_err = missable_.has_value();
     for (std::size_t y = row_begin; y < row_end; ++y)
       for (std::size_t x = begin; x < end; ++x) may_err |= has_detail_[columns_ * y + x] != 0;
-    may_err_[columns_ * row + column] = static_cast<char>(may_err);
-    if (may_err) continue;
+    char& known = may_err_[columns_ * row + column];
+    const bool might_err = known != 0;
+    known = static_cast<char>(may_err);
+    if (may_err || !might_err) continue;
     for_each_part_of(column, row, [this](std::size_t part, std::size_t place, std::size_t) {
       rates_[part].of_variance = rates_[part].least = 0;
       sums_[place] = {};
@@ -156,17 +162,32 @@ void PixelErrors::choose_blocks(std::size_t row) {
 }
 
 void PixelErrors::spread_variances(std::size_t row) {
+  const char* const may_err = &may_err_[columns_ * row];
+  for (std::size_t begin = 0; begin < columns_; ++begin) {
+    if (may_err[begin] == 0) continue;
+    std::size_t end = begin + 1;
+    while (end < columns_ && may_err[end] != 0) ++end;
+    spread_variances(row, begin, end);
+    begin = end;
+  }
+}
+
+void PixelErrors::spread_variances(std::size_t row, std::size_t column_begin,
+                                   std::size_t column_end) {
   const auto stride = static_cast<std::size_t>(spreads_.stride);
-  std::vector<float> highest(stride + 2, 0.0F);  // of three rows, with a rim
   const auto rows = static_cast<std::size_t>(spreads_.rows());
+  const std::size_t x_begin = block_side * column_begin;
+  const std::size_t width = std::min(block_side * column_end, stride) - x_begin;
+  // What is beside these blocks has no variance: blocks beside one that has may err, too.
+  std::vector<float> highest(width + 2, 0.0F);  // of three rows, with a rim
   for (std::size_t y = block_side * row; y < std::min(block_side * (row + 1), rows); ++y) {
-    const float* const here = &spreads_.variance[y * stride];
+    const float* const here = &spreads_.variance[y * stride + x_begin];
     const float* const above = y > 0 ? here - stride : here;
     const float* const below = y + 1 < rows ? here + stride : here;
-    for (std::size_t x = 0; x < stride; ++x)
+    for (std::size_t x = 0; x < width; ++x)
       highest[x + 1] = std::max(std::max(above[x], below[x]), here[x]);
-    float* const to = &variances_[y * stride];
-    for (std::size_t x = 0; x < stride; ++x)
+    float* const to = &variances_[y * stride + x_begin];
+    for (std::size_t x = 0; x < width; ++x)
       to[x] = std::max(
           here[x], pixels_share * std::max(std::max(highest[x], highest[x + 1]), highest[x + 2]));
   }
@@ -315,10 +336,6 @@ double PixelErrors::scaled(float unscaled, std::size_t pixel, int samples) const
 
 double PixelErrors::expected_error2() const {
   return std::accumulate(parts_.begin(), parts_.end(), 0.0);
-}
-
-std::int64_t PixelErrors::sample_count() const {
-  return std::accumulate(samples_.begin(), samples_.end(), std::int64_t{0});
 }
 
 }  // namespace raytracer

@@ -68,7 +68,7 @@ class PixelErrors {
   /// 0 beyond the image's rim.
   int samples(std::size_t pixel) const { return samples_[pixel]; }
   /// Of all pixels.
-  std::int64_t sample_count() const;
+  std::int64_t sample_count() const { return sample_count_; }
 
   /// The squared errors of these pixels, the sums of their channels', without what calibrate() and
   /// spheres add.
@@ -109,7 +109,10 @@ class PixelErrors {
   void find_details(std::size_t row);
   /// Which blocks of a row may err; forgets what was known of the others.
   void choose_blocks(std::size_t row);
+  /// Sets `variances_` of those that may.
   void spread_variances(std::size_t row);
+  /// Of these side by side.
+  void spread_variances(std::size_t row, std::size_t column_begin, std::size_t column_end);
   float unscaled(std::size_t pixel, InversePower& inverse_power) const;
   double scaled(float unscaled, std::size_t pixel, int samples) const;
 
@@ -171,9 +174,10 @@ class PixelErrors {
   double least_scale_;
   PixelSpreads spreads_;
   std::vector<int> samples_;
-  std::vector<float> variances_;  ///< those that count
-  std::vector<double> parts_;     ///< their squared errors
-  std::vector<double> guesses_;   ///< likewise; negative where there is none
+  std::int64_t sample_count_ = 0;  ///< of all pixels
+  std::vector<float> variances_;   ///< those that count
+  std::vector<double> parts_;      ///< their squared errors
+  std::vector<double> guesses_;    ///< likewise; negative where there is none
   std::vector<Rate> rates_;
   std::vector<Sums> sums_;        ///< of the parts, row by row, with a rim of nothing
   std::vector<float> details_;    ///< likewise: the squared error of one sample
