@@ -23,14 +23,15 @@ std::uint32_t part_bit(std::uint8_t place) {
 
 BeyondRange PixelIntegrator::integrate(std::size_t block, const Tile& tile, int samples,
                                        Image& image, PixelSpreads& spreads) {
-  const std::uint16_t not_done =
+  IntegratedBlock integrated =
       integrate_block(tracer_, {lines_of(samples)}, transfer_, tile, image, spreads);
-  left_[block] = not_done;
-  if (not_done == 0) return {};
+  left_[block] = integrated.left;
+  if (integrated.left == 0) return integrated.beyond;
   Tile left = tile;
-  left.parts = not_done;
-  return render_tile(tracer_, staggered_pattern(rung_of_samples(samples)), transfer_, left, &image,
-                     {.pixels = &spreads});
+  left.parts = integrated.left;
+  integrated.beyond += render_tile(tracer_, staggered_pattern(rung_of_samples(samples)), transfer_,
+                                   left, &image, {.pixels = &spreads});
+  return integrated.beyond;
 }
 
 void PixelIntegrator::integrate(std::size_t block, int samples, const BlockPixels& pixels,

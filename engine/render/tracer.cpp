@@ -146,14 +146,15 @@ void sample(const SimdTracer<T>& tracer, const SamplePattern& pattern, Transfer 
 }
 
 template <typename T>
-std::uint16_t integrate(const SimdTracer<T>& tracer, const LinePattern& pattern, Transfer transfer,
-                        const Tile& block, Image& image, PixelSpreads& spreads) {
+IntegratedBlock integrate(const SimdTracer<T>& tracer, const LinePattern& pattern,
+                          Transfer transfer, const Tile& block, Image& image,
+                          PixelSpreads& spreads) {
   return integrate_block(tracer.scene, pattern, transfer, block, tracer.target, image, spreads);
 }
-std::uint16_t integrate(const ReferenceTracer& /*tracer*/, const LinePattern& /*pattern*/,
-                        Transfer /*transfer*/, const Tile& block, Image& /*image*/,
-                        PixelSpreads& /*spreads*/) {
-  return block.parts;
+IntegratedBlock integrate(const ReferenceTracer& /*tracer*/, const LinePattern& /*pattern*/,
+                          Transfer /*transfer*/, const Tile& block, Image& /*image*/,
+                          PixelSpreads& /*spreads*/) {
+  return {.left = block.parts};
 }
 
 template <typename T>
@@ -197,8 +198,8 @@ void sample_pixels(const Tracer& tracer, const SamplePattern& pattern, Transfer 
              tracer);
 }
 
-std::uint16_t integrate_block(const Tracer& tracer, const LinePattern& pattern, Transfer transfer,
-                              const Tile& block, Image& image, PixelSpreads& spreads) {
+IntegratedBlock integrate_block(const Tracer& tracer, const LinePattern& pattern, Transfer transfer,
+                                const Tile& block, Image& image, PixelSpreads& spreads) {
   return std::visit(
       [&](const auto& chosen) {
         return integrate(chosen, pattern, transfer, block, image, spreads);

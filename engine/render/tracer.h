@@ -52,8 +52,8 @@ void sample_pixels(const Tracer& tracer, const SamplePattern& pattern, Transfer 
 
 /// Integrates all pixels of a tile that is a block along lines, as the kernel's function of this
 /// name. The plan chose lines.
-std::uint16_t integrate_block(const Tracer& tracer, const LinePattern& pattern, Transfer transfer,
-                              const Tile& block, Image& image, PixelSpreads& spreads);
+IntegratedBlock integrate_block(const Tracer& tracer, const LinePattern& pattern, Transfer transfer,
+                                const Tile& block, Image& image, PixelSpreads& spreads);
 
 /// Single pixels of a block, likewise.
 void integrate_pixels(const Tracer& tracer, const LinePattern& pattern, Transfer transfer,

@@ -55,20 +55,28 @@ HWY_INLINE void store_part(const PartIntegral<D>& part, const PlacesOfPart& pixe
 }
 
 template <typename T>
-std::uint16_t integrate_block(const SimdScene<T>& scene, const LinePattern& pattern,
-                              Transfer transfer, const Tile& tile, Image& image,
-                              PixelSpreads& spreads) {
+IntegratedBlock integrate_block(const SimdScene<T>& scene, const LinePattern& pattern,
+                                Transfer transfer, const Tile& tile, Image& image,
+                                PixelSpreads& spreads) {
   using D = hn::ScalableTag<T>;
   const D d;
   using Part = PartIntegral<D>;
-  Part part(d, scene, pattern, transfer, tile.x_begin, tile.y_begin);
   const Block block{tile.x_begin, tile.y_begin, tile.x_end - tile.x_begin,
                     tile.y_end - tile.y_begin, tile.parts};
-  std::uint32_t left = 0;
+  BlockContents<T> contents(scene, tile.x_begin / block_side, tile.y_begin / block_side);
+  const auto fill_with_background = [&](std::uint32_t parts) HWY_ATTR {
+    fill_parts(PlainRow(d, background_of(d, scene, transfer)), block, parts, Canvas(&image));
+  };
+  if (contents.parts == 0) {
+    fill_with_background(Tile::all_parts);
+    return {};
+  }
+  Part part(d, scene, contents, pattern, transfer, tile.x_begin, tile.y_begin);
+  IntegratedBlock result;
   std::uint32_t empty = 0;
   for (int i = 0; i < all_parts_count; ++i) {
     const auto bit = std::uint32_t{1} << i;
-    if ((part.contents.parts & bit) == 0) {
+    if ((contents.parts & bit) == 0) {
       empty |= bit;
       continue;
     }
@@ -77,16 +85,15 @@ std::uint16_t integrate_block(const SimdScene<T>& scene, const LinePattern& patt
     const auto outcome = part.run(d, i, std::span(pixels.places).first(pixels.count));
     if (outcome == Part::Outcome::nothing_there) empty |= bit;
     if (outcome == Part::Outcome::not_exact ||
-        (outcome == Part::Outcome::done && !part.found_all()))
-      left |= bit;
-    else if (outcome == Part::Outcome::done)
+        (outcome == Part::Outcome::done && !part.found_all())) {
+      result.left = static_cast<std::uint16_t>(result.left | bit);
+    } else if (outcome == Part::Outcome::done) {
       store_part(part, pixels, tile, image, spreads);
+      result.beyond += part.beyond_range();
+    }
   }
-  if (empty != 0) {
-    const PlainRow row(d, background_of(d, scene, transfer));
-    fill_parts(row, block, empty, Canvas(&image));
-  }
-  return static_cast<std::uint16_t>(left);
+  if (empty != 0) fill_with_background(empty);
+  return result;
 }
 
 template <typename T>
@@ -95,7 +102,8 @@ void integrate_pixels(const SimdScene<T>& scene, const LinePattern& pattern, Tra
   using D = hn::ScalableTag<T>;
   const D d;
   using Part = PartIntegral<D>;
-  Part part(d, scene, pattern, transfer, pixels.x_begin, pixels.y_begin);
+  BlockContents<T> contents(scene, pixels.x_begin / block_side, pixels.y_begin / block_side);
+  Part part(d, scene, contents, pattern, transfer, pixels.x_begin, pixels.y_begin);
   const auto part_at = [&](std::size_t i) {
     const int place = pixels.places[i];
     return place / block_side / part_side * parts_across + place % block_side / part_side;
@@ -118,19 +126,19 @@ void integrate_pixels(const SimdScene<T>& scene, const LinePattern& pattern, Tra
       results[i] = {{static_cast<float>(part.red[k]), static_cast<float>(part.green[k]),
                      static_cast<float>(part.blue[k])},
                     {static_cast<float>(part.error2[k]), static_cast<float>(part.variance[k])},
-                    part.red[k] + part.green[k] + part.blue[k] >= 0};
+                    part.is_number(k)};
     }
   }
 }
 
-std::uint16_t block_in_single(const SimdScene<float>& scene, const LinePattern& pattern,
-                              Transfer transfer, const Tile& block, Image& image,
-                              PixelSpreads& spreads) {
+IntegratedBlock block_in_single(const SimdScene<float>& scene, const LinePattern& pattern,
+                                Transfer transfer, const Tile& block, Image& image,
+                                PixelSpreads& spreads) {
   return integrate_block(scene, pattern, transfer, block, image, spreads);
 }
-std::uint16_t block_in_double(const SimdScene<double>& scene, const LinePattern& pattern,
-                              Transfer transfer, const Tile& block, Image& image,
-                              PixelSpreads& spreads) {
+IntegratedBlock block_in_double(const SimdScene<double>& scene, const LinePattern& pattern,
+                                Transfer transfer, const Tile& block, Image& image,
+                                PixelSpreads& spreads) {
   return integrate_block(scene, pattern, transfer, block, image, spreads);
 }
 void pixels_in_single(const SimdScene<float>& scene, const LinePattern& pattern, Transfer transfer,
@@ -157,16 +165,16 @@ HWY_EXPORT(pixels_in_double);
 
 }  // namespace
 
-std::uint16_t integrate_block(const SimdScene<float>& scene, const LinePattern& pattern,
-                              Transfer transfer, const Tile& block, std::int64_t target,
-                              Image& image, PixelSpreads& spreads) {
+IntegratedBlock integrate_block(const SimdScene<float>& scene, const LinePattern& pattern,
+                                Transfer transfer, const Tile& block, std::int64_t target,
+                                Image& image, PixelSpreads& spreads) {
   return HWY_DISPATCH_TABLE(block_in_single)[dispatch_index(target)](scene, pattern, transfer,
                                                                      block, image, spreads);
 }
 
-std::uint16_t integrate_block(const SimdScene<double>& scene, const LinePattern& pattern,
-                              Transfer transfer, const Tile& block, std::int64_t target,
-                              Image& image, PixelSpreads& spreads) {
+IntegratedBlock integrate_block(const SimdScene<double>& scene, const LinePattern& pattern,
+                                Transfer transfer, const Tile& block, std::int64_t target,
+                                Image& image, PixelSpreads& spreads) {
   return HWY_DISPATCH_TABLE(block_in_double)[dispatch_index(target)](scene, pattern, transfer,
                                                                      block, image, spreads);
 }

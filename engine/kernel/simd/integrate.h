@@ -12,23 +12,30 @@
 #include "engine/image/pixel_spreads.h"
 #include "engine/image/sampled_pixel.h"
 #include "engine/image/tile.h"
+#include "engine/kernel/beyond_range.h"
 #include "engine/kernel/line_pattern.h"
 #include "engine/kernel/simd/simd_scene.h"
 
 namespace raytracer {
 
+/// What came of a block.
+struct IntegratedBlock {
+  /// The parts, as Tile::parts, of which nothing was stored, because lines do not find all of their
+  /// edges: they show many spheres, some that intersect, one that the eye is too near to, the
+  /// shadow of a square on something else, or colours several times too bright to be shown.
+  std::uint16_t left = 0;
+  BeyondRange beyond{};  ///< of what was stored
+};
+
 /// Integrates all pixels of a tile that is a block or, at the image's rim, what there is of one;
 /// stores their colours after `transfer`, and what the lines tell of their errors. The scene is
-/// one of those that choose_integration() chooses lines for. Returns the parts, as Tile::parts, of
-/// which nothing was stored, because lines do not find all of their edges: they show many spheres,
-/// some that intersect, one that the eye is too near to, the shadow of a square on something else,
-/// or colours that have to be clamped.
-std::uint16_t integrate_block(const SimdScene<float>& scene, const LinePattern& pattern,
-                              Transfer transfer, const Tile& block, std::int64_t target,
-                              Image& image, PixelSpreads& spreads);
-std::uint16_t integrate_block(const SimdScene<double>& scene, const LinePattern& pattern,
-                              Transfer transfer, const Tile& block, std::int64_t target,
-                              Image& image, PixelSpreads& spreads);
+/// one of those that choose_integration() chooses lines for.
+IntegratedBlock integrate_block(const SimdScene<float>& scene, const LinePattern& pattern,
+                                Transfer transfer, const Tile& block, std::int64_t target,
+                                Image& image, PixelSpreads& spreads);
+IntegratedBlock integrate_block(const SimdScene<double>& scene, const LinePattern& pattern,
+                                Transfer transfer, const Tile& block, std::int64_t target,
+                                Image& image, PixelSpreads& spreads);
 
 /// Integrates pixels of a block, part by part, none in a part that was left, and leaves what they
 /// come to in `results`, one for each.

@@ -26,7 +26,8 @@ template <typename T>
 struct Lines {
   static constexpr std::size_t most = most_lines_of_pixel;
   static constexpr std::size_t places = most + 16;
-  std::size_t count = 0;
+  std::size_t count = 0;             ///< one of each pixel after another
+  std::size_t pixel_count = 1;       ///< at most 16
   alignas(64) T right[places];       ///< in pixels, of the block's left side
   alignas(64) T down[places];        ///< in pixels, of the block's first row's lower side
   alignas(64) T is_upright[places];  ///< 1 for those that go upwards, 0 for those to the right
@@ -48,11 +49,13 @@ struct Lines {
 /// be no more than what lies between them.
 template <typename T>
 struct LineGrain {
-  T most_span;         ///< in a sphere's radii, between places at which the light is asked for
-  T most_turn;         ///< of the normal, in radians, for two points
-  T negligible_bend;   ///< of an incidence, for a single one, ...
-  T negligible_turn2;  ///< ... and of the normal, squared, as highlights see it
-  int secants;         ///< to an edge of light
+  T most_span;          ///< in a sphere's radii, between places at which the light is asked for
+  T most_turn;          ///< of the normal, in radians, for two points
+  T negligible_bend;    ///< of an incidence, for a single one, ...
+  T negligible_turn2;   ///< ... and of the normal, squared, as highlights see it
+  int secants;          ///< to an edge of light
+  T least_pieces = 0;   ///< in a pixel, of two points each, ...
+  T pieces_of_clamped;  ///< ... and where colours are clamped
 
   LineGrain(std::size_t line_count, double shininess) {
     const auto count = static_cast<double>(line_count);
@@ -62,6 +65,16 @@ struct LineGrain {
     secants = line_count < 6 ? 1 : line_count < 18 ? 2 : 3;
     negligible_turn2 = shininess > 0 ? static_cast<T>(0.1 / shininess) : T(4);
     negligible_bend = static_cast<T>(0.012 / count);
+    pieces_of_clamped = static_cast<T>(1 + count / 2);
+  }
+
+  /// For colours that are clamped: where they begin to be is looked at finely, and light is bright
+  /// up to its edges.
+  LineGrain of_clamped() const {
+    LineGrain finer = *this;
+    finer.least_pieces = pieces_of_clamped;
+    ++finer.secants;
+    return finer;
   }
 };
 

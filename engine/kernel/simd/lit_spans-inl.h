@@ -37,8 +37,7 @@ class LitSpans {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
 
-  HWY_INLINE LitSpans(const LineRays<D>& rays, const LineGrain<T>& grain)
-      : rays_(rays), scene_(rays.scene()), grain_(grain) {}
+  explicit HWY_INLINE LitSpans(const LineRays<D>& rays) : rays_(rays), scene_(rays.scene()) {}
 
   /// These are the spheres that lines may show. False where too many others shadow them.
   HWY_INLINE bool set(D d, const PartSpheres<T>& spheres) {
@@ -75,7 +74,8 @@ class LitSpans {
   /// at `first`.
   template <class Take>
   HWY_INLINE void part(D d, const Queue<D, SpanColumn::count>& spans, std::size_t first,
-                       const PartSpheres<T>& spheres, const Take& take) const {
+                       const PartSpheres<T>& spheres, const LineGrain<T>& grain,
+                       const Take& take) const {
     using Span = SpanColumn;
     const V zero = hn::Zero(d);
     const V one = hn::Set(d, T(1));
@@ -129,7 +129,7 @@ class LitSpans {
         edges[place] = end;
         if (hn::AllFalse(d, which)) return;
         has_edges = true;
-        const V x = sign_change(d, values, is_first, grain_.secants, [&](V share) HWY_ATTR {
+        const V x = sign_change(d, values, is_first, grain.secants, [&](V share) HWY_ATTR {
           const Start<V> point = at(hn::MulAdd(length, share, begin));
           return value_at(point, dot(point.normal, towards));
         });
@@ -141,10 +141,12 @@ class LitSpans {
 
     const V3<V> turned = sub(at_end.normal, at_begin.normal);
     const V turn2 = dot(turned, turned);
-    const M is_bent = hn::Or(hn::Gt(bend, hn::Set(d, grain_.negligible_bend)),
-                             hn::Gt(turn2, hn::Set(d, grain_.negligible_turn2)));
+    const V least = hn::Set(d, grain.least_pieces);
+    const M is_bent = hn::Or(hn::Or(hn::Gt(bend, hn::Set(d, grain.negligible_bend)),
+                                    hn::Gt(turn2, hn::Set(d, grain.negligible_turn2))),
+                             hn::Gt(least, zero));
     const V pieces_per_length =
-        hn::Div(hn::Sqrt(turn2), hn::Mul(length, hn::Set(d, grain_.most_turn)));
+        hn::Div(hn::Sqrt(turn2), hn::Mul(length, hn::Set(d, grain.most_turn)));
     V x = begin;
     M rest = active;
     while (!hn::AllFalse(d, rest)) {
@@ -169,7 +171,7 @@ class LitSpans {
       // By two points to a piece (Gauss), or by one where that is as good.
       const M has_pieces = hn::And(hn::And(rest, is_bent), hn::Gt(width, hn::Set(d, T(0.1))));
       take_point(hn::AndNot(has_pieces, rest), middle, width);
-      const V pieces = hn::Max(one, hn::Ceil(hn::Mul(width, pieces_per_length)));
+      const V pieces = hn::Max(one, hn::Ceil(hn::Mul(width, hn::Max(pieces_per_length, least))));
       const V half_piece = hn::Mul(half, hn::Div(width, pieces));
       const V away = hn::Mul(half_piece, hn::Set(d, T(0.57735026918962576)));
       V place = hn::Add(x, half_piece);
@@ -188,7 +190,6 @@ class LitSpans {
  private:
   const LineRays<D>& rays_;
   const SimdScene<T>& scene_;
-  const LineGrain<T>& grain_;
   PartShadows<T> shadows_;
 };
 

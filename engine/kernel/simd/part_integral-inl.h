@@ -8,11 +8,13 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "engine/kernel/beyond_range.h"
 #include "engine/kernel/line_pattern.h"
 #include "engine/kernel/simd/line_integral-inl.h"
 #include "engine/kernel/simd/resolve-inl.h"
@@ -79,10 +81,10 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
 
   enum class Outcome : std::uint8_t { done, nothing_there, not_exact };
 
-  /// Of the block that begins at pixel (x, y), y = 0 on top.
-  HWY_INLINE PartIntegral(D d, const SimdScene<T>& scene, const LinePattern& pattern,
-                          Transfer transfer, int x, int y)
-      : contents(scene, x / block_side, y / block_side),
+  /// Of the block that begins at pixel (x, y), y = 0 on top, and may show `contents`.
+  HWY_INLINE PartIntegral(D d, const SimdScene<T>& scene, BlockContents<T>& contents,
+                          const LinePattern& pattern, Transfer transfer, int x, int y)
+      : contents_(contents),
         eye_(d, scene),
         pattern_(pattern),
         grain_(pattern.count, scene.has_specular ? scene.uniform_shininess : 0),
@@ -100,12 +102,12 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
 
   /// Integrates pixels of a part, by their places in the block: column + block_side * row.
   HWY_INLINE Outcome run(D d, int part, std::span<const std::uint8_t> pixels) {
-    if ((contents.parts >> part & 1U) == 0) return Outcome::nothing_there;
+    if ((contents_.parts >> part & 1U) == 0) return Outcome::nothing_there;
     if (part != part_) {
       part_ = part;
       const int part_x = part % parts_across * part_side;
       const int part_y = part / parts_across * part_side;
-      find_part_spheres(d, eye_, PartContents<T>{contents, part}, x_ + part_x,
+      find_part_spheres(d, eye_, PartContents<T>{contents_, part}, x_ + part_x,
                         y_ + 1 - part_y - part_side, spheres_);
     }
     if (!spheres_.are_all) return Outcome::not_exact;
@@ -125,11 +127,17 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
     return Outcome::done;
   }
 
-  /// Whether, in the last run, all edges were found: nothing was clamped, and no square shadowed
-  /// anything else.
+  /// Whether, in the last run, all edges were found (LineIntegral).
   bool found_all() const { return integral_.found_all(); }
 
-  BlockContents<T> contents;
+  /// What of the last run's pixels cannot be shown.
+  BeyondRange beyond_range() const {
+    BeyondRange beyond{.clamped =
+                           static_cast<std::size_t>(std::popcount(integral_.clamped_pixels()))};
+    for (std::size_t i = 0; i < count_; ++i) beyond.not_numbers += is_number(i) ? 0 : 1;
+    return beyond;
+  }
+  bool is_number(std::size_t i) const { return red[i] + green[i] + blue[i] >= 0; }
 
  private:
   using V = hn::Vec<D>;
@@ -186,6 +194,7 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
   HWY_INLINE void draw_lines(D d) {
     const V half = hn::Set(d, T(0.5));
     lines_.count = 0;
+    lines_.pixel_count = count_;
     for (std::size_t k = 0; k < pattern_.count; ++k) {
       const double place = (static_cast<double>(k) + 0.5) / static_cast<double>(pattern_.count);
       const V from_middle = hn::Set(d, static_cast<T>(place - 0.5));
@@ -225,6 +234,7 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
     hn::Store(spread.variance, d, variance + first);
   }
 
+  BlockContents<T>& contents_;
   EyeRays<D> eye_;
   LinePattern pattern_;
   LineGrain<T> grain_;
