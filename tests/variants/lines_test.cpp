@@ -152,8 +152,8 @@ TEST(Lines, EndWhereASphereIsAsGoodAsAPoint) {
     }
 }
 
-/// What a square shadows, beyond its own spheres, and what is brighter than can be shown has edges
-/// that lines do not look for.
+/// What a square shadows, beyond its own spheres, and what is several times brighter than can be
+/// shown has edges that lines do not look for.
 TEST(Lines, LeaveShadowsOfSquaresAndGlareToSamples) {
   const json camera = camera_json(32, 32, 0.8, {0, 2, -8}, {});
   const auto left_of = [&](const std::vector<json>& objects, double intensity) {

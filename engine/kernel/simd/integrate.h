@@ -38,7 +38,8 @@ IntegratedBlock integrate_block(const SimdScene<double>& scene, const LinePatter
                                 Image& image, PixelSpreads& spreads);
 
 /// Integrates pixels of a block, part by part, none in a part that was left, and leaves what they
-/// come to in `results`, one for each.
+/// come to in `results`, one for each. Those of a part are looked at finely if one of them is
+/// clamped, as in a block.
 void integrate_pixels(const SimdScene<float>& scene, const LinePattern& pattern, Transfer transfer,
                       const BlockPixels& pixels, std::int64_t target,
                       std::span<SampledPixel> results);

@@ -42,11 +42,16 @@ class LineIntegral {
         lines_(lines),
         silhouettes_(rays) {}
 
-  /// Integrates all lines; `lit_spans` was set to the spheres. False, and nothing done, where one
-  /// of them is too near (Silhouettes::set()).
+  /// Integrates all lines; `lit_spans` was set to the spheres. Where colours are clamped it is done
+  /// once more, finely: where they begin to be is a bend, not an edge. False, and nothing done,
+  /// where one of the spheres is too near (Silhouettes::set()).
   HWY_INLINE bool run(D d) {
-    if (!integrate(d, grain_)) return false;
-    return clamped_pixels_ == 0 || integrate(d, grain_.of_clamped());
+    if (!silhouettes_.set(spheres_, grain_.most_span)) return false;
+    found_all_ = true;
+    clamped_pixels_ = 0;
+    integrate(d, grain_);
+    if (clamped_pixels_ != 0 && found_all_) integrate(d, grain_.of_clamped());
+    return true;
   }
 
   /// Whether all edges were found in the last run: no square may have shadowed anything else, and
@@ -63,10 +68,7 @@ class LineIntegral {
   /// lights were made 1.5 to 50 times as bright all are kept; with 6, or a secant less, 1 to 4 not.
   static constexpr T steep = 4;
 
-  HWY_NOINLINE bool integrate(D d, const LineGrain<T>& grain) {
-    if (!silhouettes_.set(spheres_, grain.most_span)) return false;
-    found_all_ = true;
-    clamped_pixels_ = 0;
+  HWY_NOINLINE void integrate(D d, const LineGrain<T>& grain) {
     lines_.clear_colours(d);
     const auto take = [&](M which, const auto&... values) HWY_ATTR {
       spans_.push(d, which, values...);
@@ -76,7 +78,6 @@ class LineIntegral {
       silhouettes_.cross(d, spheres_, first, lines_, take);
     part_spans(d, grain);
     colour_points(d);
-    return true;
   }
 
   HWY_NOINLINE void part_spans(D d, const LineGrain<T>& grain) {
@@ -124,9 +125,12 @@ class LineIntegral {
     const auto* const line = points_.values[Point::line] + first;
     const std::size_t count = std::min(points_.count - first, lanes);
     const V one = hn::Set(d, T(1));
-    const V highest = hn::Max(colour.x, hn::Max(colour.y, colour.z));
-    const M is_clamped = hn::And(active, hn::Gt(highest, one));
-    found_all_ &= hn::AllFalse(d, hn::And(active, hn::Gt(highest, hn::Set(d, steep))));
+    const auto are_all = [&](V most) HWY_ATTR {  // not of what is no number
+      return hn::And(hn::Le(colour.x, most),
+                     hn::And(hn::Le(colour.y, most), hn::Le(colour.z, most)));
+    };
+    const M is_clamped = hn::AndNot(are_all(one), active);
+    found_all_ &= hn::AllTrue(d, hn::Or(are_all(hn::Set(d, steep)), hn::Not(active)));
     if (HWY_UNLIKELY(!hn::AllFalse(d, is_clamped)))
       for (std::uint64_t rest = bits_of(d, is_clamped); rest != 0; rest &= rest - 1) {
         const auto of_line =
