@@ -170,6 +170,29 @@ TEST(Lines, LeaveShadowsOfSquaresAndGlareToSamples) {
   EXPECT_NE(left_of({ball}, 50), 0);
 }
 
+/// Of a ball against black, which the transfer to sRGB makes much of, two corners lie between three
+/// lines: that they agree is no reason to trust them.
+TEST(Lines, ReckonWithCornersBetweenThem) {
+  json ball = document(
+      camera_json(44, 31, 0.326576968, {0.900473744, 1.47136596, -7.25698634},
+                  {0.812666991, 0.378132693, 0}),
+      {sphere_json({0.971107643, 0.349931894, -1.26353144}, 0.514337376,
+                   {{"ka", 0.36}, {"kd", 0.644163308}, {"ks", 0.795472939}, {"shininess", 1}})},
+      {distant_json({0.818305731, -0.690955785, 0.530956188}, 2.66159229)});
+  ball["background"] = {0, 0, 0};
+  ball["ambient"] = 0;
+  ball["shadows"] = "off";
+  const auto image = [&](const json& render) {
+    json text = ball;
+    text["render"] = render;
+    text["render"]["transfer"] = "srgb";
+    return image_of(text);
+  };
+  const Image exact = image({{"samples", 4096}});
+  EXPECT_LT(difference(image({{"target_rmse", 0.001}, {"precision", "single"}}), exact).rmse,
+            0.001);
+}
+
 /// Where the light is too bright to be shown, colours are cut off along a line that nothing else
 /// marks: it is found finely enough, its pixels are counted, and the error told is true.
 TEST(Lines, LookFinelyAtClampedColours) {

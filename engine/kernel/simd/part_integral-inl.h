@@ -248,8 +248,12 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
   /// Where lines differ by less, what they may all have passed by counts.
   HWY_INLINE void include_unseen(D d, const V3<V>& mean, M has_edge, Spread<V>& spread) const {
     const V zero = hn::Zero(d);
-    const V share = hn::IfThenElseZero(has_edge, hn::Set(d, unseen_share_));
-    const V3<V> beside = add(mean, V3<V>{share, share, share});
+    const auto beside_it = [&](V channel) HWY_ATTR {  // nothing is brighter than 1
+      const V share = hn::IfThenElseZero(has_edge, hn::Set(d, unseen_share_));
+      const M is_bright = hn::Gt(channel, hn::Set(d, T(0.5)));
+      return hn::IfThenElse(is_bright, hn::Sub(channel, share), hn::Add(channel, share));
+    };
+    const V3<V> beside{beside_it(mean.x), beside_it(mean.y), beside_it(mean.z)};
     const V unseen2 = spread_of_means(d, mean, beside, T(1), mean, zero, transfer_).error2;
     const auto count = static_cast<T>(pattern_.count);
     const V of_one = hn::Mul(unseen2, hn::Set(d, count * count * count));  // as a variance
