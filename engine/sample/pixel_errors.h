@@ -175,7 +175,7 @@ class PixelErrors {
   PixelSpreads spreads_;
   std::vector<int> samples_;
   std::int64_t sample_count_ = 0;  ///< of all pixels
-  std::vector<float> variances_;   ///< those that count
+  std::vector<float> variances_;   ///< those that count, in blocks that may err
   std::vector<double> parts_;      ///< their squared errors
   std::vector<double> guesses_;    ///< likewise; negative where there is none
   std::vector<Rate> rates_;

@@ -19,11 +19,11 @@ namespace {
 
 /// A large and a small sphere over a square, with shadows of each on each, of a width and a height
 /// that no packet divides.
-json balls_over_a_square() {
+json balls_over_a_square(double intensity = 0.4) {
   return document(camera_json(53, 37, 1, {0, 3, -8}, {}),
                   {sphere_json({-1, 0, 0}, 1.2), sphere_json({1.2, 0.5, -1}, 0.4),
                    square_json({0, -2, 0}, 0.5, 4)},
-                  {distant_json({1, -1, 1}, 0.4), distant_json({-0.7, -1, 0.2}, 0.4)});
+                  {distant_json({1, -1, 1}, intensity), distant_json({-0.7, -1, 0.2}, intensity)});
 }
 
 Scene with_target(json text, const char* precision) {
@@ -77,15 +77,20 @@ TEST(Lines, AreTheSameInAllInstructionSets) {
   }
 }
 
+/// By light that can be shown, and by light that is clamped.
 TEST(Lines, TellTheirErrors) {
-  const Image exact = reference_of(balls_over_a_square());
-  const Scene scene = with_target(balls_over_a_square(), "single");
-  for (const std::size_t lines : {3U, 6U}) {
-    const Integrated integrated(make_plan(scene, this_machine(1)), scene, lines);
-    const double told = told_error(integrated);
-    const double rmse = difference(integrated.image, exact).rmse;
-    EXPECT_GT(told, rmse / 2) << lines;
-    EXPECT_LT(told, 2 * rmse) << lines;
+  for (const double intensity : {0.4, 1.0}) {
+    const Image exact = reference_of(balls_over_a_square(intensity));
+    const Scene scene = with_target(balls_over_a_square(intensity), "single");
+    for (const std::size_t lines : {3U, 6U}) {
+      const Integrated integrated(make_plan(scene, this_machine(1)), scene, lines);
+      const double told = told_error(integrated);
+      const double rmse = difference(integrated.image, exact).rmse;
+      EXPECT_EQ(integrated.left, 0);
+      EXPECT_EQ(integrated.beyond.clamped > 0, intensity > 0.5);
+      EXPECT_GT(told, rmse / 2) << lines;
+      EXPECT_LT(told, 2 * rmse) << lines;
+    }
   }
 }
 
@@ -119,7 +124,7 @@ TEST(Lines, AreNotDrawnWhereTheyWouldNotBeExact) {
     return Integrated(make_plan(scene, this_machine(1)), scene, 3).left;
   };
   const json camera = camera_json(32, 32, 0.5, {0, 0, -8}, {});
-  const json light = distant_json({1, -1, 1}, 0.5);
+  const json light = distant_json({1, -1, 1});
   EXPECT_EQ(left_of(document(camera, {sphere_json({-1, 0, 0}, 0.9)}, {light})), 0);
   EXPECT_NE(left_of(document(camera, {sphere_json({-0.5, 0, 0}, 1), sphere_json({0.5, 0, 0}, 1)},
                              {light})),
