@@ -11,23 +11,21 @@
 #include "engine/measure/stopwatch.h"
 #include "engine/tradeoff/difference.h"
 #include "tests/bench/median.h"
+#include "tests/bench/settled_time.h"
 #include "tests/tradeoff/exact_picture.h"
 #include "tests/tradeoff/peer_sweeps.h"
 
 namespace raytracer::published {
 namespace {
 
-/// The median of several renders of one setting, after one to warm up.
 SweepPoint measure_project(const std::string& name, const Scene& scene, const Overrides& overrides,
                            const Image& exact, WorkerPool& pool) {
-  constexpr int repetitions = 5;
-  std::vector<double> times_ms;
-  Rendering rendering = render_with(scene, overrides, pool);
-  for (int i = 0; i < repetitions; ++i) {
+  Rendering rendering;
+  const double trace_ms = bench::settled_ms([&] {
     rendering = render_with(scene, overrides, pool);
-    times_ms.push_back(rendering.trace_ms);
-  }
-  return {name, bench::median(times_ms), difference(rendering.image, exact).rmse};
+    return rendering.trace_ms;
+  });
+  return {name, trace_ms, difference(rendering.image, exact).rmse};
 }
 
 Sweep sweep_samples(const Scene& scene, const Image& exact, double least_target, WorkerPool& pool) {
@@ -104,7 +102,8 @@ std::vector<Candidate> embree_candidates(double target, const Contest& contest, 
     candidates.push_back({{point.setting + ", " + name_of(mode), point.rmse},
                           [&contest, &image, mode, side = static_cast<int>(*grid) + 1] {
                             bench::set_sample_grid(contest.world, side);
-                            return contest.embree.trace(contest.world, mode, image);
+                            return bench::settled_ms(
+                                [&] { return contest.embree.trace(contest.world, mode, image); });
                           }});
   return candidates;
 }
@@ -136,10 +135,11 @@ TargetFigures measure_target(double target, const EqualErrorEffort& effort,
   for (int i = 0;
        i < effort.rounds && (i < fewest_rounds || watch.elapsed_ms() < 1000 * effort.seconds);
        ++i) {
-    // Once before, not timed: another process has run, and its caches are not what is measured.
-    render_with(contest.scene, overrides, contest.pool);
-    const Rendering rendering = render_with(contest.scene, overrides, contest.pool);
-    row.trace_ms.push_back(rendering.trace_ms);
+    Rendering rendering;
+    row.trace_ms.push_back(bench::settled_ms([&] {
+      rendering = render_with(contest.scene, overrides, contest.pool);
+      return rendering.trace_ms;
+    }));
     row.rmse = difference(rendering.image, contest.exact).rmse;
     row.estimated_error = rendering.estimated_error;
     row.samples_per_pixel = rendering.samples_per_pixel;

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "engine/tradeoff/difference.h"
-#include "tests/bench/median.h"
+#include "tests/bench/settled_time.h"
 
 namespace raytracer::published {
 namespace {
@@ -19,19 +19,6 @@ using bench::PovrayAntialiasing;
 constexpr int largest_side = 32;
 constexpr int floor_side = 48;
 constexpr int side_in_all_modes = 6;  // beyond, only the fastest of two smaller ones
-constexpr double short_ms = 20;
-
-/// Short ones again and again: the median.
-double trace_time_ms(bench::EmbreePeer& embree, const bench::EmbreeWorld& world, EmbreeMode mode,
-                     Image& image) {
-  std::vector<double> times_ms;
-  double all_ms = 0;
-  do {
-    times_ms.push_back(embree.trace(world, mode, image));
-    all_ms += times_ms.back();
-  } while (all_ms < short_ms && times_ms.size() < 5);
-  return bench::median(times_ms);
-}
 
 constexpr std::array povray_thresholds{0.3, 0.1, 0.03, 0.01, 0.0};
 constexpr std::array recursive_depths{1, 2, 3, 4, 5, 6};
@@ -77,7 +64,7 @@ EmbreeSweep sweep_embree(bench::EmbreePeer& embree, bench::EmbreeWorld& world, c
     for (const EmbreeMode mode : bench::embree_modes) {
       EmbreeMode& known = fastest[fills_packets ? 1 : 0];
       if (side > side_in_all_modes && mode != known) continue;
-      const double ms = trace_time_ms(embree, world, mode, image);
+      const double ms = bench::settled_ms([&] { return embree.trace(world, mode, image); });
       if (ms >= best_ms) continue;
       best_ms = ms;
       known = mode;
