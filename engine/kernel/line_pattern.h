@@ -10,8 +10,11 @@ namespace raytracer {
 /// the pixel shows rather than follows it.
 ///
 /// The middle ones of each three are again such lines, and tell the error of all.
+///
+/// Pixels that are even, to within `negligible_error` of their colours, get the middle one alone.
 struct LinePattern {
   std::size_t count = 3;
+  double negligible_error = 0;
 };
 
 /// More than any pixel is given.

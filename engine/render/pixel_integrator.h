@@ -11,6 +11,7 @@
 #include "engine/image/sampled_pixel.h"
 #include "engine/image/tile.h"
 #include "engine/kernel/beyond_range.h"
+#include "engine/kernel/line_pattern.h"
 #include "engine/render/tracer.h"
 
 namespace raytracer {
@@ -19,8 +20,13 @@ namespace raytracer {
 /// less, and their errors fall alike. All pixels of a block are integrated before single ones.
 class PixelIntegrator {
  public:
-  PixelIntegrator(const Tracer& tracer, Transfer transfer, std::size_t block_count)
-      : tracer_(tracer), transfer_(transfer), left_(block_count, 0) {}
+  /// A pixel's `negligible_error` is as LinePattern says.
+  PixelIntegrator(const Tracer& tracer, Transfer transfer, double negligible_error,
+                  std::size_t block_count)
+      : tracer_(tracer),
+        transfer_(transfer),
+        negligible_error_(negligible_error),
+        left_(block_count, 0) {}
 
   /// All pixels of the block with this number and tile, into `image` and `spreads`. Threads may do
   /// several at once.
@@ -32,8 +38,11 @@ class PixelIntegrator {
                  std::span<SampledPixel> results) const;
 
  private:
+  LinePattern pattern(int samples) const;
+
   const Tracer& tracer_;
   Transfer transfer_;
+  double negligible_error_;
   std::vector<std::uint16_t> left_;  ///< of each block: the parts that lines cannot do
 };
 

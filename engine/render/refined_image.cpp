@@ -44,7 +44,8 @@ RefinedImage::RefinedImage(Tracing& tracing, Image& image)
       shown_(tracing.progress.preview, image),
       image_(image) {
   if (tracing.plan.integration.value == Integration::lines)
-    integrator_.emplace(tracing.tracer, tracing.scene.render.transfer, errors_.block_count());
+    integrator_.emplace(tracing.tracer, tracing.scene.render.transfer,
+                        tracing.scene.render.target_rmse.value_or(5e-4), errors_.block_count());
 }
 
 bool RefinedImage::begin(const SamplePattern& pattern) {

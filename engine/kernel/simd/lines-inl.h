@@ -15,6 +15,7 @@
 
 #include "engine/kernel/line_pattern.h"
 #include "engine/kernel/simd/eye-inl.h"
+#include "engine/math/block.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -26,14 +27,20 @@ template <typename T>
 struct Lines {
   static constexpr std::size_t most = most_lines_of_pixel;
   static constexpr std::size_t places = most + 16;
-  std::size_t count = 0;             ///< one of each pixel after another
-  std::size_t pixel_count = 1;       ///< at most 16
+  std::size_t count = 0;
+  std::size_t rough_end = 0;         ///< of those of pixels that have several, ...
+  std::size_t rough_pixels = 1;      ///< ... one of each after another; then come single ones
   alignas(64) T right[places];       ///< in pixels, of the block's left side
   alignas(64) T down[places];        ///< in pixels, of the block's first row's lower side
   alignas(64) T is_upright[places];  ///< 1 for those that go upwards, 0 for those to the right
   alignas(64) T red[places];
   alignas(64) T green[places];
   alignas(64) T blue[places];
+
+  /// At most 16.
+  std::size_t pixel_of(std::size_t line) const {
+    return line < rough_end ? line % rough_pixels : rough_pixels + line - rough_end;
+  }
 
   template <class D>
   HWY_INLINE void clear_colours(D d) {
@@ -113,7 +120,8 @@ class LineRays {
 template <class D, std::size_t columns, typename T = hn::TFromD<D>>
 struct Queue {
   static constexpr std::size_t lanes = hn::MaxLanes(D());
-  static constexpr std::size_t enough = 8 * lanes;
+  /// A part's pixels, at the least.
+  static constexpr std::size_t enough = std::max(8 * lanes, std::size_t{part_side} * part_side);
   alignas(64) T values[columns][enough + lanes];
   std::size_t count = 0;
 
