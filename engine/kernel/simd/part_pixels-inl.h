@@ -37,8 +37,10 @@ class PartPixels {
   HWY_INLINE void set(D d, std::span<const std::uint8_t> pixels, const EdgesOf& edges_of) {
     count_ = pixels.size();
     for (std::size_t i = 0; i < count_; ++i) {
-      found_[Column::x][i] = static_cast<T>(pixels[i] % block_side);
-      found_[Column::y][i] = static_cast<T>(pixels[i] / block_side);
+      const int x = pixels[i] % block_side;
+      const int y = pixels[i] / block_side;
+      found_[Column::x][i] = static_cast<T>(x);
+      found_[Column::y][i] = static_cast<T>(y);
     }
     const V one = hn::Set(d, T(1));
     for (std::size_t i = 0; i < count_; i += lanes) {
@@ -48,8 +50,8 @@ class PartPixels {
       // only many lines see how far.
       hn::Store(hn::IfThenElseZero(edges.are_level(), one), d, found_[Column::is_upright] + i);
       hn::Store(hn::IfThenElseZero(edges.are_there(), one), d, found_[Column::has_edge] + i);
-      hn::Store(edges.turn2(), d, found_[Column::turn2] + i);
-      hn::Store(hn::Iota(d, static_cast<T>(i)), d, found_[Column::place] + i);
+      hn::Store(edges.turn2(), d, found_[Column::turns] + i);
+      hn::Store(hn::Iota(d, static_cast<T>(i)), d, found_[Column::where] + i);
       hn::Store(hn::IfThenElseZero(edges.are_even(), one), d, is_even_ + i);
     }
     sort(d, true);
@@ -75,18 +77,18 @@ class PartPixels {
   std::size_t rough_count() const { return rough_count_; }
   /// Where the i-th was among the places that set() was told.
   std::size_t place_of(std::size_t i) const {
-    return static_cast<std::size_t>(sorted_.values[Column::place][i]);
+    return static_cast<std::size_t>(sorted_.values[Column::where][i]);
   }
   /// Of the packet that begins with the i-th, as PixelEdges says.
   HWY_INLINE M have_edge(D d, std::size_t i) const {
     return hn::Gt(get(d, Column::has_edge, i), hn::Zero(d));
   }
-  HWY_INLINE V turn2(D d, std::size_t i) const { return get(d, Column::turn2, i); }
+  HWY_INLINE V turn2(D d, std::size_t i) const { return get(d, Column::turns, i); }
 
  private:
   static constexpr std::size_t lanes = hn::MaxLanes(D());
   struct Column {
-    enum Name : std::size_t { x, y, is_upright, has_edge, turn2, place, count };
+    enum Name : std::size_t { x, y, is_upright, has_edge, turns, where, end };
   };
 
   HWY_INLINE V get(D d, typename Column::Name column, std::size_t i) const {
@@ -104,7 +106,7 @@ class PartPixels {
                                HWY_ATTR { return hn::Load(d, found_[column] + i); };
         sorted_.push(d, hn::And(which, hn::FirstN(d, count_ - i)), found(Column::x),
                      found(Column::y), found(Column::is_upright), found(Column::has_edge),
-                     found(Column::turn2), found(Column::place));
+                     found(Column::turns), found(Column::where));
       }
     };
     push(false);
@@ -131,10 +133,10 @@ class PartPixels {
     lines.count += end - begin;
   }
 
-  alignas(64) T found_[Column::count][places] = {};  ///< in the order of set()
+  alignas(64) T found_[Column::end][places] = {};  ///< in the order of set()
   alignas(64) T is_even_[places];
-  Queue<D, Column::count> sorted_;
-  static_assert(Queue<D, Column::count>::enough >= most);
+  Queue<D, Column::end> sorted_;
+  static_assert(Queue<D, Column::end>::enough >= most);
   std::size_t count_ = 0;
   std::size_t rough_count_ = 0;
 };
