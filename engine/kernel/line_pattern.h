@@ -11,7 +11,8 @@ namespace raytracer {
 ///
 /// The middle ones of each three are again such lines, and tell the error of all.
 ///
-/// Pixels that are even, to within `negligible_error` of their colours, get the middle one alone.
+/// Pixels that are even get the middle one alone, where that probably errs by less than half of
+/// `negligible_error`.
 struct LinePattern {
   std::size_t count = 3;
   double negligible_error = 0;

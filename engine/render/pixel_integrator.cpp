@@ -9,6 +9,10 @@
 namespace raytracer {
 namespace {
 
+std::size_t lines_of(int samples) {
+  return static_cast<std::size_t>(std::lround(std::sqrt(samples)));
+}
+
 std::uint32_t part_bit(std::uint8_t place) {
   const int column = place % block_side / part_side;
   const int row = place / block_side / part_side;
@@ -17,14 +21,10 @@ std::uint32_t part_bit(std::uint8_t place) {
 
 }  // namespace
 
-LinePattern PixelIntegrator::pattern(int samples) const {
-  return {static_cast<std::size_t>(std::lround(std::sqrt(samples))), negligible_error_};
-}
-
 BeyondRange PixelIntegrator::integrate(std::size_t block, const Tile& tile, int samples,
                                        Image& image, PixelSpreads& spreads) {
-  IntegratedBlock integrated =
-      integrate_block(tracer_, pattern(samples), transfer_, tile, image, spreads);
+  IntegratedBlock integrated = integrate_block(tracer_, {lines_of(samples), negligible_error_},
+                                               transfer_, tile, image, spreads);
   left_[block] = integrated.left;
   if (integrated.left == 0) return integrated.beyond;
   Tile left = tile;
@@ -36,7 +36,8 @@ BeyondRange PixelIntegrator::integrate(std::size_t block, const Tile& tile, int 
 
 void PixelIntegrator::integrate(std::size_t block, int samples, const BlockPixels& pixels,
                                 std::span<SampledPixel> results) const {
-  const LinePattern lines = pattern(samples);
+  // Whose errors ask for more lines are not even.
+  const LinePattern lines{lines_of(samples)};
   const std::uint32_t left = left_[block];
   if (left == 0) {
     integrate_pixels(tracer_, lines, transfer_, pixels, results);

@@ -11,7 +11,6 @@
 #include "engine/image/sampled_pixel.h"
 #include "engine/image/tile.h"
 #include "engine/kernel/beyond_range.h"
-#include "engine/kernel/line_pattern.h"
 #include "engine/render/tracer.h"
 
 namespace raytracer {
@@ -20,7 +19,7 @@ namespace raytracer {
 /// less, and their errors fall alike. All pixels of a block are integrated before single ones.
 class PixelIntegrator {
  public:
-  /// A pixel's `negligible_error` is as LinePattern says.
+  /// `negligible_error`, of a pixel, is for whole blocks (LinePattern).
   PixelIntegrator(const Tracer& tracer, Transfer transfer, double negligible_error,
                   std::size_t block_count)
       : tracer_(tracer),
@@ -38,8 +37,6 @@ class PixelIntegrator {
                  std::span<SampledPixel> results) const;
 
  private:
-  LinePattern pattern(int samples) const;
-
   const Tracer& tracer_;
   Transfer transfer_;
   double negligible_error_;

@@ -43,7 +43,7 @@ template <class D>
 HWY_INLINE void store_part(const PartIntegral<D>& part, const PlacesOfPart& pixels,
                            const Tile& tile, Image& image, PixelSpreads& spreads) {
   for (std::size_t k = 0; k < pixels.count; ++k) {
-    const int place = pixels.places[part.place_of(k)];
+    const int place = pixels.places[part.number_of(k)];
     const int x = tile.x_begin + place % block_side;
     const int y = tile.y_begin + place / block_side;
     float* const pixel = image.pixel(x, y);
@@ -123,7 +123,7 @@ void integrate_pixels(const SimdScene<T>& scene, const LinePattern& pattern, Tra
       continue;
     }
     for (std::size_t k = 0; k < end - begin; ++k) {
-      results[begin + part.place_of(k)] = {
+      results[begin + part.number_of(k)] = {
           {static_cast<float>(part.red[k]), static_cast<float>(part.green[k]),
            static_cast<float>(part.blue[k])},
           {static_cast<float>(part.error2[k]), static_cast<float>(part.variance[k])},

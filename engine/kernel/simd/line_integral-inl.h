@@ -49,7 +49,8 @@ class LineIntegral {
     integrate(d, grain_);
     return true;
   }
-  /// Once more, finely, where colours were clamped: where they begin to be is a bend, not an edge.
+  /// After a run() in which colours were clamped, finely: where they begin to be is a bend, not an
+  /// edge.
   HWY_INLINE void run_finely(D d) { integrate(d, grain_.of_clamped()); }
 
   /// Whether all edges were found in the last run: no square may have shadowed anything else, and

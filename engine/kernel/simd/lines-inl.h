@@ -15,7 +15,6 @@
 
 #include "engine/kernel/line_pattern.h"
 #include "engine/kernel/simd/eye-inl.h"
-#include "engine/math/block.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -29,7 +28,7 @@ struct Lines {
   static constexpr std::size_t places = most + 16;
   std::size_t count = 0;
   std::size_t rough_end = 0;         ///< of those of pixels that have several, ...
-  std::size_t rough_pixels = 1;      ///< ... one of each after another; then come single ones
+  std::size_t rough_pixels = 0;      ///< ... one of each after another; then come single ones
   alignas(64) T right[places];       ///< in pixels, of the block's left side
   alignas(64) T down[places];        ///< in pixels, of the block's first row's lower side
   alignas(64) T is_upright[places];  ///< 1 for those that go upwards, 0 for those to the right
@@ -37,7 +36,7 @@ struct Lines {
   alignas(64) T green[places];
   alignas(64) T blue[places];
 
-  /// At most 16.
+  /// The pixel that a line is of, as their order has it; below 16.
   std::size_t pixel_of(std::size_t line) const {
     return line < rough_end ? line % rough_pixels : rough_pixels + line - rough_end;
   }
@@ -117,11 +116,10 @@ class LineRays {
 
 /// Records in columns: put in by some lanes of a packet, and taken out by whole packets once there
 /// are enough of them that a processor works on several at a time.
-template <class D, std::size_t columns, typename T = hn::TFromD<D>>
+template <class D, std::size_t columns, std::size_t least = 0, typename T = hn::TFromD<D>>
 struct Queue {
   static constexpr std::size_t lanes = hn::MaxLanes(D());
-  /// A part's pixels, at the least.
-  static constexpr std::size_t enough = std::max(8 * lanes, std::size_t{part_side} * part_side);
+  static constexpr std::size_t enough = std::max(8 * lanes, least);
   alignas(64) T values[columns][enough + lanes];
   std::size_t count = 0;
 

@@ -33,6 +33,7 @@ class LitSpans {
     return find_part_shadows(d, scene_, spheres, shadows_);
   }
 
+  /// Those of the last set().
   const PartShadows<T>& shadows() const { return shadows_; }
 
   /// Calls take(lanes, values of PointColumn ...) for the points of the packet of spans that begins

@@ -144,8 +144,8 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
   /// Whether, in the last run, all edges were found (LineIntegral).
   bool found_all() const { return integral_.found_all(); }
 
-  /// Where in what run() was called with the k-th of the results is.
-  std::size_t place_of(std::size_t k) const { return pixels_.place_of(k); }
+  /// As which of the last run's pixels the k-th of the results was given.
+  std::size_t number_of(std::size_t k) const { return pixels_.number_of(k); }
 
   /// What of the last run's pixels cannot be shown.
   BeyondRange beyond_range() const {
@@ -166,13 +166,12 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
     for (std::size_t i = pixels_.rough_count(); i < pixels_.count(); i += lanes) resolve_even(d, i);
   }
 
-  /// Pixels of a single line. Its middle tells a pixel's mean of what bends as the incidence of
-  /// light does: but for a 24th of the turn, squared.
+  /// Pixels of a single line, which errs by a 24th of how they bend (Evenness).
   HWY_INLINE void resolve_even(D d, std::size_t first) {
     const std::size_t line = lines_.rough_end + first - pixels_.rough_count();
     const V3<V> mean{hn::LoadU(d, lines_.red + line), hn::LoadU(d, lines_.green + line),
                      hn::LoadU(d, lines_.blue + line)};
-    const V share = hn::MulAdd(pixels_.turn2(d, first), hn::Set(d, T(-1.0 / 24)), hn::Set(d, T(1)));
+    const V share = hn::MulAdd(pixels_.bend(d, first), hn::Set(d, T(-1.0 / 24)), hn::Set(d, T(1)));
     store(d, first, mean,
           spread_of_means(d, mean, scale(mean, share), T(1), mean, hn::Zero(d), transfer_));
   }

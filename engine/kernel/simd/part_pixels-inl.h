@@ -50,8 +50,8 @@ class PartPixels {
       // only many lines see how far.
       hn::Store(hn::IfThenElseZero(edges.are_level(), one), d, found_[Column::is_upright] + i);
       hn::Store(hn::IfThenElseZero(edges.are_there(), one), d, found_[Column::has_edge] + i);
-      hn::Store(edges.turn2(), d, found_[Column::turns] + i);
-      hn::Store(hn::Iota(d, static_cast<T>(i)), d, found_[Column::where] + i);
+      hn::Store(edges.bend(), d, found_[Column::bends] + i);
+      hn::Store(hn::Iota(d, static_cast<T>(i)), d, found_[Column::number] + i);
       hn::Store(hn::IfThenElseZero(edges.are_even(), one), d, is_even_ + i);
     }
     sort(d, true);
@@ -75,20 +75,20 @@ class PartPixels {
 
   std::size_t count() const { return count_; }
   std::size_t rough_count() const { return rough_count_; }
-  /// Where the i-th was among the places that set() was told.
-  std::size_t place_of(std::size_t i) const {
-    return static_cast<std::size_t>(sorted_.values[Column::where][i]);
+  /// As which of the places that set() was told the i-th was.
+  std::size_t number_of(std::size_t i) const {
+    return static_cast<std::size_t>(sorted_.values[Column::number][i]);
   }
   /// Of the packet that begins with the i-th, as PixelEdges says.
   HWY_INLINE M have_edge(D d, std::size_t i) const {
     return hn::Gt(get(d, Column::has_edge, i), hn::Zero(d));
   }
-  HWY_INLINE V turn2(D d, std::size_t i) const { return get(d, Column::turns, i); }
+  HWY_INLINE V bend(D d, std::size_t i) const { return get(d, Column::bends, i); }
 
  private:
   static constexpr std::size_t lanes = hn::MaxLanes(D());
   struct Column {
-    enum Name : std::size_t { x, y, is_upright, has_edge, turns, where, end };
+    enum Name : std::size_t { x, y, is_upright, has_edge, bends, number, end };
   };
 
   HWY_INLINE V get(D d, typename Column::Name column, std::size_t i) const {
@@ -106,7 +106,7 @@ class PartPixels {
                                HWY_ATTR { return hn::Load(d, found_[column] + i); };
         sorted_.push(d, hn::And(which, hn::FirstN(d, count_ - i)), found(Column::x),
                      found(Column::y), found(Column::is_upright), found(Column::has_edge),
-                     found(Column::turns), found(Column::where));
+                     found(Column::bends), found(Column::number));
       }
     };
     push(false);
@@ -135,8 +135,7 @@ class PartPixels {
 
   alignas(64) T found_[Column::end][places] = {};  ///< in the order of set()
   alignas(64) T is_even_[places];
-  Queue<D, Column::end> sorted_;
-  static_assert(Queue<D, Column::end>::enough >= most);
+  Queue<D, Column::end, most> sorted_;
   std::size_t count_ = 0;
   std::size_t rough_count_ = 0;
 };

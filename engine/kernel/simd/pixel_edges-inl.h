@@ -20,14 +20,18 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
-/// When a pixel that no edge crosses is even: a point in its middle errs by a 24th of the colour's
-/// second derivative, which for an incidence is the turn of the normal squared, and for its power n
-/// as much as n times that. Of 5,997 contracts on random scenes as many are kept as without.
+/// When a pixel that no edge crosses is even, so that a point in its middle tells its mean colour.
+///
+/// That errs by a 24th of the colour's second derivative, its bend: of an incidence the turn of the
+/// normal across the pixel, squared, over the cosine at which it is seen, and of its power n at
+/// most n times that. It may be half of the error that would not be missed.
 template <typename T>
 struct Evenness {
-  T most_turn2;               ///< of the normal across a pixel, squared
-  T most_turn2_of_highlight;  ///< likewise where one may be seen: not where ...
-  T highlight_cosine;         ///< ... that of the normal with the half vector is less
+  T most_bend;
+  T most_bend_of_highlight;  ///< where one may be seen: not where ...
+  T highlight_cosine;        ///< ... that of the normal with the half vector is less
+  T highlight_sine;
+  T shininess;
 
   Evenness(const SimdScene<T>& scene, double negligible_error) {
     double brightness = 0;
@@ -35,16 +39,18 @@ struct Evenness {
       brightness +=
           static_cast<double>(std::max({light.emission.x, light.emission.y, light.emission.z}));
     brightness = std::max(brightness, 1.0);
-    // More than that, and edges might bend within a pixel, or be those of colours that are clamped.
-    const double most = std::min(0.05, 32 * negligible_error) / (brightness * brightness);
-    most_turn2 = static_cast<T>(most);
-    most_turn2_of_highlight = most_turn2;
-    highlight_cosine = T(1);
-    const double shininess = scene.has_specular ? scene.uniform_shininess : 0;
-    if (!(shininess > 0) || !(negligible_error > 0)) return;
-    most_turn2_of_highlight = static_cast<T>(std::min(most, 100 * negligible_error / shininess));
+    const double negligible_bend = 24 * negligible_error / 2;
+    // Where colours that are clamped change by more across a pixel, they bend in it after all.
+    const double most = std::min(0.05, negligible_bend) / (brightness * brightness);
+    const double exponent =
+        scene.has_specular ? std::max(1.0, static_cast<double>(scene.uniform_shininess)) : 1;
+    most_bend = static_cast<T>(most);
+    most_bend_of_highlight = static_cast<T>(std::min(most, negligible_bend / exponent));
+    shininess = static_cast<T>(exponent);
     // cos^n a <= exp(n (cos a - 1)).
-    highlight_cosine = static_cast<T>(1 - std::log(brightness / negligible_error) / shininess);
+    const double cosine = 1 - std::log(brightness / negligible_error) / exponent;
+    highlight_cosine = static_cast<T>(std::clamp(cosine, -1.0, 1.0));
+    highlight_sine = static_cast<T>(std::sqrt(1 - highlight_cosine * highlight_cosine));
   }
 };
 
@@ -62,7 +68,7 @@ class PixelEdges {
                         const V3<V>& middles)
       : upright_(hn::Zero(d)),
         level_(upright_),
-        turn2_(upright_),
+        bend_(upright_),
         is_uneven_(hn::Lt(upright_, upright_)) {
     const V front = weigh_silhouettes(d, rays, spheres, middles);
     const M shows = hn::Ge(front, hn::Zero(d));
@@ -74,10 +80,10 @@ class PixelEdges {
   HWY_INLINE M are_level() const { return hn::Gt(level_, upright_); }
   /// Those that an edge may cross.
   HWY_INLINE M are_there() const { return hn::Gt(hn::Add(upright_, level_), hn::Zero(D())); }
-  /// Those without any nearby, and all of which looks much the same.
+  /// Those that none does, and whose colour hardly bends.
   HWY_INLINE M are_even() const { return hn::Not(is_uneven_); }
-  /// How far the normal turns across a pixel, in radians, squared.
-  V turn2() const { return turn2_; }
+  /// How much it bends across a pixel, as a share of it.
+  V bend() const { return bend_; }
 
  private:
   /// Adds an edge, where there is one, to how much of what crosses pixels is upright and how much
@@ -137,13 +143,22 @@ class PixelEdges {
     const Start<V>& here = sight.at;
     const Start<V> right = sphere.look(d, mul_add(broadcast(d, rays.steps[0]), half, middles)).at;
     const Start<V> above = sphere.look(d, mul_add(broadcast(d, rays.steps[1]), half, middles)).at;
-    const V3<V> turn_across = sub(right.normal, here.normal);
-    const V3<V> turn_along = sub(above.normal, here.normal);
-    turn2_ = hn::IfThenElseZero(
-        shows, hn::Mul(hn::Set(d, T(4)),
-                       hn::Add(dot(turn_across, turn_across), dot(turn_along, turn_along))));
-    M is_even = hn::Le(turn2_, hn::Set(d, evenness.most_turn2));
-    const M has_even_highlights = hn::Le(turn2_, hn::Set(d, evenness.most_turn2_of_highlight));
+    const V3<V> across_half = sub(right.normal, here.normal);
+    const V3<V> along_half = sub(above.normal, here.normal);
+    const V across_half2 = dot(across_half, across_half);
+    const V along_half2 = dot(along_half, along_half);
+    const V facing = hn::Neg(dot(sight.direction, here.normal));
+    const V bend = hn::Div(hn::Mul(hn::Set(d, T(4)), hn::Add(across_half2, along_half2)), facing);
+    M is_even = hn::Le(bend, hn::Set(d, evenness.most_bend));
+    const M has_even_highlights = hn::Le(bend, hn::Set(d, evenness.most_bend_of_highlight));
+    // To the pixel's corners; towards the silhouette more than measured.
+    const V turn =
+        hn::Mul(hn::Set(d, T(1.25)), hn::Add(hn::Sqrt(across_half2), hn::Sqrt(along_half2)));
+    // That of the angle that is greater by as much.
+    const V highlight_cosine =
+        hn::NegMulAdd(turn, hn::MulAdd(half, turn, hn::Set(d, evenness.highlight_sine)),
+                      hn::Set(d, evenness.highlight_cosine));
+    M may_have_highlight = hn::Lt(bend, bend);
     const bool near_rim = scene.shadows != Shadows::off && is_near_rim(d, scene, here, shows);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
       const V3<V> towards = broadcast(d, scene.lights[i].place);
@@ -155,23 +170,23 @@ class PixelEdges {
       const V along = hn::Sub(value_at(above), f);
       const V change = hn::Add(hn::Abs(across), hn::Abs(along));
       weigh(d, hn::And(shows, hn::Lt(hn::Abs(f), change)), across, along);
-      const M is_far = hn::Ge(hn::Abs(f), hn::Mul(hn::Set(d, nearby), change));
-      is_even = hn::And(is_even, is_far);
+      if (hn::AllFalse(d, hn::And(is_even, shows))) continue;
+      is_even = is_evenly_lit(d, scene, shadows, i, here, dot(here.normal, towards),
+                              hn::Mul(sphere.radius2, sphere.curvature), turn, near_rim, is_even);
       const V3<V> halfway = sub(towards, sight.direction);
-      const V highlight =
-          hn::Mul(hn::Set(d, evenness.highlight_cosine), hn::Sqrt(dot(halfway, halfway)));
-      const M has_none = hn::Lt(dot(here.normal, halfway), highlight);
-      is_even = hn::And(is_even, hn::Or(has_even_highlights, has_none));
+      const V least = hn::Mul(highlight_cosine, hn::Sqrt(dot(halfway, halfway)));
+      may_have_highlight = hn::Or(may_have_highlight, hn::Ge(dot(here.normal, halfway), least));
     }
+    is_even = hn::And(is_even, hn::Or(has_even_highlights, hn::Not(may_have_highlight)));
     is_uneven_ = hn::Or(is_uneven_, hn::AndNot(is_even, shows));
+    const V times =
+        hn::IfThenElse(may_have_highlight, hn::Set(d, evenness.shininess), hn::Set(d, T(1)));
+    bend_ = hn::IfThenElseZero(shows, hn::Mul(times, bend));
   }
-
-  /// Edges seem to be farther by so much: what is not straight may come nearer.
-  static constexpr T nearby = 2;
 
   V upright_;
   V level_;
-  V turn2_;
+  V bend_;
   M is_uneven_;
 };
 
