@@ -5,9 +5,9 @@
 
 namespace raytracer::bench {
 
-/// `measure_ms` runs it once and returns its time in milliseconds. What takes less than 20 is run
-/// again and again, for 20 in all and three times at the least: the median of these, without the
-/// first.
+/// `measure_ms` runs it once and returns its time in milliseconds. The first time does not count,
+/// unless it is a second or more; what takes less than 20 ms is run for 20 in all, and three times
+/// at the least: the median.
 double settled_ms(const std::function<double()>& measure_ms);
 
 }  // namespace raytracer::bench

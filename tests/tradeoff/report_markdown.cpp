@@ -65,15 +65,14 @@ std::string equal_error_section(const Report& report) {
       "{} x {} pixels. The project is asked for the target; Embree takes a regular grid of n x n "
       "samples in every pixel by its fastest way to hand rays over; POV-Ray anti-aliases by its "
       "methods 1 and 2 with thresholds from 0.3 to 0 and growing depths, while that pays (3.7 has "
-      "no method 3: it "
-      "takes +AM3 as 2). Of each peer's settings the cheapest with an error of at most the target "
-      "is run in turn with the project; what takes many seconds is not run in all rounds, and what "
-      "the "
-      "project or Embree does in less than 20 ms is done again and again, for its median. Medians; "
-      "ratios are medians of the rounds' ratios, above 1 where the project is faster. \"demo\" has "
-      "black shadows and the linear transfer here, which all draw. POV-Ray's pictures are of 16 "
-      "bits, and "
-      "compared with a picture without ambient light, which it counts differently.\n\n",
+      "no method 3: it takes +AM3 as 2). Of each peer's settings the cheapest with an error of at "
+      "most the target is run in turn with the project; what takes many seconds is not run in all "
+      "rounds. The project and Embree run once more than is counted, and where that takes less "
+      "than 20 ms again and again, for their median; POV-Ray, which tells whole milliseconds, "
+      "once. Medians; ratios are medians of the rounds' ratios, above 1 where the project is "
+      "faster. \"demo\" has black shadows and the linear transfer here, which all draw. POV-Ray's "
+      "pictures are of 16 bits, and compared with a picture without ambient light, which it counts "
+      "differently.\n\n",
       report.equal_error_size.width_px, report.equal_error_size.height_px);
   text +=
       row("scene", "target", "rounds", "our error", "estimate", "samples", "trace", "Embree: grid",
