@@ -10,12 +10,8 @@ namespace raytracer {
 /// the pixel shows rather than follows it.
 ///
 /// The middle ones of each three are again such lines, and tell the error of all.
-///
-/// Pixels that are even get the middle one alone, where that probably errs by less than half of
-/// `negligible_error`.
 struct LinePattern {
   std::size_t count = 3;
-  double negligible_error = 0;
 };
 
 /// More than any pixel is given.

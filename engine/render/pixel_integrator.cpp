@@ -23,8 +23,8 @@ std::uint32_t part_bit(std::uint8_t place) {
 
 BeyondRange PixelIntegrator::integrate(std::size_t block, const Tile& tile, int samples,
                                        Image& image, PixelSpreads& spreads) {
-  IntegratedBlock integrated = integrate_block(tracer_, {lines_of(samples), negligible_error_},
-                                               transfer_, tile, image, spreads);
+  IntegratedBlock integrated =
+      integrate_block(tracer_, {lines_of(samples)}, transfer_, tile, image, spreads);
   left_[block] = integrated.left;
   if (integrated.left == 0) return integrated.beyond;
   Tile left = tile;
@@ -36,7 +36,6 @@ BeyondRange PixelIntegrator::integrate(std::size_t block, const Tile& tile, int 
 
 void PixelIntegrator::integrate(std::size_t block, int samples, const BlockPixels& pixels,
                                 std::span<SampledPixel> results) const {
-  // Whose errors ask for more lines are not even.
   const LinePattern lines{lines_of(samples)};
   const std::uint32_t left = left_[block];
   if (left == 0) {

@@ -19,13 +19,8 @@ namespace raytracer {
 /// less, and their errors fall alike. All pixels of a block are integrated before single ones.
 class PixelIntegrator {
  public:
-  /// `negligible_error`, of a pixel, is for whole blocks (LinePattern).
-  PixelIntegrator(const Tracer& tracer, Transfer transfer, double negligible_error,
-                  std::size_t block_count)
-      : tracer_(tracer),
-        transfer_(transfer),
-        negligible_error_(negligible_error),
-        left_(block_count, 0) {}
+  PixelIntegrator(const Tracer& tracer, Transfer transfer, std::size_t block_count)
+      : tracer_(tracer), transfer_(transfer), left_(block_count, 0) {}
 
   /// All pixels of the block with this number and tile, into `image` and `spreads`. Threads may do
   /// several at once.
@@ -39,7 +34,6 @@ class PixelIntegrator {
  private:
   const Tracer& tracer_;
   Transfer transfer_;
-  double negligible_error_;
   std::vector<std::uint16_t> left_;  ///< of each block: the parts that lines cannot do
 };
 

@@ -43,11 +43,8 @@ RefinedImage::RefinedImage(Tracing& tracing, Image& image)
               tracing.pool),
       shown_(tracing.progress.preview, image),
       image_(image) {
-  constexpr double negligible_in_any_budget = 5e-4;
   if (tracing.plan.integration.value == Integration::lines)
-    integrator_.emplace(tracing.tracer, tracing.scene.render.transfer,
-                        tracing.scene.render.target_rmse.value_or(negligible_in_any_budget),
-                        errors_.block_count());
+    integrator_.emplace(tracing.tracer, tracing.scene.render.transfer, errors_.block_count());
 }
 
 bool RefinedImage::begin(const SamplePattern& pattern) {

@@ -13,7 +13,6 @@
 #include "engine/render/tracer.h"
 #include "engine/tradeoff/difference.h"
 #include "tests/support/scenes.h"
-#include "tests/variants/integrated.h"
 
 namespace raytracer::test {
 namespace {
@@ -25,6 +24,41 @@ json balls_over_a_square(double intensity = 0.4) {
                   {sphere_json({-1, 0, 0}, 1.2), sphere_json({1.2, 0.5, -1}, 0.4),
                    square_json({0, -2, 0}, 0.5, 4)},
                   {distant_json({1, -1, 1}, intensity), distant_json({-0.7, -1, 0.2}, intensity)});
+}
+
+Scene with_target(json text, const char* precision) {
+  text["render"] = {{"target_rmse", 0.01}, {"precision", precision}};
+  return scene_of(text);
+}
+
+struct Integrated {
+  Image image;
+  PixelSpreads spreads;
+  int left = 0;
+  BeyondRange beyond;
+
+  Integrated(const Plan& plan, const Scene& scene, std::size_t lines)
+      : image(scene.camera.width, scene.camera.height), spreads(image.width, image.height) {
+    WorkerPool pool(1);
+    const Tracer tracer = make_tracer(plan, scene, pool);
+    for (const Tile& tile : split_into_tiles(image.width, image.height, block_side)) {
+      const IntegratedBlock block =
+          integrate_block(tracer, {lines}, scene.render.transfer, tile, image, spreads);
+      left += block.left;
+      beyond += block.beyond;
+    }
+  }
+};
+
+double told_error(const Integrated& integrated) {
+  double told2 = 0;
+  for (const float error2 : integrated.spreads.error2) told2 += static_cast<double>(error2);
+  return std::sqrt(told2 / static_cast<double>(integrated.image.values.size()));
+}
+
+Image reference_of(json text) {
+  text["render"] = {{"samples", 2048}, {"precision", "double"}};
+  return image_of(text);
 }
 
 TEST(Lines, AreTheSameInAllInstructionSets) {
@@ -65,13 +99,12 @@ TEST(Lines, OfSinglePixelsAreThoseOfTheirBlock) {
     const Scene scene = with_target(balls_over_a_square(), precision);
     for (const InstructionSet& set : supported_instruction_sets()) {
       const Plan plan = make_plan(scene, {set});
-      const LinePattern pattern{6, 0.01};
-      const Integrated all(plan, scene, pattern.count, pattern.negligible_error);
+      const Integrated all(plan, scene, 6);
       WorkerPool pool(1);
       const Tracer tracer = make_tracer(plan, scene, pool);
       const std::vector<std::uint8_t> places{0, 3, 17, 5, 21, 54, 130, 255};
       std::vector<SampledPixel> pixels(places.size());
-      integrate_pixels(tracer, pattern, scene.render.transfer, {16, 16, places}, pixels);
+      integrate_pixels(tracer, {6}, scene.render.transfer, {16, 16, places}, pixels);
       for (std::size_t i = 0; i < places.size(); ++i) {
         const int x = 16 + places[i] % block_side;
         const int y = 16 + places[i] / block_side;

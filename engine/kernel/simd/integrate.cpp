@@ -43,9 +43,8 @@ template <class D>
 HWY_INLINE void store_part(const PartIntegral<D>& part, const PlacesOfPart& pixels,
                            const Tile& tile, Image& image, PixelSpreads& spreads) {
   for (std::size_t k = 0; k < pixels.count; ++k) {
-    const int place = pixels.places[part.number_of(k)];
-    const int x = tile.x_begin + place % block_side;
-    const int y = tile.y_begin + place / block_side;
+    const int x = tile.x_begin + pixels.places[k] % block_side;
+    const int y = tile.y_begin + pixels.places[k] / block_side;
     float* const pixel = image.pixel(x, y);
     pixel[0] = static_cast<float>(part.red[k]);
     pixel[1] = static_cast<float>(part.green[k]);
@@ -122,12 +121,12 @@ void integrate_pixels(const SimdScene<T>& scene, const LinePattern& pattern, Tra
       std::fill(results + begin, results + end, empty);
       continue;
     }
-    for (std::size_t k = 0; k < end - begin; ++k) {
-      results[begin + part.number_of(k)] = {
-          {static_cast<float>(part.red[k]), static_cast<float>(part.green[k]),
-           static_cast<float>(part.blue[k])},
-          {static_cast<float>(part.error2[k]), static_cast<float>(part.variance[k])},
-          part.is_number(k)};
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t k = i - begin;
+      results[i] = {{static_cast<float>(part.red[k]), static_cast<float>(part.green[k]),
+                     static_cast<float>(part.blue[k])},
+                    {static_cast<float>(part.error2[k]), static_cast<float>(part.variance[k])},
+                    part.is_number(k)};
     }
   }
 }

@@ -84,64 +84,36 @@ HWY_INLINE bool find_part_shadows(D d, const SimdScene<T>& scene, const PartSphe
   return true;
 }
 
-/// How far behind a neighbour's middle a point is as the light sees it, in cells; 0 before it.
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V depth_behind_neighbour(D d, const StencilCell<T>& cell, V half_incidence) {
-  return hn::Max(hn::Sub(hn::Set(d, cell.forward), half_incidence), hn::Zero(d));
-}
-
-/// By how much it misses the ray from a point with `normal` in the square's axes, in the terms of
-/// stands_before(): the squared distance of its middle less its radius's square, in cells.
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V clearance_of_neighbour(D d, const StencilCell<T>& cell, const V3<V>& normal, V depth) {
-  const V beyond =
-      hn::NegMulAdd(normal.x, hn::Set(d, cell.first),
-                    hn::NegMulAdd(normal.z, hn::Set(d, cell.second), hn::Set(d, cell.distance2)));
-  return hn::NegMulAdd(depth, depth, beyond);
-}
-
-/// Whether the square has it.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M has_neighbour(D d, const SimdSquare<T>& square, const StencilCell<T>& cell,
-                           const Start<V>& at) {
-  const auto is_within = [&](V place, T low, T high) HWY_ATTR {
-    return hn::And(hn::Ge(place, hn::Set(d, low)), hn::Le(place, hn::Set(d, high)));
-  };
-  const V first = hn::Add(at.first, hn::Set(d, cell.first));
-  const V second = hn::Add(at.second, hn::Set(d, cell.second));
-  return hn::And(is_within(first, square.low_first, square.high_first),
-                 is_within(second, square.low_second, square.high_second));
-}
-
-/// By how much neighbours miss the ray from a sphere's point with `normal` to a distant light:
-/// negative if one stands before it, at most 1. Where a neighbour is left behind it is missed by no
-/// less than nothing, as the point is outside of it: that goes on continuously by the squared
-/// distance from it.
+/// By how much neighbours miss the ray from a sphere's point with `normal` to a distant light, in
+/// the terms of stands_before(): negative if one stands before it, at most 1. Where a neighbour is
+/// left behind it is missed by no less than nothing, as the point is outside of it: that goes on
+/// continuously by the squared distance from it.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V clearance_of_neighbours(D d, const SimdSquare<T>& square, const Stencil<T>& stencil,
                                      const Start<V>& at, V incidence, bool near_rim) {
   const V one = hn::Set(d, T(1));
   const V3<V> normal = along_square(square, at.normal);
   const V half_incidence = hn::Mul(hn::Set(d, T(0.5)), incidence);
+  const auto is_within = [&](V place, T low, T high) HWY_ATTR {
+    return hn::And(hn::Ge(place, hn::Set(d, low)), hn::Le(place, hn::Set(d, high)));
+  };
   V least = one;
   for (const StencilCell<T>& cell : stencil.cells) {
-    V clear =
-        clearance_of_neighbour(d, cell, normal, depth_behind_neighbour(d, cell, half_incidence));
-    if (near_rim) clear = hn::IfThenElse(has_neighbour(d, square, cell, at), clear, one);
+    const V first = hn::Set(d, cell.first);
+    const V second = hn::Set(d, cell.second);
+    const V b = hn::Max(hn::Sub(hn::Set(d, cell.forward), half_incidence), hn::Zero(d));
+    const V beyond =
+        hn::NegMulAdd(normal.x, first, hn::NegMulAdd(normal.z, second, hn::Set(d, cell.distance2)));
+    V clear = hn::NegMulAdd(b, b, beyond);
+    if (near_rim) {
+      const auto is_there =
+          hn::And(is_within(hn::Add(at.first, first), square.low_first, square.high_first),
+                  is_within(hn::Add(at.second, second), square.low_second, square.high_second));
+      clear = hn::IfThenElse(is_there, clear, one);
+    }
     least = hn::Min(least, clear);
   }
   return least;
-}
-
-/// Of points from the ray to a distant light that ends in a sphere's middle.
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V squared_distance(D d, const SimdLight<T>& light, const LightDisc<T>& disc,
-                              const V3<V>& point) {
-  const V du = hn::Sub(dot(point, broadcast(d, light.across[0])), hn::Set(d, disc.u));
-  const V dv = hn::Sub(dot(point, broadcast(d, light.across[1])), hn::Set(d, disc.v));
-  const V beyond_it =
-      hn::Max(hn::Sub(dot(point, broadcast(d, light.place)), hn::Set(d, disc.w)), hn::Zero(d));
-  return hn::MulAdd(beyond_it, beyond_it, hn::MulAdd(du, du, hn::Mul(dv, dv)));
 }
 
 /// Positive where a plain light reaches the points, and continuous along a surface: the incidence,
@@ -157,7 +129,11 @@ HWY_INLINE V clearance(D d, const SimdScene<T>& scene, const PartShadows<T>& sha
   V least = incidence;
   for (std::size_t i = 0; i < near.count; ++i) {
     const LightDisc<T>& disc = *near.discs[i];
-    const V distance2 = squared_distance(d, light, disc, at.point);
+    const V du = hn::Sub(dot(at.point, broadcast(d, light.across[0])), hn::Set(d, disc.u));
+    const V dv = hn::Sub(dot(at.point, broadcast(d, light.across[1])), hn::Set(d, disc.v));
+    const V beyond_it =
+        hn::Max(hn::Sub(dot(at.point, broadcast(d, light.place)), hn::Set(d, disc.w)), hn::Zero(d));
+    const V distance2 = hn::MulAdd(beyond_it, beyond_it, hn::MulAdd(du, du, hn::Mul(dv, dv)));
     const V clear =
         hn::Mul(hn::Sub(distance2, hn::Set(d, disc.radius2)), hn::Set(d, 1 / disc.radius2));
     const M is_other = hn::Ne(at.id, hn::Set(d, disc.id));
@@ -173,49 +149,6 @@ HWY_INLINE V clearance(D d, const SimdScene<T>& scene, const PartShadows<T>& sha
     ++stencil;
   }
   return least;
-}
-
-/// Whether a plain light reaches all or nothing of what is around points of spheres with these
-/// radii, up to where normals have turned by `turn` radians: no distance from an occluder's ray
-/// changes by more than a point moves, nor an incidence by more than its normal.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M is_evenly_lit(D d, const SimdScene<T>& scene, const PartShadows<T>& shadows,
-                           std::size_t light_index, const Start<V>& at, V incidence, V radius,
-                           V turn, bool near_rim, M active) {
-  const M is_dark = hn::And(active, hn::Le(incidence, hn::Neg(turn)));
-  M is_even = hn::And(active, hn::Ge(incidence, turn));
-  if (scene.shadows == Shadows::off) return hn::Or(is_dark, is_even);
-  const SimdLight<T>& light = scene.lights[light_index];
-  const auto& near = shadows.lights[light_index];
-  const V away = hn::Mul(radius, turn);
-  for (std::size_t i = 0; i < near.count; ++i) {
-    const LightDisc<T>& disc = *near.discs[i];
-    const V distance = hn::Sqrt(squared_distance(d, light, disc, at.point));
-    const V gap = hn::Abs(hn::Sub(distance, hn::Sqrt(hn::Set(d, disc.radius2))));
-    const M is_far = hn::Or(hn::Ge(gap, away), hn::Eq(at.id, hn::Set(d, disc.id)));
-    is_even = hn::And(is_even, is_far);
-  }
-  const Stencil<T>* stencil = light.stencils.data();
-  const V half = hn::Set(d, T(0.5));
-  const V half_incidence = hn::Mul(half, incidence);
-  const V cells_away = hn::Mul(half, turn);
-  for (const SimdSquare<T>& square : scene.squares) {
-    const M leaves = hn::And(is_even, hn::Eq(at.id, hn::Set(d, square.id)));
-    if (!hn::AllFalse(d, leaves)) {
-      const V3<V> normal = along_square(square, at.normal);
-      for (const StencilCell<T>& cell : stencil->cells) {
-        const V depth = depth_behind_neighbour(d, cell, half_incidence);
-        const V distance2 =
-            hn::Add(clearance_of_neighbour(d, cell, normal, depth), hn::Set(d, T(0.25)));
-        const V gap = hn::Abs(hn::Sub(hn::Sqrt(hn::Max(distance2, hn::Zero(d))), half));
-        M is_near = hn::And(leaves, hn::Lt(gap, cells_away));
-        if (near_rim) is_near = hn::And(is_near, has_neighbour(d, square, cell, at));
-        is_even = hn::AndNot(is_near, is_even);
-      }
-    }
-    ++stencil;
-  }
-  return hn::Or(is_dark, is_even);
 }
 
 /// Three values of a function along a span: at its ends and in the middle.

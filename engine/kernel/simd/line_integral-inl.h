@@ -42,16 +42,17 @@ class LineIntegral {
         lines_(lines),
         silhouettes_(rays) {}
 
-  /// Integrates all lines; `lit_spans` was set to the spheres. False, and nothing done, where one
-  /// of the spheres is too near (Silhouettes::set()).
+  /// Integrates all lines; `lit_spans` was set to the spheres. Where colours are clamped it is done
+  /// once more, finely: where they begin to be is a bend, not an edge. False, and nothing done,
+  /// where one of the spheres is too near (Silhouettes::set()).
   HWY_INLINE bool run(D d) {
     if (!silhouettes_.set(spheres_, grain_.most_span)) return false;
+    found_all_ = true;
+    clamped_pixels_ = 0;
     integrate(d, grain_);
+    if (clamped_pixels_ != 0 && found_all_) integrate(d, grain_.of_clamped());
     return true;
   }
-  /// After a run() in which colours were clamped, finely: where they begin to be is a bend, not an
-  /// edge.
-  HWY_INLINE void run_finely(D d) { integrate(d, grain_.of_clamped()); }
 
   /// Whether all edges were found in the last run: no square may have shadowed anything else, and
   /// nothing was so much too bright that it begins to be as at an edge.
@@ -68,8 +69,6 @@ class LineIntegral {
   static constexpr T steep = 4;
 
   HWY_NOINLINE void integrate(D d, const LineGrain<T>& grain) {
-    found_all_ = true;
-    clamped_pixels_ = 0;
     lines_.clear_colours(d);
     const auto take = [&](M which, const auto&... values) HWY_ATTR {
       spans_.push(d, which, values...);
@@ -136,7 +135,7 @@ class LineIntegral {
       for (std::uint64_t rest = bits_of(d, is_clamped); rest != 0; rest &= rest - 1) {
         const auto of_line =
             static_cast<std::size_t>(line[hwy::Num0BitsBelowLS1Bit_Nonzero64(rest)]);
-        clamped_pixels_ |= std::uint32_t{1} << lines_.pixel_of(of_line);
+        clamped_pixels_ |= std::uint32_t{1} << of_line % lines_.pixel_count;
       }
     const V3<V> seen = scale(clamped(d, colour), weight);
     alignas(64) T red[lanes];

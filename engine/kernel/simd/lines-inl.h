@@ -26,20 +26,14 @@ template <typename T>
 struct Lines {
   static constexpr std::size_t most = most_lines_of_pixel;
   static constexpr std::size_t places = most + 16;
-  std::size_t count = 0;
-  std::size_t rough_end = 0;         ///< of those of pixels that have several, ...
-  std::size_t rough_pixels = 0;      ///< ... one of each after another; then come single ones
+  std::size_t count = 0;             ///< one of each pixel after another
+  std::size_t pixel_count = 1;       ///< at most 16
   alignas(64) T right[places];       ///< in pixels, of the block's left side
   alignas(64) T down[places];        ///< in pixels, of the block's first row's lower side
   alignas(64) T is_upright[places];  ///< 1 for those that go upwards, 0 for those to the right
   alignas(64) T red[places];
   alignas(64) T green[places];
   alignas(64) T blue[places];
-
-  /// The pixel that a line is of, as their order has it; below 16.
-  std::size_t pixel_of(std::size_t line) const {
-    return line < rough_end ? line % rough_pixels : rough_pixels + line - rough_end;
-  }
 
   template <class D>
   HWY_INLINE void clear_colours(D d) {
@@ -116,10 +110,10 @@ class LineRays {
 
 /// Records in columns: put in by some lanes of a packet, and taken out by whole packets once there
 /// are enough of them that a processor works on several at a time.
-template <class D, std::size_t columns, std::size_t least = 0, typename T = hn::TFromD<D>>
+template <class D, std::size_t columns, typename T = hn::TFromD<D>>
 struct Queue {
   static constexpr std::size_t lanes = hn::MaxLanes(D());
-  static constexpr std::size_t enough = std::max(8 * lanes, least);
+  static constexpr std::size_t enough = 8 * lanes;
   alignas(64) T values[columns][enough + lanes];
   std::size_t count = 0;
 

@@ -19,6 +19,17 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
+/// Adds an edge, where there is one, to how much of what crosses pixels is upright and how much
+/// level: by the squares of its normal, (across, along) of any length.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void weigh_edge(D d, M is_edge, V across, V along, V& upright, V& level) {
+  const V across2 = hn::Mul(across, across);
+  const V along2 = hn::Mul(along, along);
+  const V weight = hn::IfThenElseZero(is_edge, hn::Div(hn::Set(d, T(1)), hn::Add(across2, along2)));
+  upright = hn::MulAdd(across2, weight, upright);
+  level = hn::MulAdd(along2, weight, level);
+}
+
 template <class D>
 class LitSpans {
  public:
@@ -33,8 +44,31 @@ class LitSpans {
     return find_part_shadows(d, scene_, spheres, shadows_);
   }
 
-  /// Those of the last set().
-  const PartShadows<T>& shadows() const { return shadows_; }
+  /// Adds to how much of what crosses pixels, whose middles show these of the spheres, is upright
+  /// and how much level: the edges of light.
+  HWY_INLINE void weigh_edges(D d, const PartSpheres<T>& spheres, const V3<V>& through, V front,
+                              M active, V& upright, V& level) const {
+    if (hn::AllFalse(d, active)) return;
+    const V half = hn::Set(d, T(0.5));
+    const ShownSpheres<D> sphere(d, spheres, hn::IfThenElseZero(active, front));
+    const Start<V> here = sphere.look(d, through).at;
+    const Start<V> right = sphere.look(d, mul_add(broadcast(d, rays_.steps[0]), half, through)).at;
+    const Start<V> above = sphere.look(d, mul_add(broadcast(d, rays_.steps[1]), half, through)).at;
+    const bool near_rim = scene_.shadows != Shadows::off && is_near_rim(d, scene_, here, active);
+    for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+      const V3<V> towards = broadcast(d, scene_.lights[i].place);
+      const auto value_at = [&](const Start<V>& point) HWY_ATTR {
+        return clearance(d, scene_, shadows_, i, point, dot(point.normal, towards), near_rim,
+                         active);
+      };
+      const V f = value_at(here);
+      const V across = hn::Sub(value_at(right), f);
+      const V along = hn::Sub(value_at(above), f);
+      const M crosses =
+          hn::And(active, hn::Lt(hn::Abs(f), hn::Add(hn::Abs(across), hn::Abs(along))));
+      weigh_edge(d, crosses, across, along, upright, level);
+    }
+  }
 
   /// Calls take(lanes, values of PointColumn ...) for the points of the packet of spans that begins
   /// at `first`.

@@ -17,8 +17,6 @@
 #include "engine/kernel/beyond_range.h"
 #include "engine/kernel/line_pattern.h"
 #include "engine/kernel/simd/line_integral-inl.h"
-#include "engine/kernel/simd/part_pixels-inl.h"
-#include "engine/kernel/simd/pixel_edges-inl.h"
 #include "engine/kernel/simd/resolve-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -86,8 +84,8 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
  public:
   using T = hn::TFromD<D>;
 
-  static constexpr std::size_t most_pixels = PartPixels<D>::most;
-  static constexpr std::size_t places = PartPixels<D>::places;
+  static constexpr std::size_t most_pixels = std::size_t{part_side} * part_side;
+  static constexpr std::size_t places = most_pixels + 16;
 
   enum class Outcome : std::uint8_t { done, nothing_there, not_exact };
 
@@ -98,7 +96,6 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
         eye_(d, scene),
         pattern_(pattern),
         grain_(pattern.count, scene.has_specular ? scene.uniform_shininess : 0),
-        evenness_(scene, pattern.negligible_error),
         transfer_(transfer),
         error2_share_(static_cast<T>(error2_share(pattern.count))),
         unseen_share_(static_cast<T>(unseen_share(pattern.count))),
@@ -124,34 +121,29 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
     }
     if (!spheres_.are_all) return Outcome::not_exact;
     if (spheres_.count == 0) return Outcome::nothing_there;
-    if (!integral_.lit_spans.set(d, spheres_)) return Outcome::not_exact;
-    const V half = hn::Set(d, T(0.5));
-    pixels_.set(d, pixels, [&](V x, V y) HWY_ATTR {
-      return PixelEdges<D>(d, rays_, spheres_, integral_.lit_spans.shadows(), evenness_,
-                           rays_.begin(d, hn::Add(x, half), hn::Sub(y, half)));
-    });
-    pixels_.draw(d, pattern_.count, lines_);
-    if (!integral_.run(d)) return Outcome::not_exact;
-    if (integral_.clamped_pixels() != 0 && integral_.found_all()) {
-      pixels_.make_rough(d);
-      pixels_.draw(d, pattern_.count, lines_);
-      integral_.run_finely(d);
+    count_ = pixels.size();
+    for (std::size_t i = 0; i < count_; ++i) {
+      const int x = pixels[i] % block_side;
+      const int y = pixels[i] / block_side;
+      column_[i] = static_cast<T>(x);
+      low_[i] = static_cast<T>(y);
     }
-    resolve(d);
+    if (!integral_.lit_spans.set(d, spheres_)) return Outcome::not_exact;
+    turn_lines(d);
+    draw_lines(d);
+    if (!integral_.run(d)) return Outcome::not_exact;
+    for (std::size_t i = 0; i < count_; i += lanes) resolve(d, i);
     return Outcome::done;
   }
 
   /// Whether, in the last run, all edges were found (LineIntegral).
   bool found_all() const { return integral_.found_all(); }
 
-  /// As which of the last run's pixels the k-th of the results was given.
-  std::size_t number_of(std::size_t k) const { return pixels_.number_of(k); }
-
   /// What of the last run's pixels cannot be shown.
   BeyondRange beyond_range() const {
     BeyondRange beyond{.clamped =
                            static_cast<std::size_t>(std::popcount(integral_.clamped_pixels()))};
-    for (std::size_t i = 0; i < pixels_.count(); ++i) beyond.not_numbers += is_number(i) ? 0 : 1;
+    for (std::size_t i = 0; i < count_; ++i) beyond.not_numbers += is_number(i) ? 0 : 1;
     return beyond;
   }
   bool is_number(std::size_t i) const { return red[i] + green[i] + blue[i] >= 0; }
@@ -159,26 +151,82 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
  private:
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
+  using S = PartSpheres<T>;
   static constexpr std::size_t lanes = hn::MaxLanes(D());
 
-  HWY_INLINE void resolve(D d) {
-    for (std::size_t i = 0; i < pixels_.rough_count(); i += lanes) resolve_rough(d, i);
-    for (std::size_t i = pixels_.rough_count(); i < pixels_.count(); i += lanes) resolve_even(d, i);
+  /// Which way each pixel's lines go: across the silhouettes that pass it. Those along a line move
+  /// it from one side to the other at once, and only many lines see how far.
+  HWY_INLINE void turn_lines(D d) {
+    const Triple<T> right = rays_.steps[0];
+    const Triple<T> up = rays_.steps[1];
+    const T pixel = std::sqrt(right.x * right.x + right.y * right.y + right.z * right.z);
+    const V half = hn::Set(d, T(0.5));
+    const V zero = hn::Zero(d);
+    for (std::size_t i = 0; i < count_; i += lanes) {
+      const V3<V> through = rays_.begin(d, hn::Add(hn::Load(d, column_ + i), half),
+                                        hn::Sub(hn::Load(d, low_ + i), half));
+      const V nearer = inverse_root(d, dot(through, through));
+      const V3<V> direction = scale(through, nearer);
+      // Half a pixel's diagonal at a distance of 1.
+      const V reach = hn::Mul(hn::Set(d, T(0.71) * pixel), nearer);
+      V upright = zero;
+      V level = zero;
+      M is_open = hn::Eq(zero, zero);
+      V front = hn::Set(d, T(-1));
+      for (std::size_t j = 0; j < spheres_.count && !hn::AllFalse(d, is_open); ++j) {
+        const auto all = [&](typename S::Value value)
+                             HWY_ATTR { return hn::Set(d, spheres_.values[value][j]); };
+        const V3<V> c{all(S::x), all(S::y), all(S::z)};
+        const V b = dot(c, direction);
+        const V3<V> l = mul_add(direction, hn::Neg(b), c);
+        const V beyond = hn::Sub(dot(l, l), all(S::radius2));
+        front = hn::IfThenElse(hn::And(hn::Lt(front, zero), hn::Lt(beyond, zero)),
+                               hn::Set(d, static_cast<T>(j)), front);
+        const V near = hn::Mul(reach, b);
+        const V radius = hn::Mul(all(S::radius2), all(S::curvature));
+        const V width = hn::Mul(near, hn::MulAdd(hn::Set(d, T(2)), radius, near));
+        const M is_silhouette =
+            hn::And(hn::And(is_open, hn::Gt(b, zero)), hn::Lt(hn::Abs(beyond), width));
+        weigh_edge(d, is_silhouette, dot(l, broadcast(d, right)), dot(l, broadcast(d, up)), upright,
+                   level);
+        // What is behind a sphere that covers the pixel is not seen.
+        is_open = hn::AndNot(hn::Lt(beyond, hn::Neg(width)), is_open);
+      }
+      const M shows = hn::And(hn::FirstN(d, count_ - i), hn::Ge(front, zero));
+      integral_.lit_spans.weigh_edges(d, spheres_, through, front, shows, upright, level);
+      const V turned = hn::IfThenElseZero(hn::Gt(level, upright), hn::Set(d, T(1)));
+      hn::Store(turned, d, is_upright_ + i);
+      hn::Store(hn::Add(upright, level), d, edges_ + i);
+    }
   }
 
-  /// Pixels of a single line, which errs by a 24th of how they bend (Evenness).
-  HWY_INLINE void resolve_even(D d, std::size_t first) {
-    const std::size_t line = lines_.rough_end + first - pixels_.rough_count();
-    const V3<V> mean{hn::LoadU(d, lines_.red + line), hn::LoadU(d, lines_.green + line),
-                     hn::LoadU(d, lines_.blue + line)};
-    const V share = hn::MulAdd(pixels_.bend(d, first), hn::Set(d, T(-1.0 / 24)), hn::Set(d, T(1)));
-    store(d, first, mean,
-          spread_of_means(d, mean, scale(mean, share), T(1), mean, hn::Zero(d), transfer_));
+  /// One line of each pixel after another.
+  HWY_INLINE void draw_lines(D d) {
+    const V half = hn::Set(d, T(0.5));
+    lines_.count = 0;
+    lines_.pixel_count = count_;
+    for (std::size_t k = 0; k < pattern_.count; ++k) {
+      const double place = (static_cast<double>(k) + 0.5) / static_cast<double>(pattern_.count);
+      const V from_middle = hn::Set(d, static_cast<T>(place - 0.5));
+      for (std::size_t i = 0; i < count_; i += lanes) {
+        const V x = hn::Load(d, column_ + i);
+        const V y = hn::Load(d, low_ + i);
+        const V is_upright = hn::Load(d, is_upright_ + i);
+        const M upright = hn::Gt(is_upright, hn::Zero(d));
+        const V right = hn::IfThenElse(upright, hn::Add(hn::Add(x, half), from_middle), x);
+        const V down = hn::IfThenElse(upright, y, hn::Sub(hn::Sub(y, half), from_middle));
+        const std::size_t to = lines_.count + i;
+        hn::StoreU(right, d, lines_.right + to);
+        hn::StoreU(down, d, lines_.down + to);
+        hn::StoreU(is_upright, d, lines_.is_upright + to);
+      }
+      lines_.count += count_;
+    }
   }
 
-  HWY_INLINE void resolve_rough(D d, std::size_t first) {
+  HWY_INLINE void resolve(D d, std::size_t first) {
     const auto channel = [&](const T* values) HWY_ATTR {
-      return means_of(d, pattern_.count, values + first, pixels_.rough_count());
+      return means_of(d, pattern_.count, values + first, count_);
     };
     const LineMeans<V> r = channel(lines_.red);
     const LineMeans<V> g = channel(lines_.green);
@@ -188,17 +236,13 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
     Spread<V> spread = spread_of_means(d, V3<V>{r.middles, g.middles, b.middles},
                                        V3<V>{r.others, g.others, b.others}, error2_share_, mean,
                                        variances, transfer_);
-    include_unseen(d, mean, pixels_.have_edge(d, first), spread);
-    store(d, first, mean, spread);
-  }
-
-  HWY_INLINE void store(D d, std::size_t first, const V3<V>& mean, const Spread<V>& spread) {
+    include_unseen(d, mean, hn::Gt(hn::Load(d, edges_ + first), hn::Zero(d)), spread);
     const V3<V> seen = resolved(d, mean, hn::Set(d, T(1)), transfer_);
-    hn::StoreU(seen.x, d, red + first);
-    hn::StoreU(seen.y, d, green + first);
-    hn::StoreU(seen.z, d, blue + first);
-    hn::StoreU(spread.error2, d, error2 + first);
-    hn::StoreU(spread.variance, d, variance + first);
+    hn::Store(seen.x, d, red + first);
+    hn::Store(seen.y, d, green + first);
+    hn::Store(seen.z, d, blue + first);
+    hn::Store(spread.error2, d, error2 + first);
+    hn::Store(spread.variance, d, variance + first);
   }
 
   /// Where lines differ by less, what they may all have passed by counts.
@@ -222,17 +266,17 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
   EyeRays<D> eye_;
   LinePattern pattern_;
   LineGrain<T> grain_;
-  Evenness<T> evenness_;
   Transfer transfer_;
   T error2_share_;
   T unseen_share_;
   int x_;  ///< the lower left corner of the block's first pixel, y = 0 at the bottom
   int y_;
   int part_ = -1;
+  std::size_t count_ = 0;
   LineRays<D> rays_;
 
  public:
-  /// The results, of the pixels in an order of their own.
+  /// Of the pixels in their order.
   alignas(64) T red[places];
   alignas(64) T green[places];
   alignas(64) T blue[places];
@@ -240,7 +284,10 @@ class PartIntegral {  // NOLINT(clang-analyzer-optin.performance.Padding)
   alignas(64) T variance[places];  ///< likewise
 
  private:
-  PartPixels<D> pixels_;
+  alignas(64) T column_[places] = {};  ///< of the pixels
+  alignas(64) T low_[places] = {};     ///< how far their lower sides are below the first row's
+  alignas(64) T is_upright_[places];
+  alignas(64) T edges_[places];  ///< above 0 where one may cross the pixel
   PartSpheres<T> spheres_;
   Lines<T> lines_;
   LineIntegral<D> integral_;
