@@ -11,9 +11,9 @@
 #include "engine/measure/stopwatch.h"
 #include "engine/tradeoff/difference.h"
 #include "tests/bench/median.h"
-#include "tests/bench/settled_time.h"
 #include "tests/tradeoff/exact_picture.h"
 #include "tests/tradeoff/peer_sweeps.h"
+#include "tests/tradeoff/settled_time.h"
 
 namespace raytracer::published {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 SweepPoint measure_project(const std::string& name, const Scene& scene, const Overrides& overrides,
                            const Image& exact, WorkerPool& pool) {
   Rendering rendering;
-  const double trace_ms = bench::settled_ms([&] {
+  const double trace_ms = settled_ms([&] {
     rendering = render_with(scene, overrides, pool);
     return rendering.trace_ms;
   });
@@ -102,7 +102,7 @@ std::vector<Candidate> embree_candidates(double target, const Contest& contest, 
     candidates.push_back({{point.setting + ", " + name_of(mode), point.rmse},
                           [&contest, &image, mode, side = static_cast<int>(*grid) + 1] {
                             bench::set_sample_grid(contest.world, side);
-                            return bench::settled_ms(
+                            return settled_ms(
                                 [&] { return contest.embree.trace(contest.world, mode, image); });
                           }});
   return candidates;
@@ -136,7 +136,7 @@ TargetFigures measure_target(double target, const EqualErrorEffort& effort,
        i < effort.rounds && (i < fewest_rounds || watch.elapsed_ms() < 1000 * effort.seconds);
        ++i) {
     Rendering rendering;
-    row.trace_ms.push_back(bench::settled_ms([&] {
+    row.trace_ms.push_back(settled_ms([&] {
       rendering = render_with(contest.scene, overrides, contest.pool);
       return rendering.trace_ms;
     }));

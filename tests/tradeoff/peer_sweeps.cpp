@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "engine/tradeoff/difference.h"
-#include "tests/bench/settled_time.h"
+#include "tests/tradeoff/settled_time.h"
 
 namespace raytracer::published {
 namespace {
@@ -64,7 +64,7 @@ EmbreeSweep sweep_embree(bench::EmbreePeer& embree, bench::EmbreeWorld& world, c
     for (const EmbreeMode mode : bench::embree_modes) {
       EmbreeMode& known = fastest[fills_packets ? 1 : 0];
       if (side > side_in_all_modes && mode != known) continue;
-      const double ms = bench::settled_ms([&] { return embree.trace(world, mode, image); });
+      const double ms = settled_ms([&] { return embree.trace(world, mode, image); });
       if (ms >= best_ms) continue;
       best_ms = ms;
       known = mode;

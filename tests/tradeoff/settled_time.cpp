@@ -1,4 +1,4 @@
-#include "tests/bench/settled_time.h"
+#include "tests/tradeoff/settled_time.h"
 
 #include <cstddef>
 #include <utility>
@@ -6,7 +6,7 @@
 
 #include "tests/bench/median.h"
 
-namespace raytracer::bench {
+namespace raytracer::published {
 
 double settled_ms(const std::function<double()>& measure_ms) {
   constexpr double long_ms = 1000;
@@ -22,7 +22,7 @@ double settled_ms(const std::function<double()>& measure_ms) {
     times_ms.push_back(measure_ms());
     all_ms += times_ms.back();
   }
-  return median(std::move(times_ms));
+  return bench::median(std::move(times_ms));
 }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::published

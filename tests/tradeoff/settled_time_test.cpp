@@ -1,12 +1,12 @@
 // What counts of a time that is measured again and again.
-#include "tests/bench/settled_time.h"
+#include "tests/tradeoff/settled_time.h"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <vector>
 
-namespace raytracer::bench {
+namespace raytracer::published {
 namespace {
 
 /// The times of one run after another, the last of them again and again.
@@ -47,4 +47,4 @@ TEST(SettledTime, of_no_time_at_all_is_found) {
 }
 
 }  // namespace
-}  // namespace raytracer::bench
+}  // namespace raytracer::published
