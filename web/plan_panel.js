@@ -3,7 +3,7 @@ import { counted, duration } from "./units.js";
 import { errorText } from "./accuracy.js";
 
 const titles = {
-  precision: "Precision", geometry: "Geometry", sampling: "Sampling", integration: "Pixels by", kernel: "Kernel",
+  precision: "Precision", geometry: "Geometry", sampling: "Sampling", kernel: "Kernel",
   instruction_set: "Instruction set", tiles: "Tiles", frame: "Frame",
 };
 

@@ -38,75 +38,49 @@ struct Expectation {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// How errors fall with samples, or with lines that do their work.
-struct ErrorModel {
-  const Rehearsal& rehearsal;
-  Integration integration;
-
-  double error_of(double samples) const {
-    if (integration == Integration::samples) return rehearsal.error_of(samples);
-    return of_one_line * rehearsal.error_of(1) * std::pow(samples, -lines_exponent);
-  }
-  double samples_for(double error) const {
-    if (integration == Integration::samples)
-      return std::pow(rehearsal.error / error, 1 / rehearsal.error_exponent);
-    return std::pow(of_one_line * rehearsal.error_of(1) / error, 1 / lines_exponent);
-  }
-
- private:
-  // Two spheres 0.07 of it, squares of spheres of 4 and 1.5 pixels 0.18 and 0.36.
-  static constexpr double of_one_line = 0.2;
-  static constexpr double lines_exponent = 0.75;
-};
-
 /// What render() would make of the contract: `probing` samples everywhere, under a budget fewer
 /// before them, and then more where they are needed.
 Expectation expect_contract(const RenderSettings& settings, std::optional<double> sought_rmse,
-                            int most, int probing, Integration integration,
-                            const PassModel& model) {
+                            int most, int probing, const PassModel& model) {
   constexpr double overestimate = 1.3;     // of the error, mostly
   constexpr double all_refinements = 0.1;  // against the last one's samples
   constexpr double ignorance = 3;          // of what each pixel needs, which only samples tell
   const Rehearsal& rehearsal = model.rehearsal;
-  const ErrorModel errors{rehearsal, integration};
   const double share = std::min(ignorance * rehearsal.refined_share, 1.0);
   constexpr int few = 4;
   double probed_ms = model.pass_ms(probing);
   if (settings.budget_ms) probed_ms += model.pass_ms(1);
-  if (settings.budget_ms && integration == Integration::samples && probing > few)
-    probed_ms += model.pass_ms(few);
+  if (settings.budget_ms && probing > few) probed_ms += model.pass_ms(few);
   const double sample_ms = (1 + all_refinements) * static_cast<double>(rehearsal.tile_count) *
                            rehearsal.refined_sample_ms / model.threads;
 
   double even = probing;  // samples that would err as little as the refined image if all had them
-  if (sought_rmse) even = std::max(even, errors.samples_for(*sought_rmse / overestimate));
+  if (sought_rmse)
+    even = std::max(even, std::pow(overestimate * rehearsal.error / *sought_rmse,
+                                   1 / rehearsal.error_exponent));
   // On average: the pixels that are not refined keep theirs.
   double samples = even > probing ? probing + share * even : probing;
   double affordable = most;
-  if (settings.budget_ms && sample_ms > 0) {
-    const double rest_ms = std::max(*settings.budget_ms - probed_ms, 0.0);
-    affordable = std::min(affordable, probing + samples_of_work(rest_ms / sample_ms, integration));
-  }
+  if (settings.budget_ms && sample_ms > 0)
+    affordable =
+        std::min(affordable, probing + std::max(*settings.budget_ms - probed_ms, 0.0) / sample_ms);
   if (samples > affordable || !sought_rmse) {
     samples = affordable;
     even = samples > probing ? std::max(static_cast<double>(probing), (samples - probing) / share)
                              : samples;
   }
-  const double refining = work_of(std::max(samples - probing, 0.0), integration);
-  const double trace_ms =
-      std::min(probed_ms + refining * sample_ms, settings.budget_ms.value_or(infinity));
-  return {samples, trace_ms, errors.error_of(even)};
+  const double trace_ms = std::min(probed_ms + std::max(samples - probing, 0.0) * sample_ms,
+                                   settings.budget_ms.value_or(infinity));
+  return {samples, trace_ms, rehearsal.error_of(even)};
 }
 
-std::string error_basis(const Rehearsal& rehearsal, Integration integration, double samples) {
+std::string error_basis(const Rehearsal& rehearsal, double samples) {
   const std::string parts = counted(rehearsal.compared, "part") + " of the image";
   if (rehearsal.error == 0)
     return fmt::format("in {} 16 samples per pixel showed nothing that 1 did not", parts);
   std::string basis =
       fmt::format("estimated from what 16 samples per pixel changed against 1 in {}", parts);
-  if (integration == Integration::lines)
-    basis += ", of which lines leave about a fifth at once";
-  else if (samples > 1)
+  if (samples > 1)
     basis += fmt::format(", where the error fell as samples^-{:.2f}", rehearsal.error_exponent);
   return basis + "; a detail that no sample met is not in it";
 }
@@ -139,8 +113,7 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
   const Expectation expected =
       plan.sampling.value == Sampling::contract
           ? expect_contract(scene.render, sought_rmse(scene.render, plan.census), most,
-                            first_compared_samples(plan.census, plan.integration.value, most),
-                            plan.integration.value, model)
+                            first_compared_samples(plan.census, most), model)
           : Expectation{fixed, model.pass_ms(fixed), rehearsal.error_of(fixed)};
   result.prediction = {
       .build_ms = build_ms,
@@ -151,7 +124,7 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
       .basis = fmt::format("measured: the structures were built, and {} of {} parts of the image "
                            "traced, spread over it; for a machine that does nothing else",
                            grouped(rehearsal.timed), grouped(rehearsal.tile_count)),
-      .error_basis = error_basis(rehearsal, plan.integration.value, expected.samples)};
+      .error_basis = error_basis(rehearsal, expected.samples)};
   return result;
 }
 

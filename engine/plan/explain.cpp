@@ -128,8 +128,6 @@ std::string explain(const Scene& scene, const Plan& plan, const Prediction& pred
       choice(plan.sampling.value == Sampling::contract ? Json("refined")
                                                        : Json(scene.render.samples.value_or(1)),
              plan.sampling.reason());
-  json["integration"] = choice(plan.integration.value == Integration::lines ? "lines" : "samples",
-                               plan.integration.reason());
   json["tiles"] = choice(plan.tile_side_px.value, plan.tile_side_px.reason());
   json["frame"] = frame_json(plan.frame);
   json["prediction"] = prediction_json(prediction);

@@ -40,7 +40,6 @@ Plan make_plan(const Scene& scene, const Machine& machine, WorkerPool* pool) {
       foresee_arithmetic_error(plan.precision.value, plan.features, plan.census);
   plan.structures = choose_structures(plan.features, plan.census);
   plan.sampling = choose_sampling(scene.render, plan.census);
-  plan.integration = choose_integration(scene, plan.features, plan.kernel.value, plan.structures);
   plan.instruction_set = machine.instruction_set;
   plan.tile_side_px =
       choose_tile_side(scene, first_samples(scene.render, plan.census), machine.thread_count);

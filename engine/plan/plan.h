@@ -8,7 +8,6 @@
 #include "engine/plan/choice.h"
 #include "engine/plan/features.h"
 #include "engine/plan/frame.h"
-#include "engine/plan/integration.h"
 #include "engine/plan/machine.h"
 #include "engine/plan/precision.h"
 #include "engine/plan/sampling.h"
@@ -26,7 +25,6 @@ struct Plan {
   ArithmeticError arithmetic_error;  ///< in that precision
   Structures structures;
   Choice<Sampling> sampling;
-  Choice<Integration> integration;  ///< of pixels, under a contract
   InstructionSet instruction_set;
   Choice<int> tile_side_px;  ///< of the tiles that threads take, in the first pass
 };

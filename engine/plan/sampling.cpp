@@ -23,10 +23,9 @@ std::string why_fixed(const RenderSettings& settings) {
 
 std::string why_contract(const RenderSettings& settings, std::optional<double> sought) {
   const std::string how =
-      "four samples per pixel, sixteen if spheres may be smaller than a pixel, or three lines "
-      "where "
-      "pixels are integrated, under a budget one sample before them; then in each pixel as many as "
-      "their variance and the difference between two parts of them ask for";
+      "four samples per pixel, or sixteen if spheres may be smaller than a pixel, under a budget "
+      "one before them; then in each pixel as many as their variance and the difference between "
+      "their halves ask for";
   if (settings.target_rmse && settings.budget_ms)
     return fmt::format("{}, until the estimated error is at most {:g} or {:g} ms are over", how,
                        *sought, *settings.budget_ms);

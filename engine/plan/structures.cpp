@@ -15,19 +15,6 @@ double most_blocks(std::size_t primitives) { return 1e6 + 8 * static_cast<double
 
 }  // namespace
 
-double lowest_light_slope(const Scene& scene) {
-  double lowest = 1;
-  const std::vector<Light> lights = lights_in_use(scene);
-  for (const Object& object : scene.objects) {
-    const auto* square = std::get_if<SphereSquare>(&object.shape);
-    if (square == nullptr) continue;
-    for (const Light& light : lights)
-      if (const auto* distant = std::get_if<DistantLight>(&light.source))
-        lowest = std::min(lowest, std::abs(dot(unit(distant->direction), axis_across(*square))));
-  }
-  return lowest;
-}
-
 Structures choose_structures(const Features& features, const Census& census) {
   const bool has_triangles = features.triangles > 0;
   const bool needs_directions =

@@ -38,9 +38,6 @@ struct Structures {
 /// what shadows its spheres; below (about 3.4 degrees) the list grows long, and a walk takes over.
 inline constexpr double lowest_stencil_slope = 0.06;
 
-/// The sine of the lowest distant light's elevation over any square; 1 without such lights.
-double lowest_light_slope(const Scene& scene);
-
 Structures choose_structures(const Features& features, const Census& census);
 
 /// How one kind of ray finds one kind of object.

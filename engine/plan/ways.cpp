@@ -11,6 +11,20 @@
 namespace raytracer {
 namespace {
 
+/// The sine of the lowest distant light's elevation over any square; 1 without such lights.
+double lowest_slope(const Scene& scene) {
+  double lowest = 1;
+  const std::vector<Light> lights = lights_in_use(scene);
+  for (const Object& object : scene.objects) {
+    const auto* square = std::get_if<SphereSquare>(&object.shape);
+    if (square == nullptr) continue;
+    for (const Light& light : lights)
+      if (const auto* distant = std::get_if<DistantLight>(&light.source))
+        lowest = std::min(lowest, std::abs(dot(unit(distant->direction), axis_across(*square))));
+  }
+  return lowest;
+}
+
 constexpr const char* one_point =
     "all these rays begin at one point, so a list for each block of 16 x 16 pixels, nearest first, "
     "holds all that they can meet";
@@ -117,7 +131,7 @@ class Explainer {
         "its spheres are where arithmetic puts them, so they take no memory, and a ray tries only "
         "those whose cells it crosses");
     if (!features_.casts_shadows) return;
-    const double lowest = lowest_light_slope(scene_);
+    const double lowest = lowest_slope(scene_);
     constexpr double degrees = 180 / std::numbers::pi;
     if (features_.distant_lights > 0) {
       if (lowest >= lowest_stencil_slope)

@@ -26,9 +26,7 @@ SamplePattern probing_pattern(int samples) {
 /// The image with the same number of samples in all its pixels: under a budget first what there is
 /// time for. False if not all of it was done.
 bool probe(int samples, Tracing& tracing, RefinedImage& refined) {
-  const bool has_lines = tracing.plan.integration.value == Integration::lines && samples > 1;
-  if (!tracing.scene.render.budget_ms)
-    return has_lines ? refined.begin_integrated(samples) : refined.begin(probing_pattern(samples));
+  if (!tracing.scene.render.budget_ms) return refined.begin(probing_pattern(samples));
   std::optional<FirstPicture> first = trace_first_picture(tracing);
   if (!first) return false;
   const bool is_whole = first->is_whole;
@@ -36,7 +34,6 @@ bool probe(int samples, Tracing& tracing, RefinedImage& refined) {
   // Few samples first: they have a chance to be done.
   constexpr int few = 4;
   if (!is_whole || samples == 1) return is_whole;
-  if (has_lines) return refined.integrate_all(samples);
   if (samples > few && !refined.refine_all(probing_pattern(few))) return false;
   return refined.refine_all(probing_pattern(samples));
 }
@@ -52,8 +49,7 @@ void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering
   const double allowed2 = squared(settings.target_rmse);
   const double sought2 = squared(sought_rmse(settings, tracing.plan.census));
   RefinedImage refined(tracing, rendering.image);
-  const int samples_everywhere =
-      first_compared_samples(tracing.plan.census, tracing.plan.integration.value, most_samples);
+  const int samples_everywhere = first_compared_samples(tracing.plan.census, most_samples);
   bool is_complete = probe(samples_everywhere, tracing, refined);
   const bool is_compared = is_complete && samples_everywhere > 1;
   if (is_compared) refined.look_for_missable_spheres();

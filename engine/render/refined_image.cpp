@@ -39,13 +39,9 @@ RefinedImage::RefinedImage(Tracing& tracing, Image& image)
     : tracing_(tracing),
       width_(tracing.scene.camera.width),
       height_(tracing.scene.camera.height),
-      errors_(width_, height_, error_scale(tracing.plan.census, tracing.plan.integration.value),
-              tracing.pool),
+      errors_(width_, height_, error_scale(tracing.plan.census), tracing.pool),
       shown_(tracing.progress.preview, image),
-      image_(image) {
-  if (tracing.plan.integration.value == Integration::lines)
-    integrator_.emplace(tracing.tracer, tracing.scene.render.transfer, errors_.block_count());
-}
+      image_(image) {}
 
 bool RefinedImage::begin(const SamplePattern& pattern) {
   std::optional<Image> image = tracing_.pass<float>(pattern, {.pixels = &errors_.spreads()});
@@ -58,31 +54,6 @@ bool RefinedImage::begin(const SamplePattern& pattern) {
     expect_errors();
   else
     guess_errors(std::vector<char>(errors_.block_count(), 1));
-  return true;
-}
-
-bool RefinedImage::begin_integrated(int samples) {
-  Image image(width_, height_);
-  const std::vector<RefinementTask> tasks = block_tasks(errors_, samples, integration());
-  std::vector<Tile> tiles;
-  tiles.reserve(tasks.size());
-  for (const RefinementTask& task : tasks) tiles.push_back(errors_.tile_of(task.block));
-  std::vector<BeyondRange> beyond(tiles.size());
-  std::vector<char> is_done;
-  {
-    Preview::Pass preview(tracing_.progress.preview, image, tiles);
-    is_done = run_tasks(tasks, [&](const RefinementTask& task) {
-      const std::size_t block = task.block;
-      beyond[block] =
-          integrator_->integrate(block, tiles[block], samples, image, errors_.spreads());
-      preview.finished(block);
-    });
-  }
-  if (!is_all_done(is_done)) return false;
-  for (const BeyondRange& in_block : beyond) tracing_.beyond += in_block;
-  shown_.change([&](Image& whole) { whole = std::move(image); });
-  errors_.set_all(samples);
-  expect_errors();
   return true;
 }
 
@@ -164,33 +135,27 @@ std::vector<PixelSamples> RefinedImage::next_samples(double goal_error2, int mos
   return raytracer::next_samples(
       rough, {.error2 = std::max(goal - smooth, 0.0),
               .samples = std::max(tracing_.rest_ms() - after_ms_, 0.0) / sample_ms_,
-              .most_samples = most_samples,
-              .integration = integration()});
+              .most_samples = most_samples});
 }
 
 bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
-  const std::vector<RefinementTask> tasks = pixel_tasks(pixels, errors_, integration());
+  const std::vector<RefinementTask> tasks = pixel_tasks(pixels, errors_);
   std::vector<std::uint8_t> places(pixels.size());
   std::transform(pixels.begin(), pixels.end(), places.begin(), [&](const PixelSamples& pixel) {
     return static_cast<std::uint8_t>(errors_.x_of(pixel.pixel) % block_side +
                                      errors_.y_of(pixel.pixel) % block_side * block_side);
   });
-  if (!integrator_)
-    for (const RefinementTask& task : tasks)
-      if (!patterns_.contains(task.samples_per_pixel))
-        patterns_[task.samples_per_pixel] = sample_pattern(task.samples_per_pixel);
+  for (const RefinementTask& task : tasks)
+    if (!patterns_.contains(task.samples_per_pixel))
+      patterns_[task.samples_per_pixel] = sample_pattern(task.samples_per_pixel);
   std::vector<SampledPixel> sampled(pixels.size());
   const std::vector<char> is_done = run_tasks(tasks, [&](const RefinementTask& task) {
     const Tile tile = errors_.tile_of(task.block);
     const std::size_t count = task.end - task.begin;
-    const BlockPixels these{tile.x_begin, tile.y_begin,
-                            std::span(places).subspan(task.begin, count)};
-    const std::span<SampledPixel> results = std::span(sampled).subspan(task.begin, count);
-    if (integrator_)
-      integrator_->integrate(task.block, task.samples_per_pixel, these, results);
-    else
-      sample_pixels(tracing_.tracer, patterns_.at(task.samples_per_pixel),
-                    tracing_.scene.render.transfer, these, results);
+    sample_pixels(tracing_.tracer, patterns_.at(task.samples_per_pixel),
+                  tracing_.scene.render.transfer,
+                  {tile.x_begin, tile.y_begin, std::span(places).subspan(task.begin, count)},
+                  std::span(sampled).subspan(task.begin, count));
   });
 
   const auto for_each_done = [&](const auto& visit) {
@@ -219,14 +184,16 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
   return is_all_done(is_done);
 }
 
-template <typename Run>
-bool RefinedImage::run_block_tasks(int samples, const Run& run) {
-  const std::vector<RefinementTask> tasks = block_tasks(errors_, samples, integration());
+bool RefinedImage::refine_all(const SamplePattern& pattern) {
+  const auto samples = static_cast<int>(pattern.points.size());
+  const std::vector<RefinementTask> tasks = block_tasks(errors_, samples);
   Image finer(width_, height_);
   PixelSpreads spreads(width_, height_);
   std::atomic<std::size_t> not_numbers{0};
   const std::vector<char> is_done = run_tasks(tasks, [&](const RefinementTask& task) {
-    not_numbers += run(task, finer, spreads).not_numbers;
+    not_numbers += render_tile(tracing_.tracer, pattern, tracing_.scene.render.transfer,
+                               errors_.tile_of(task.block), &finer, {.pixels = &spreads})
+                       .not_numbers;
   });
   shown_.change([&](Image& image) {
     for (std::size_t block = 0; block < tasks.size(); ++block) {
@@ -244,22 +211,6 @@ bool RefinedImage::run_block_tasks(int samples, const Run& run) {
   tracing_.beyond.not_numbers += not_numbers;
   expect_errors();
   return is_all_done(is_done);
-}
-
-bool RefinedImage::refine_all(const SamplePattern& pattern) {
-  return run_block_tasks(static_cast<int>(pattern.points.size()),
-                         [&](const RefinementTask& task, Image& image, PixelSpreads& spreads) {
-                           return render_tile(
-                               tracing_.tracer, pattern, tracing_.scene.render.transfer,
-                               errors_.tile_of(task.block), &image, {.pixels = &spreads});
-                         });
-}
-
-bool RefinedImage::integrate_all(int samples) {
-  return run_block_tasks(samples, [&](const RefinementTask& task, Image& image,
-                                      PixelSpreads& spreads) {
-    return integrator_->integrate(task.block, errors_.tile_of(task.block), samples, image, spreads);
-  });
 }
 
 template <typename Run>

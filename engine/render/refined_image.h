@@ -7,12 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include "engine/image/image.h"
 #include "engine/render/first_picture.h"
-#include "engine/render/pixel_integrator.h"
 #include "engine/render/preview.h"
 #include "engine/render/refinement_tasks.h"
 #include "engine/render/tracing.h"
@@ -29,8 +27,6 @@ class RefinedImage {
 
   /// With these samples for all pixels. False if it was stopped.
   bool begin(const SamplePattern& pattern);
-  /// Integrated along lines that do so many samples' work. False likewise.
-  bool begin_integrated(int samples);
   /// With a sample per pixel, or what there was time for.
   void begin(FirstPicture first);
 
@@ -51,18 +47,12 @@ class RefinedImage {
   bool refine(std::vector<PixelSamples> pixels);
   /// Gives all pixels these samples. False likewise.
   bool refine_all(const SamplePattern& pattern);
-  /// Integrates all pixels along lines that do so many samples' work. False likewise.
-  bool integrate_all(int samples);
 
  private:
   /// Has run(task) do each of the tasks while there is time, under a budget the most useful first.
   /// Says which were done.
   template <typename Run>
   std::vector<char> run_tasks(const std::vector<RefinementTask>& tasks, const Run& run);
-  /// Gives all pixels so many samples by run(task, image, spreads), which says what of a block
-  /// cannot be shown.
-  template <typename Run>
-  bool run_block_tasks(int samples, const Run& run);
   /// Of pixels with one sample each, in blocks that were traced, or one part for all.
   void guess_errors(const std::vector<char>& is_traced);
   void guess_errors(std::size_t block, bool is_traced);
@@ -71,13 +61,10 @@ class RefinedImage {
   /// What a sample takes, from a first pass that has just ended.
   void note_first_pass(int samples);
 
-  Integration integration() const { return tracing_.plan.integration.value; }
-
   Tracing& tracing_;
   int width_;
   int height_;
   PixelErrors errors_;
-  std::optional<PixelIntegrator> integrator_{};  ///< where the plan chose lines
   std::int64_t stand_ins_ =
       0;  ///< pixels that were not traced, but one part of their block for all
   Preview::Whole shown_;

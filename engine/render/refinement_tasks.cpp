@@ -24,14 +24,13 @@ void sort_by_samples(std::vector<PixelSamples>& pixels, const PixelErrors& error
 
 }  // namespace
 
-std::vector<RefinementTask> block_tasks(const PixelErrors& errors, int samples,
-                                        Integration integration) {
+std::vector<RefinementTask> block_tasks(const PixelErrors& errors, int samples) {
   std::vector<RefinementTask> tasks(errors.block_count());
   for (std::size_t block = 0; block < tasks.size(); ++block) {
     const Tile tile = errors.tile_of(block);
     const int pixels = (tile.x_end - tile.x_begin) * (tile.y_end - tile.y_begin);
     tasks[block].block = block;
-    tasks[block].samples = work_of(samples, integration) * pixels;
+    tasks[block].samples = static_cast<double>(samples) * pixels;
     for (std::size_t i = 0; i < parts_in_block; ++i)
       tasks[block].error2 += errors.of_part(parts_in_block * block + i);
   }
@@ -39,7 +38,7 @@ std::vector<RefinementTask> block_tasks(const PixelErrors& errors, int samples,
 }
 
 std::vector<RefinementTask> pixel_tasks(std::vector<PixelSamples>& pixels,
-                                        const PixelErrors& errors, Integration integration) {
+                                        const PixelErrors& errors) {
   constexpr double most_samples = 1 << 14;  // others wait for a task, and so does the clock
   sort_by_samples(pixels, errors);
   std::vector<RefinementTask> tasks;
@@ -50,7 +49,7 @@ std::vector<RefinementTask> pixel_tasks(std::vector<PixelSamples>& pixels,
         tasks.back().samples >= most_samples)
       tasks.push_back({.block = block, .begin = i, .samples_per_pixel = samples});
     RefinementTask& task = tasks.back();
-    task.samples += work_of(samples, integration);
+    task.samples += samples;
     task.error2 += errors.of_pixel(pixels[i].pixel);
     task.end = i + 1;
   }

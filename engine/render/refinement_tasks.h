@@ -13,7 +13,7 @@ namespace raytracer {
 /// A block, or some of its pixels.
 struct RefinementTask {
   std::size_t block = 0;
-  double samples = 0;     ///< in all; those that take as long as lines that do their work
+  double samples = 0;     ///< in all
   double error2 = 0;      ///< of its pixels, as expected
   std::size_t begin = 0;  ///< of its pixels among those of the pass ...
   std::size_t end = 0;    ///< ... up to here
@@ -21,12 +21,11 @@ struct RefinementTask {
 };
 
 /// One for each block of the image, with as many samples in all pixels.
-std::vector<RefinementTask> block_tasks(const PixelErrors& errors, int samples,
-                                        Integration integration);
+std::vector<RefinementTask> block_tasks(const PixelErrors& errors, int samples);
 
 /// For pixels block by block. They are sorted: each task's are side by side.
 std::vector<RefinementTask> pixel_tasks(std::vector<PixelSamples>& pixels,
-                                        const PixelErrors& errors, Integration integration);
+                                        const PixelErrors& errors);
 
 /// The order in which tasks help most in the time that they take.
 std::vector<std::size_t> most_useful_first(const std::vector<RefinementTask>& tasks);

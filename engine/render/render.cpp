@@ -64,8 +64,7 @@ void render_fixed(Tracing& tracing, BasicRendering<Channel>& rendering) {
   if (!image) return;
   rendering.image = std::move(*image);
   if (!errors) return;
-  const double error2 = error_scale(tracing.plan.census, Integration::samples).first *
-                        conservative_sum(errors->all());
+  const double error2 = error_scale(tracing.plan.census).first * conservative_sum(errors->all());
   rendering.estimated_error =
       std::sqrt(error2 / (3 * static_cast<double>(camera.width) * camera.height));
 }

@@ -145,27 +145,6 @@ void sample(const SimdTracer<T>& tracer, const SamplePattern& pattern, Transfer 
   sample_pixels(tracer.scene, pattern, transfer, pixels, tracer.target, results);
 }
 
-template <typename T>
-IntegratedBlock integrate(const SimdTracer<T>& tracer, const LinePattern& pattern,
-                          Transfer transfer, const Tile& block, Image& image,
-                          PixelSpreads& spreads) {
-  return integrate_block(tracer.scene, pattern, transfer, block, tracer.target, image, spreads);
-}
-IntegratedBlock integrate(const ReferenceTracer& /*tracer*/, const LinePattern& /*pattern*/,
-                          Transfer /*transfer*/, const Tile& block, Image& /*image*/,
-                          PixelSpreads& /*spreads*/) {
-  return {.left = block.parts};
-}
-
-template <typename T>
-void integrate(const SimdTracer<T>& tracer, const LinePattern& pattern, Transfer transfer,
-               const BlockPixels& pixels, std::span<SampledPixel> results) {
-  integrate_pixels(tracer.scene, pattern, transfer, pixels, tracer.target, results);
-}
-void integrate(const ReferenceTracer& /*tracer*/, const LinePattern& /*pattern*/,
-               Transfer /*transfer*/, const BlockPixels& /*pixels*/,
-               std::span<SampledPixel> /*results*/) {}
-
 }  // namespace
 
 Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool) {
@@ -195,21 +174,6 @@ BeyondRange render_tile(const Tracer& tracer, const SamplePattern& pattern, Tran
 void sample_pixels(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
                    const BlockPixels& pixels, std::span<SampledPixel> results) {
   std::visit([&](const auto& chosen) { sample(chosen, pattern, transfer, pixels, results); },
-             tracer);
-}
-
-IntegratedBlock integrate_block(const Tracer& tracer, const LinePattern& pattern, Transfer transfer,
-                                const Tile& block, Image& image, PixelSpreads& spreads) {
-  return std::visit(
-      [&](const auto& chosen) {
-        return integrate(chosen, pattern, transfer, block, image, spreads);
-      },
-      tracer);
-}
-
-void integrate_pixels(const Tracer& tracer, const LinePattern& pattern, Transfer transfer,
-                      const BlockPixels& pixels, std::span<SampledPixel> results) {
-  std::visit([&](const auto& chosen) { integrate(chosen, pattern, transfer, pixels, results); },
              tracer);
 }
 

@@ -12,7 +12,6 @@
 #include "engine/image/sampled_pixel.h"
 #include "engine/image/tile.h"
 #include "engine/kernel/beyond_range.h"
-#include "engine/kernel/simd/integrate.h"
 #include "engine/kernel/simd/render_tile.h"
 #include "engine/kernel/simd/sample_pixels.h"
 #include "engine/pack/packed_scene.h"
@@ -49,14 +48,5 @@ BeyondRange render_tile(const Tracer& tracer, const SamplePattern& pattern, Tran
 /// is not staggered; `results` has one for each.
 void sample_pixels(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
                    const BlockPixels& pixels, std::span<SampledPixel> results);
-
-/// Integrates all pixels of a tile that is a block along lines, as the kernel's function of this
-/// name. The plan chose lines.
-IntegratedBlock integrate_block(const Tracer& tracer, const LinePattern& pattern, Transfer transfer,
-                                const Tile& block, Image& image, PixelSpreads& spreads);
-
-/// Single pixels of a block, likewise.
-void integrate_pixels(const Tracer& tracer, const LinePattern& pattern, Transfer transfer,
-                      const BlockPixels& pixels, std::span<SampledPixel> results);
 
 }  // namespace raytracer

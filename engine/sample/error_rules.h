@@ -4,7 +4,6 @@
 #include <span>
 
 #include "engine/plan/census.h"
-#include "engine/plan/integration.h"
 
 namespace raytracer {
 
@@ -18,8 +17,8 @@ struct ErrorScale {
 };
 
 /// Where spheres are small, samples do hardly better than random ones, whose scale is 1; otherwise
-/// they do as between those and where edges cross pixels. Lines are believed as they are.
-ErrorScale error_scale(const Census& census, Integration integration);
+/// they do as between those and where edges cross pixels.
+ErrorScale error_scale(const Census& census);
 
 /// The sum of these squared errors with its own uncertainty, which counts where few have an error:
 /// that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself, of which

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <limits>
 
-#include "engine/kernel/line_pattern.h"
 #include "engine/plan/sampling.h"
 #include "engine/sample/error_rules.h"
 #include "engine/scene/overrides.h"
@@ -26,25 +25,13 @@ constexpr int most_growth = 16;
 constexpr int telling_samples = 16;
 
 /// Numbers of samples: 4, 16, 32, 48, 64, 96 ...: from 16 on they fill packets of any width, from
-/// 32 on two in an octave. Of lines, the squares of 3, 6, 9, 12, 18, 24, 36 ...
+/// 32 on two in an octave.
 constexpr int rung_count = 46;
-constexpr int rung_count_of_lines = 16;  // up to 768 lines
 
-/// Whose time a line takes.
-constexpr double samples_of_a_line = 3;
-
-constexpr int samples_of_rung(int rung, Integration integration) {
-  if (integration == Integration::lines) {
-    if (rung < 3) return 9 * (rung + 1) * (rung + 1);
-    const int lines = (rung % 2 == 1 ? 12 : 18) << (rung - 3) / 2;
-    return lines * lines;
-  }
+constexpr int samples_of_rung(int rung) {
   if (rung < 2) return rung == 0 ? 4 : 16;
   return rung % 2 == 0 ? 32 << (rung - 2) / 2 : 48 << (rung - 3) / 2;
 }
-
-static_assert(samples_of_rung(rung_count_of_lines - 1, Integration::lines) <=
-              static_cast<int>(most_lines_of_pixel * most_lines_of_pixel));
 
 /// Numbers of samples as they are wanted, by steps of their logarithm.
 constexpr int steps_per_octave = 16;
@@ -70,20 +57,13 @@ class Ladder {
   std::array<int, step_count> samples{};     ///< of the highest rung of at most as many
   std::array<double, step_count> factors{};  ///< of one sample's squared error
 
-  Ladder(int most_samples, Integration integration) {
-    const bool has_lines = integration == Integration::lines;
-    const int count = has_lines ? rung_count_of_lines : rung_count;
-    const auto of_rung = [=](int rung) { return samples_of_rung(rung, integration); };
-    // Lines are as many as a rung says, samples any multiple of four.
-    int highest = most_samples - most_samples % 4;
-    if (has_lines)
-      for (int rung = 0; rung < count && (rung == 0 || of_rung(rung) <= most_samples); ++rung)
-        highest = of_rung(rung);
+  explicit Ladder(int most_samples) {
+    const int highest = most_samples - most_samples % 4;
     int step = 0;
-    for (int rung = 0; rung < count && of_rung(rung) < highest; ++rung) {
-      const bool is_last = rung + 1 == count || of_rung(rung + 1) > highest;
-      const int end = step_of(is_last ? highest : of_rung(rung + 1));
-      fill(step, end, of_rung(rung));
+    for (int rung = 0; rung < rung_count && samples_of_rung(rung) < highest; ++rung) {
+      const bool is_last = rung + 1 == rung_count || samples_of_rung(rung + 1) > highest;
+      const int end = step_of(is_last ? highest : samples_of_rung(rung + 1));
+      fill(step, end, samples_of_rung(rung));
       step = end;
     }
     fill(step, step_count, highest);
@@ -182,7 +162,7 @@ class Kinds {
 class Levels {
  public:
   Levels(std::span<const Kind> kinds, const RefinementGoal& goal)
-      : kinds_(kinds), goal_(goal), ladder_(goal.most_samples, goal.integration) {}
+      : kinds_(kinds), goal_(goal), ladder_(goal.most_samples) {}
 
   /// The samples that a kind's pixels get next, or 0.
   int samples_at(int level, const Kind& kind) const {
@@ -203,8 +183,7 @@ class Levels {
 
   bool is_affordable(int level) const {
     double samples = 0;
-    for (const Kind& kind : kinds_)
-      samples += kind.count * work_of(samples_at(level, kind), goal_.integration);
+    for (const Kind& kind : kinds_) samples += kind.count * samples_at(level, kind);
     return samples <= goal_.samples;
   }
 
@@ -247,28 +226,11 @@ int most_samples(const Scene& scene, const Limits& limits) {
                                      static_cast<double>(1 << 26)));
 }
 
-int first_compared_samples(const Census& census, Integration integration, int most_samples) {
+int first_compared_samples(const Census& census, int most_samples) {
   constexpr int fewest_in_halves = 4;
-  constexpr int of_three_lines = 9;
-  if (integration == Integration::lines) return most_samples < of_three_lines ? 1 : of_three_lines;
   if (most_samples < fewest_in_halves) return 1;
   const int probing = probing_samples(census);
   return probing <= most_samples ? probing : fewest_in_halves;
-}
-
-int rung_of_samples(int samples) {
-  int rung = 1;
-  while (rung + 1 < rung_count && samples_of_rung(rung, Integration::samples) < samples) ++rung;
-  return samples_of_rung(rung, Integration::samples);
-}
-
-double work_of(double samples, Integration integration) {
-  return integration == Integration::lines ? samples_of_a_line * std::sqrt(samples) : samples;
-}
-
-double samples_of_work(double work, Integration integration) {
-  const double lines = work / samples_of_a_line;
-  return integration == Integration::lines ? lines * lines : work;
 }
 
 std::vector<PixelSamples> next_samples(std::span<const RoughPixel> pixels,

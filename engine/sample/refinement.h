@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "engine/plan/census.h"
-#include "engine/plan/integration.h"
 #include "engine/scene/limits.h"
 #include "engine/scene/scene.h"
 
@@ -26,19 +25,8 @@ namespace raytracer {
 int most_samples(const Scene& scene, const Limits& limits);
 
 /// The samples per pixel that all pixels get before any is chosen, of at most so many: as many as
-/// probing_samples() says, or fewer in two halves, or a single one. Of lines, those whose work
-/// three of them do.
-int first_compared_samples(const Census& census, Integration integration, int most_samples);
-
-/// The least number of samples that a refinement gives a pixel, of at least 16 and as many as
-/// these.
-int rung_of_samples(int samples);
-
-/// What a pixel's samples take, in samples: lines that do the work of n, its root, take as long as
-/// three samples each.
-double work_of(double samples, Integration integration);
-/// The inverse.
-double samples_of_work(double work, Integration integration);
+/// probing_samples() says, or fewer in two halves, or a single one.
+int first_compared_samples(const Census& census, int most_samples);
 
 /// A pixel that more samples would do good.
 struct RoughPixel {
@@ -56,9 +44,8 @@ struct PixelSamples {
 /// What a refinement is for, and what it may cost.
 struct RefinementGoal {
   double error2;     ///< to which the pixels' sum is to fall; 0 for the least that can be reached
-  double samples;    ///< at most so much work_of() in all; infinite without a limit
+  double samples;    ///< at most so many in all; infinite without a limit
   int most_samples;  ///< of any pixel, at least 4
-  Integration integration = Integration::samples;
 };
 
 /// Those of the pixels that are to be refined, in their order. None if the goal is reached, or

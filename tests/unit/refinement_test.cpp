@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -113,28 +112,6 @@ TEST(NextSamples, CountWhatPixelsHaveAlready) {
   const std::vector<int> samples = samples_for({{4, 1}, {64, 1 / std::pow(16, usual)}}, 0.1);
   EXPECT_GE(samples[0], 32);
   EXPECT_EQ(samples[1], 0);
-}
-
-/// Three lines, six, nine, twelve, eighteen ...: all multiples of three.
-TEST(NextSamples, AreSquaresOfLines) {
-  const auto next = [](int samples, int most) {
-    return samples_for({{samples, 1}}, {1e-12, infinite, most, Integration::lines})[0];
-  };
-  EXPECT_EQ(next(9, plenty), 144) << "sixteen times as many at once";
-  EXPECT_EQ(next(144, plenty), 48 * 48);
-  EXPECT_EQ(next(9, 100), 81);
-  EXPECT_EQ(next(9, 40), 36);
-  EXPECT_EQ(next(9, 30), 0);
-  std::vector<int> seen;
-  for (const double error2 : {2.0, 10.0, 30.0, 80.0, 300.0})
-    seen.push_back(samples_for({{9, error2}}, {1, infinite, plenty, Integration::lines})[0]);
-  for (const int samples : seen) {
-    const auto lines = static_cast<int>(std::lround(std::sqrt(samples)));
-    EXPECT_EQ(lines * lines, samples);
-    EXPECT_EQ(lines % 3, 0);
-  }
-  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
-  EXPECT_LT(seen.front(), seen.back());
 }
 
 }  // namespace

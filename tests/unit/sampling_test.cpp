@@ -142,37 +142,16 @@ TEST(SoughtRmse, IsLessWhereASquareIsFar) {
 }
 
 TEST(FirstComparedSamples, AreWhatTheLimitAllows) {
-  const auto first = [](double small_spheres, int most) {
-    return first_compared_samples(census_with(small_spheres), Integration::samples, most);
-  };
-  EXPECT_EQ(first(0, 1000), 4);
-  EXPECT_EQ(first(1, 1000), 16);
-  EXPECT_EQ(first(1, 16), 16);
+  const Census large = census_with(0);
+  const Census small = census_with(1);
+  EXPECT_EQ(first_compared_samples(large, 1000), 4);
+  EXPECT_EQ(first_compared_samples(small, 1000), 16);
+  EXPECT_EQ(first_compared_samples(small, 16), 16);
   for (const int most : {4, 5, 15}) {
-    EXPECT_EQ(first(0, most), 4);
-    EXPECT_EQ(first(1, most), 4);
+    EXPECT_EQ(first_compared_samples(large, most), 4);
+    EXPECT_EQ(first_compared_samples(small, most), 4);
   }
-  for (const int most : {1, 2, 3}) EXPECT_EQ(first(0, most), 1);
-}
-
-TEST(FirstComparedSamples, AreThoseOfThreeLines) {
-  const auto first = [](double small_spheres, int most) {
-    return first_compared_samples(census_with(small_spheres), Integration::lines, most);
-  };
-  for (const double small_spheres : {0.0, 1.0}) {
-    EXPECT_EQ(first(small_spheres, 1000), 9);
-    EXPECT_EQ(first(small_spheres, 9), 9);
-    EXPECT_EQ(first(small_spheres, 8), 1);
-  }
-}
-
-TEST(WorkOf, LinesIsThatOfTheirRoot) {
-  for (const double samples : {9.0, 36.0, 1296.0}) {
-    EXPECT_EQ(work_of(samples, Integration::samples), samples);
-    EXPECT_EQ(work_of(samples, Integration::lines), 3 * std::sqrt(samples));
-    for (const Integration way : {Integration::samples, Integration::lines})
-      EXPECT_DOUBLE_EQ(samples_of_work(work_of(samples, way), way), samples);
-  }
+  for (const int most : {1, 2, 3}) EXPECT_EQ(first_compared_samples(large, most), 1);
 }
 
 Image with_edge(int width, int height) {

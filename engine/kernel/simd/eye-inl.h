@@ -27,29 +27,12 @@ class EyeRays {
   /// Through points `right` of and `down` from (x, y), in pixels, y = 0 at the bottom. The image
   /// point runs from -1 to 1; that of (x, y) is computed in double, T is enough from there.
   HWY_INLINE V3<V> direction(D d, double x, double y, V right, V down) const {
-    return unit(d, through(d, x, y, right, down));
-  }
-
-  /// The same, to where they meet a plane at a distance of 1.
-  HWY_INLINE V3<V> through(D d, double x, double y, V right, V down) const {
     const V across = hn::MulAdd(right, hn::Set(d, static_cast<T>(step_x_)),
                                 hn::Set(d, static_cast<T>(x * step_x_ - 1)));
     const V up = hn::NegMulAdd(down, hn::Set(d, static_cast<T>(step_y_)),
                                hn::Set(d, static_cast<T>(y * step_y_ - 1)));
-    return mul_add(broadcast(d, scene_.right), across,
-                   mul_add(broadcast(d, scene_.up), up, broadcast(d, scene_.forward)));
-  }
-
-  /// By how much through() grows from a pixel to the one to its right.
-  Triple<T> step_right() const {
-    const auto step = static_cast<T>(step_x_);
-    return {step * scene_.right.x, step * scene_.right.y, step * scene_.right.z};
-  }
-
-  /// The same to the one above it.
-  Triple<T> step_up() const {
-    const auto step = static_cast<T>(step_y_);
-    return {step * scene_.up.x, step * scene_.up.y, step * scene_.up.z};
+    return unit(d, mul_add(broadcast(d, scene_.right), across,
+                           mul_add(broadcast(d, scene_.up), up, broadcast(d, scene_.forward))));
   }
 
   /// What the active lanes meet of `contents`, as PartContents.

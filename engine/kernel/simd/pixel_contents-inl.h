@@ -41,32 +41,22 @@ struct PixelCone {
     const T reach = std::sqrt(row[Table::radius2]) + spread * std::sqrt(distance2);
     return !(lx * lx + ly * ly + lz * lz > reach * reach);
   }
-
-  /// The same of the lanes' spheres.
-  template <class D, class V = hn::Vec<D>>
-  HWY_INLINE hn::Mask<D> may_meet(D d, const V3<V>& center, V radius) const {
-    const V3<V> along = broadcast(d, axis);
-    const V3<V> l = mul_add(along, hn::Neg(dot(along, center)), center);
-    const V reach = hn::MulAdd(hn::Set(d, spread), hn::Sqrt(dot(center, center)), radius);
-    return hn::Not(hn::Gt(dot(l, l), hn::Mul(reach, reach)));
-  }
 };
 
-/// Around the square of `side` pixels whose lower left corner is (x, y), y = 0 at the bottom. Its
-/// corners are farthest from the axis: the square is convex, and so is what a cone of less than a
-/// right angle cuts out of the image.
+/// Around the pixel whose lower left corner is (x, y), y = 0 at the bottom. Its corners are
+/// farthest from the axis: the pixel is convex, and so is what a cone of less than a right angle
+/// cuts out of the image.
 template <class D, typename T = hn::TFromD<D>>
-HWY_INLINE PixelCone<T> cone_around(D d, const EyeRays<D>& eye, double x, double y,
-                                    double side = 1) {
+HWY_INLINE PixelCone<T> cone_around(D d, const EyeRays<D>& eye, double x, double y) {
   const auto through = [&](double right, double up) HWY_ATTR {
     const auto zero = hn::Zero(d);
     const auto direction = eye.direction(d, x + right, y + up, zero, zero);
     return Triple<T>{hn::GetLane(direction.x), hn::GetLane(direction.y), hn::GetLane(direction.z)};
   };
-  const Triple<T> axis = through(side / 2, side / 2);
+  const Triple<T> axis = through(0.5, 0.5);
   T chord2 = 0;
-  for (const double right : {0.0, side})
-    for (const double up : {0.0, side}) {
+  for (const double right : {0.0, 1.0})
+    for (const double up : {0.0, 1.0}) {
       const Triple<T> corner = through(right, up);
       const T dx = corner.x - axis.x;
       const T dy = corner.y - axis.y;

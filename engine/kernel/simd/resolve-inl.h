@@ -42,31 +42,6 @@ struct Spread {
   V variance;
 };
 
-/// What two sets of a pixel's samples tell by their means, `error2` of whose squared difference is
-/// probably its squared error, and the samples' variance about the mean of them all.
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE Spread<V> spread_of_means(D d, const V3<V>& one_mean, const V3<V>& other_mean,
-                                     T error2_share, const V3<V>& mean, V variance,
-                                     Transfer transfer) {
-  const V one = hn::Set(d, T(1));
-  const V zero = hn::Zero(d);
-  const auto shown = [&](const V3<V>& colour)
-                         HWY_ATTR { return resolved(d, max_zero(d, colour), one, transfer); };
-  const V3<V> difference = sub(shown(one_mean), shown(other_mean));
-  const V error2 = hn::Mul(dot(difference, difference), hn::Set(d, error2_share));
-  if (transfer != Transfer::linear) {
-    // By what the channels' deviation from the mean, taken as equal, comes to after the transfer.
-    const V deviation = hn::Sqrt(hn::Mul(hn::Max(variance, zero), hn::Set(d, T(1.0 / 3))));
-    const V3<V> deviations{deviation, deviation, deviation};
-    const V3<V> range = sub(shown(add(mean, deviations)), shown(sub(mean, deviations)));
-    variance = hn::Mul(dot(range, range), hn::Set(d, T(0.25)));
-  }
-  variance = hn::Max(variance, error2);
-  // Not hn::Max: what is no number comes to nothing, too.
-  return {hn::IfThenElseZero(hn::Gt(error2, zero), error2),
-          hn::IfThenElseZero(hn::Gt(variance, zero), variance)};
-}
-
 /// What the sums of a pixel's samples tell: of one half's, of all's, and of the squares of their
 /// differences from `origin`, one of them: squares of what is large leave nothing of what is small.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
@@ -74,11 +49,26 @@ HWY_INLINE Spread<V> spread_of(D d, const V3<V>& half_sum, const V3<V>& all, con
                                V squares, std::size_t count, Transfer transfer) {
   const V half = share_of(d, count / 2);
   const V whole = share_of(d, count);
+  const V one = hn::Set(d, T(1));
+  const V zero = hn::Zero(d);
+  const auto shown = [&](const V3<V>& sum, V share)
+                         HWY_ATTR { return resolved(d, max_zero(d, sum), share, transfer); };
+  const V3<V> difference = sub(shown(half_sum, half), shown(sub(all, half_sum), half));
+  const V error2 = hn::Mul(dot(difference, difference), hn::Set(d, T(PartErrors::share)));
   const V3<V> mean = scale(all, whole);
   const V3<V> shift = sub(mean, origin);
-  const V variance = hn::MulSub(squares, whole, dot(shift, shift));
-  return spread_of_means(d, scale(half_sum, half), scale(sub(all, half_sum), half),
-                         T(PartErrors::share), mean, variance, transfer);
+  V variance = hn::MulSub(squares, whole, dot(shift, shift));
+  if (transfer != Transfer::linear) {
+    // By what the channels' deviation from the mean, taken as equal, comes to after the transfer.
+    const V deviation = hn::Sqrt(hn::Mul(hn::Max(variance, zero), hn::Set(d, T(1.0 / 3))));
+    const V3<V> deviations{deviation, deviation, deviation};
+    const V3<V> range = sub(shown(add(mean, deviations), one), shown(sub(mean, deviations), one));
+    variance = hn::Mul(dot(range, range), hn::Set(d, T(0.25)));
+  }
+  variance = hn::Max(variance, error2);
+  // Not hn::Max: what is no number comes to nothing, too.
+  return {hn::IfThenElseZero(hn::Gt(error2, zero), error2),
+          hn::IfThenElseZero(hn::Gt(variance, zero), variance)};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -84,18 +84,18 @@ HWY_INLINE M plainly_occluded(D d, const SimdScene<T>& scene, const SimdLight<T>
   return dark;
 }
 
-/// The colour of the packet's points where the light is plain; rubbish in lanes not `active`.
-/// `reached(light, towards, incidence, facing)` says which of the lanes that face a light it
-/// reaches.
-template <class D, class Reached, class V = hn::Vec<D>, class M = hn::Mask<D>,
-          typename T = hn::TFromD<D>>
+/// The colour of the packet's points, not among squares, where the light is plain; rubbish in lanes
+/// not `active`.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> shade_plainly(D d, const SimdScene<T>& scene, const Surface<D>& surface,
-                               const V3<V>& view, M active, const Reached& reached) {
+                               const V3<V>& view, M active) {
   const Start<V>& point = surface.at;
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, T(1));
   const Finish<V> finish = surface.material.finish(d, scene.materials);
   const V facing = dot(view, point.normal);
+  const bool has_shadows = scene.shadows != Shadows::off;
+  const bool near_rim = has_shadows && is_near_rim(d, scene, point, active);
   const bool ambient_needs_light = scene.shadows == Shadows::black;
 
   V ambient = ambient_needs_light ? zero : finish.ambient;
@@ -105,8 +105,11 @@ HWY_INLINE V3<V> shade_plainly(D d, const SimdScene<T>& scene, const Surface<D>&
     const V incidence = dot(point.normal, towards);
     M lit = hn::And(active, hn::Gt(incidence, zero));
     if (hn::AllFalse(d, lit)) continue;
-    lit = reached(light, towards, incidence, lit);
-    if (hn::AllFalse(d, lit)) continue;
+    if (has_shadows) {
+      lit = hn::AndNot(plainly_occluded(d, scene, light, point, towards, incidence, near_rim, lit),
+                       lit);
+      if (hn::AllFalse(d, lit)) continue;
+    }
 
     V share = hn::Mul(finish.kd, incidence);
     if (scene.has_specular) {
@@ -124,22 +127,6 @@ HWY_INLINE V3<V> shade_plainly(D d, const SimdScene<T>& scene, const Surface<D>&
   const V3<V> colour = surface.material.colour(d, scene.materials);
   return {hn::Mul(hn::Add(sum.x, ambient), colour.x), hn::Mul(hn::Add(sum.y, ambient), colour.y),
           hn::Mul(hn::Add(sum.z, ambient), colour.z)};
-}
-
-/// The same for points not among squares, whose light must pass the scene.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V3<V> shade_plainly(D d, const SimdScene<T>& scene, const Surface<D>& surface,
-                               const V3<V>& view, M active) {
-  const Start<V>& point = surface.at;
-  const bool has_shadows = scene.shadows != Shadows::off;
-  const bool near_rim = has_shadows && is_near_rim(d, scene, point, active);
-  const auto reached = [&](const SimdLight<T>& light, const V3<V>& towards, V incidence,
-                           M facing) HWY_ATTR {
-    if (!has_shadows) return facing;
-    return hn::AndNot(
-        plainly_occluded(d, scene, light, point, towards, incidence, near_rim, facing), facing);
-  };
-  return shade_plainly(d, scene, surface, view, active, reached);
 }
 
 }  // namespace HWY_NAMESPACE
