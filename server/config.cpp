@@ -60,7 +60,7 @@ std::int64_t integer_of(const Given& given, std::int64_t least, std::int64_t mos
   return value;
 }
 
-void demand_token_beyond_loopback(const Config& config) {
+void require_token_beyond_loopback(const Config& config) {
   if (!config.token.empty() || is_loopback(config.host)) return;
   throw ConfigError(fmt::format(
       "--host {} can be reached from other machines, so a token is required: set --token or "
@@ -177,7 +177,7 @@ std::variant<Config, Printout> read_config(int argc, const char* const* argv,
           fmt::format("{} must be a non-empty text of letters, digits and -._~+/=", given->source));
     config.token = given->text;
   }
-  demand_token_beyond_loopback(config);
+  require_token_beyond_loopback(config);
   return config;
 }
 

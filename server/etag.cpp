@@ -43,7 +43,7 @@ std::string picture_digest(std::string_view content_digest, const Scene& view) {
   return sha256_hex(text += canonical_view(view));
 }
 
-std::string maker_of_pictures(const Machine& machine) {
+std::string renderer_id_of(const Machine& machine) {
   constexpr std::size_t digits = 16;  // nobody but this program chooses what they are made from
   return sha256_hex(
              fmt::format("{}\n{}\n{}", build_id, machine.instruction_set.name, processor_model()))
@@ -51,16 +51,16 @@ std::string maker_of_pictures(const Machine& machine) {
 }
 
 std::string entity_tag(std::string_view picture_digest, std::string_view media_type,
-                       std::string_view maker) {
+                       std::string_view renderer_id) {
   constexpr std::size_t digits = 32;
   std::string tag;
-  tag.reserve(digits + media_type.size() + maker.size() + 4);
+  tag.reserve(digits + media_type.size() + renderer_id.size() + 4);
   (tag += '"') += picture_digest.substr(0, digits);
-  (((tag += '-') += media_type) += '-') += maker;
+  (((tag += '-') += media_type) += '-') += renderer_id;
   return tag += '"';
 }
 
-bool names_tag(std::string_view if_none_match, std::string_view tag) {
+bool matches_tag(std::string_view if_none_match, std::string_view tag) {
   bool found = false;
   for_each_part(if_none_match, ',', [&](std::string_view candidate) {
     if (candidate.starts_with("W/")) candidate.remove_prefix(2);

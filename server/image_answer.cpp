@@ -25,7 +25,7 @@ void set_caching(httplib::Response& response, const Representation& wanted) {
   response.set_header("Cache-Control", "no-cache");
 }
 
-bool wants_anew(const httplib::Request& request) {
+bool forbids_cache(const httplib::Request& request) {
   bool found = false;
   const std::string directives = header_list(request, "Cache-Control");
   for_each_part(directives, ',', [&](std::string_view directive) {
@@ -51,14 +51,14 @@ std::string server_timing(const Delivery& delivery, double parse_ms) {
   Stages stages;
   const char* origin = "";
   switch (delivery.origin) {
-    case Origin::made:
+    case Origin::rendered:
       stages = delivery.image->stages;
       break;
     case Origin::shared:
       stages.queue_ms = delivery.waited_ms;
       origin = ", cache;desc=shared";
       break;
-    case Origin::remembered:
+    case Origin::cached:
       origin = ", cache;desc=hit";
       break;
   }
@@ -81,29 +81,30 @@ Reproducible reproducible_digest(const SceneRequest& request) {
   return picture_digest(request.known->content_digest, request.scene);
 }
 
-Representation represent(const Reproducible& digest, ImageFormat format, std::string_view maker) {
+Representation represent(const Reproducible& digest, ImageFormat format,
+                         std::string_view renderer_id) {
   Representation wanted{format, {}};
-  if (digest) wanted.tag = entity_tag(*digest, media_type(format), maker);
+  if (digest) wanted.tag = entity_tag(*digest, media_type(format), renderer_id);
   return wanted;
 }
 
-ImageWish wish_of(const Call& call, const Representation& wanted) {
-  return {wanted.tag, wants_anew(call.request), ends_of(call.request)};
+ImageRequest image_request(const Call& call, const Representation& wanted) {
+  return {wanted.tag, forbids_cache(call.request), endpoints_of(call.request)};
 }
 
-ImageFormat demand_format(const httplib::Request& request) {
+ImageFormat require_format(const httplib::Request& request) {
   const std::optional<ImageFormat> format = choose_format(header_list(request, "Accept"));
   if (format) return *format;
-  throw Refusal({406, fmt::format("None of the accepted types is offered: {}, {}, {}",
-                                  media_type(ImageFormat::png), media_type(ImageFormat::ppm),
-                                  media_type(ImageFormat::pfm))});
+  throw HttpError({406, fmt::format("None of the accepted types is offered: {}, {}, {}",
+                                    media_type(ImageFormat::png), media_type(ImageFormat::ppm),
+                                    media_type(ImageFormat::pfm))});
 }
 
 bool answer_not_modified(Call& call, const Representation& wanted) {
-  if (!call.request.has_header("If-None-Match") || wants_anew(call.request)) return false;
+  if (!call.request.has_header("If-None-Match") || forbids_cache(call.request)) return false;
   const std::string named = header_list(call.request, "If-None-Match");
   // Any image at all has a client who names "*", be it one that has no tag.
-  if (named != "*" && !(wanted.tag && names_tag(named, *wanted.tag))) return false;
+  if (named != "*" && !(wanted.tag && matches_tag(named, *wanted.tag))) return false;
   call.response.status = 304;
   set_caching(call.response, wanted);
   return true;

@@ -99,7 +99,7 @@ void Metrics::write(Exposition& out) const {
     out.sample(static_cast<double>(count), {{"status", std::to_string(status)}});
 
   out.family("raytracer_queue_duration_seconds", "histogram",
-             "What renders and plans waited for their turn.");
+             "What renders and plans waited in the queue.");
   out.sample(queue_seconds_);
   out.family("raytracer_stage_duration_seconds", "histogram", "The stages of renders.");
   for (std::size_t i = 0; i < stage_names.size(); ++i)

@@ -34,7 +34,7 @@ class Metrics {
   /// A request was refused with this status, of which 413, 429 and 503 are shown.
   void refused(int status);
 
-  /// A render came to its turn after `queue_ms`.
+  /// A render was admitted after `queue_ms`.
   void waited(double queue_ms);
 
   void took(Stage stage, double ms);

@@ -18,9 +18,9 @@ void write_gauge(Exposition& out, std::string_view name, std::string_view help, 
 
 void write_present(Exposition& out, const Services& services) {
   const Admission::Load load = services.admission.load();
-  write_gauge(out, "raytracer_renders_running", "Renders and plans that have their turn.",
+  write_gauge(out, "raytracer_renders_running", "Renders and plans in an admission slot.",
               static_cast<double>(load.running));
-  write_gauge(out, "raytracer_queue_length", "Renders and plans that wait for their turn.",
+  write_gauge(out, "raytracer_queue_length", "Renders and plans that wait for an admission slot.",
               static_cast<double>(load.waiting));
   write_gauge(out, "raytracer_queue_limit", "The most that may wait (--max-queue).",
               static_cast<double>(services.config.max_queue));
@@ -37,7 +37,7 @@ void write_caches(Exposition& out, const Services& services) {
     std::string_view cache;
     LruCounts counts;
   };
-  const std::array<Row, 3> rows{{{"images", services.images.remembered()},
+  const std::array<Row, 3> rows{{{"images", services.image_cache.cache_counts()},
                                  {"kept_scenes", services.scenes.kept()},
                                  {"read_scenes", services.scenes.read_lately()}}};
   const auto write = [&](std::string_view name, std::string_view type, std::string_view help,
@@ -54,7 +54,7 @@ void write_caches(Exposition& out, const Services& services) {
   write("raytracer_cache_bytes", "gauge", "The memory that it takes.", &LruCounts::bytes);
   out.family("raytracer_renders_shared_total", "counter",
              "Requests that waited for another's render of the same picture.");
-  out.sample(static_cast<double>(services.images.shared_count()));
+  out.sample(static_cast<double>(services.image_cache.shared_count()));
 }
 
 void write_process(Exposition& out, const Services& services) {

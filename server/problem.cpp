@@ -33,7 +33,7 @@ Problem scene_problem(std::vector<Error> errors) {
 
 Problem internal_error() { return {500, "The server failed on this request; its log says why"}; }
 
-Problem client_left() { return {499, "The client has left"}; }
+Problem client_closed_request() { return {499, "The client has left"}; }
 
 std::string_view title_of(int status) {
   switch (status) {

@@ -1,5 +1,5 @@
 // The plan in words: what the engine chose for this view of the scene, and why.
-import { counted, duration } from "./units.js";
+import { pluralised, duration } from "./units.js";
 import { errorText } from "./accuracy.js";
 
 const titles = {
@@ -14,7 +14,7 @@ export function showPlan(box, plan) {
   for (const [name, title] of Object.entries(titles)) {
     if (!plan[name]) continue;
     const { choice, reason, ways } = plan[name];
-    const made = entry(title, name === "sampling" ? `${counted(choice, "sample")} per pixel` : String(choice), ways ? undefined : reason);
+    const made = entry(title, name === "sampling" ? `${pluralised(choice, "sample")} per pixel` : String(choice), ways ? undefined : reason);
     if (ways) made.append(listOf(ways));
     parts.push(made);
   }
@@ -22,14 +22,14 @@ export function showPlan(box, plan) {
 }
 
 function expected({ trace_ms, error, threads }) {
-  return `${duration(trace_ms)} of tracing on ${counted(threads, "thread")}, an error of ${errorText(error) ?? "unknown size"}`;
+  return `${duration(trace_ms)} of tracing on ${pluralised(threads, "thread")}, an error of ${errorText(error) ?? "unknown size"}`;
 }
 
 function features({ objects, lights, shadows, shading, reflections, materials }) {
   const some = (counts) => Object.entries(counts).filter(([, count]) => count > 0)
     .map(([name, count]) => `${count} ${plain(count === 1 ? name.replace(/s$/, "") : name)}`).join(", ") || "none";
-  return `Objects: ${some(objects)}. Lights: ${some(lights)}. Shadows: ${shadows}. ${counted(materials, "material")}, `
-    + `shading ${shading.join(", ") || "none"}, ${reflections ? `up to ${counted(reflections, "reflection")}` : "no reflections"}.`;
+  return `Objects: ${some(objects)}. Lights: ${some(lights)}. Shadows: ${shadows}. ${pluralised(materials, "material")}, `
+    + `shading ${shading.join(", ") || "none"}, ${reflections ? `up to ${pluralised(reflections, "reflection")}` : "no reflections"}.`;
 }
 
 const plain = (name) => name.replaceAll("_", " ");

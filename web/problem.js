@@ -1,6 +1,6 @@
 // What is wrong, in words: the problem, and its errors as a list that leads to their places.
 import { lineAndColumn, locator, offsetOf } from "./json_pointer.js";
-import { counted } from "./units.js";
+import { pluralised } from "./units.js";
 
 const most_listed = 200;  // errors; nobody reads further, and each is a mark in the editor
 const about_keys = /^unknown key|stands twice/;  // the name is wrong then, whatever its value is
@@ -54,7 +54,7 @@ function titleOf({ status, title, errors }, marks) {
   if (marks.length === 0) return title;
   if (status === 400) return "The text is not JSON";
   if (status === 413) return "More than this server accepts";
-  return `${counted(errors.length, "error")} in the scene`;
+  return `${pluralised(errors.length, "error")} in the scene`;
 }
 
 export function hideProblem() {

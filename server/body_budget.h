@@ -9,28 +9,28 @@
 
 namespace raytracer {
 
-class BodyMemory {
+class BodyBudget {
  public:
   /// `most` bytes in all; a single body always fits if it is no larger.
-  explicit BodyMemory(std::int64_t most) : most_(most) {}
+  explicit BodyBudget(std::int64_t most) : most_(most) {}
 
   /// Some of the bytes, given back at the end of its life.
-  class Share {
+  class Reservation {
    public:
-    Share() = default;
-    Share(Share&& other) noexcept;
-    Share& operator=(Share&& other) noexcept;
-    ~Share();
+    Reservation() = default;
+    Reservation(Reservation&& other) noexcept;
+    Reservation& operator=(Reservation&& other) noexcept;
+    ~Reservation();
 
    private:
-    friend class BodyMemory;
-    Share(BodyMemory& memory, std::int64_t bytes) : memory_(&memory), bytes_(bytes) {}
-    BodyMemory* memory_ = nullptr;
+    friend class BodyBudget;
+    Reservation(BodyBudget& memory, std::int64_t bytes) : memory_(&memory), bytes_(bytes) {}
+    BodyBudget* memory_ = nullptr;
     std::int64_t bytes_ = 0;
   };
 
-  /// Throws Refusal 429 if there is no room now.
-  Share take(std::int64_t bytes);
+  /// Throws HttpError 429 if there is no room now.
+  Reservation reserve(std::int64_t bytes);
 
  private:
   const std::int64_t most_;
