@@ -37,7 +37,7 @@ AdmissionWaiter Admission::add_waiter() {
   require_open();
   if (!may_wait()) refuse_full();
   ++extra_waiters_;
-  return AdmissionWaiter(*this);
+  return {this, [this](const void*) { --extra_waiters_; }};
 }
 
 bool Admission::may_wait() const { return waiting_.size() + extra_waiters_ < most_waiting_; }
@@ -137,11 +137,6 @@ bool AdmissionSlot::wait_until_admitted() {
     entry_->admitted.wait_for(lock, look_again);
   }
   return !entry_->progress.stop;
-}
-
-AdmissionWaiter::~AdmissionWaiter() {
-  const std::scoped_lock lock(admission_.mutex_);
-  --admission_.extra_waiters_;
 }
 
 double AdmissionSlot::queue_ms() const {

@@ -18,7 +18,9 @@
 namespace raytracer {
 
 class AdmissionSlot;
-class AdmissionWaiter;
+
+/// One of those who wait beside the queue, until nobody holds it any more.
+using AdmissionWaiter = std::shared_ptr<const void>;
 
 /// Every member function may be called from any thread.
 class Admission {
@@ -30,7 +32,7 @@ class Admission {
   AdmissionSlot enter(RenderProgress& progress);
 
   /// For who waits for somebody else's render: one of those who wait, without a slot of its own.
-  /// Throws HttpError as enter() does.
+  /// Throws HttpError as enter() does. The waiter must not outlive this.
   AdmissionWaiter add_waiter();
 
   /// Throws the 503 of a closed queue: for a look before a body is read.
@@ -54,7 +56,6 @@ class Admission {
 
  private:
   friend class AdmissionSlot;
-  friend class AdmissionWaiter;
   struct Entry;
   using Clock = std::chrono::steady_clock;
 
@@ -70,7 +71,7 @@ class Admission {
   mutable std::condition_variable emptied_;
   std::vector<Entry*> running_;
   std::deque<Entry*> waiting_;
-  std::size_t extra_waiters_ = 0;
+  std::atomic<std::size_t> extra_waiters_{0};
   std::atomic<bool> closed_{false};  ///< set with the mutex held
   double mean_render_s_ = 1;         ///< of late, the newest counting most
 };
@@ -96,18 +97,6 @@ class AdmissionSlot {
 
   Admission* admission_;
   std::unique_ptr<Admission::Entry> entry_;
-};
-
-/// Who waits beside the queue, until the end of its life.
-class AdmissionWaiter {
- public:
-  explicit AdmissionWaiter(Admission& admission) : admission_(admission) {}
-  ~AdmissionWaiter();
-  AdmissionWaiter(const AdmissionWaiter&) = delete;
-  AdmissionWaiter& operator=(const AdmissionWaiter&) = delete;
-
- private:
-  Admission& admission_;
 };
 
 }  // namespace raytracer

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 
 namespace raytracer {
 
@@ -14,22 +15,10 @@ class BodyBudget {
   /// `most` bytes in all; a single body always fits if it is no larger.
   explicit BodyBudget(std::int64_t most) : most_(most) {}
 
-  /// Some of the bytes, given back at the end of its life.
-  class Reservation {
-   public:
-    Reservation() = default;
-    Reservation(Reservation&& other) noexcept;
-    Reservation& operator=(Reservation&& other) noexcept;
-    ~Reservation();
+  /// Some of the bytes, given back when nobody holds it any more.
+  using Reservation = std::shared_ptr<const void>;
 
-   private:
-    friend class BodyBudget;
-    Reservation(BodyBudget& memory, std::int64_t bytes) : memory_(&memory), bytes_(bytes) {}
-    BodyBudget* memory_ = nullptr;
-    std::int64_t bytes_ = 0;
-  };
-
-  /// Throws HttpError 429 if there is no room now.
+  /// Throws HttpError 429 if there is no room now. The reservation must not outlive this.
   Reservation reserve(std::int64_t bytes);
 
  private:

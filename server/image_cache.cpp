@@ -98,7 +98,7 @@ Delivery ImageCache::make_for_all(const ImageRequest& request, const Make& make,
 
 Delivery ImageCache::wait_for(SingleFlight& flight, const Waiter& waiter) {
   const auto begin = std::chrono::steady_clock::now();
-  const AdmissionWaiter queued = admission_.add_waiter();
+  const AdmissionWaiter waiting = admission_.add_waiter();
   std::unique_lock lock(mutex_);
   ++shared_count_;
   flight.changed.wait(lock, [&] { return flight.is_done || waiter.has_left(); });

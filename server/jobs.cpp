@@ -30,19 +30,9 @@ HttpError unknown_job(const std::string& id) {
 }  // namespace
 
 std::string_view name_of(JobStatus status) {
-  switch (status) {
-    case JobStatus::queued:
-      return "queued";
-    case JobStatus::running:
-      return "running";
-    case JobStatus::done:
-      return "done";
-    case JobStatus::failed:
-      return "failed";
-    case JobStatus::cancelled:
-      break;
-  }
-  return "cancelled";
+  constexpr std::array<std::string_view, job_statuses.size()> names{"queued", "running", "done",
+                                                                    "failed", "cancelled"};
+  return names[static_cast<std::size_t>(status)];
 }
 
 std::string_view name_of(JobTask task) { return task == JobTask::render ? "render" : "tradeoff"; }
