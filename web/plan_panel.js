@@ -1,6 +1,7 @@
 // The plan in words: what the engine chose for this view of the scene, and why.
 import { pluralised, duration } from "./units.js";
 import { errorText } from "./accuracy.js";
+import { element } from "./element.js";
 
 const titles = {
   precision: "Precision", geometry: "Geometry", sampling: "Sampling", integration: "Pixels by", kernel: "Kernel",
@@ -35,25 +36,13 @@ function features({ objects, lights, shadows, shading, reflections, materials })
 const plain = (name) => name.replaceAll("_", " ");
 
 function entry(title, choice, ...reasons) {
-  const section = document.createElement("section");
-  section.append(element("h2", title), element("p", choice, "choice"));
-  for (const reason of reasons) if (reason) section.append(element("p", reason, "reason"));
-  return section;
+  return element("section", {}, element("h2", {}, title), worded("p", choice, "choice"),
+    ...reasons.filter(Boolean).map((reason) => worded("p", reason, "reason")));
 }
 
 function listOf(ways) {
-  const list = document.createElement("ul");
-  for (const { objects, rays, choice, reason } of ways) {
-    const item = element("li", "");
-    item.append(element("strong", `${choice}: `), `${objects}, rays ${rays}. `, element("span", reason, "reason"));
-    list.append(item);
-  }
-  return list;
+  return element("ul", {}, ...ways.map(({ objects, rays, choice, reason }) => element("li", {},
+    element("strong", {}, `${choice}: `), `${objects}, rays ${rays}. `, worded("span", reason, "reason"))));
 }
 
-function element(tag, text, className = "") {
-  const made = document.createElement(tag);
-  made.textContent = text;
-  made.className = className;
-  return made;
-}
+const worded = (tag, text, className) => element(tag, { className }, text);
