@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <httplib.h>
 
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -94,15 +93,18 @@ struct Api::Connection {
     return made;
   }
 
-  /// The answer, if its status is one of `expected`.
-  httplib::Response send(const httplib::Request& request, std::initializer_list<int> expected) {
+  /// The answer, if it has the status that is expected.
+  httplib::Response send(const httplib::Request& request, int expected) {
     interrupts.check();
     const httplib::Result result = client.send(request);
     interrupts.check();
     if (!result) throw unreachable(request, result.error());
-    for (const int status : expected)
-      if (result->status == status) return *result;
+    if (result->status == expected) return *result;
     refuse(request, *result);
+  }
+
+  httplib::Response get(const std::string& path, const httplib::Headers& headers = {}) {
+    return send(request("GET", path, headers), 200);
   }
 
   ServerError unreachable(const httplib::Request& request, httplib::Error error) const {
@@ -184,8 +186,7 @@ Api::Api(const ServerUrl& url, const std::string& token, Interrupts& interrupts)
 Api::~Api() { connection_->interrupts.on_signal(nullptr); }
 
 std::vector<ShippedScene> Api::scenes() {
-  const json list = connection_->parse(
-      connection_->send(connection_->request("GET", "/scenes"), {200}), "list of scenes");
+  const json list = connection_->parse(connection_->get("/scenes"), "list of scenes");
   const json& entries = list.is_object() && list.contains("scenes") ? list.at("scenes") : list;
   std::vector<ShippedScene> scenes;
   for (const json& entry : entries)
@@ -194,7 +195,7 @@ std::vector<ShippedScene> Api::scenes() {
 }
 
 std::string Api::scene_document(const std::string& name) {
-  return connection_->send(connection_->request("GET", "/scenes/" + name), {200}).body;
+  return connection_->get("/scenes/" + name).body;
 }
 
 void Api::validate(const std::string& scene_text) {
@@ -207,7 +208,7 @@ void Api::validate(const std::string& scene_text) {
     return !valid;
   };
   try {
-    connection_->send(request, {304});
+    connection_->send(request, 304);
   } catch (const ServerError&) {
     if (!valid) throw;
   }
@@ -215,25 +216,23 @@ void Api::validate(const std::string& scene_text) {
 
 std::string Api::plan(const std::string& scene_text, const Overrides& overrides) {
   const std::string path = Connection::with_query("/plan", overrides);
-  const httplib::Response response = connection_->send(connection_->post(path, scene_text), {200});
+  const httplib::Response response = connection_->send(connection_->post(path, scene_text), 200);
   connection_->parse(response, "plan");
   return response.body;
 }
 
 Job Api::start_job(const std::string& scene_text, const Overrides& query) {
   const std::string path = Connection::with_query("/jobs", query);
-  return connection_->read_job(connection_->send(connection_->post(path, scene_text), {202}));
+  return connection_->read_job(connection_->send(connection_->post(path, scene_text), 202));
 }
 
 Job Api::job(const std::string& id) {
-  return connection_->read_job(
-      connection_->send(connection_->request("GET", "/jobs/" + id), {200}));
+  return connection_->read_job(connection_->get("/jobs/" + id));
 }
 
 RenderedImage Api::job_image(const std::string& id, ImageFormat format) {
-  const httplib::Request request = connection_->request(
-      "GET", "/jobs/" + id + "/image", {{"Accept", std::string(media_type(format))}});
-  httplib::Response response = connection_->send(request, {200});
+  httplib::Response response =
+      connection_->get("/jobs/" + id + "/image", {{"Accept", std::string(media_type(format))}});
   return {std::move(response.body),
           response.get_header_value("Render-Samples"),
           response.get_header_value("Render-Error"),
@@ -243,7 +242,7 @@ RenderedImage Api::job_image(const std::string& id, ImageFormat format) {
 }
 
 std::string Api::job_result(const std::string& id) {
-  return connection_->send(connection_->request("GET", "/jobs/" + id + "/result"), {200}).body;
+  return connection_->get("/jobs/" + id + "/result").body;
 }
 
 void Api::pause(std::chrono::milliseconds duration) { connection_->interrupts.sleep(duration); }

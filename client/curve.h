@@ -35,6 +35,14 @@ struct Curve {
   std::vector<CurvePoint> points;
 };
 
+/// One value of each point, in their order.
+inline std::vector<double> values_of(const std::vector<CurvePoint>& points,
+                                     double CurvePoint::*value) {
+  std::vector<double> values;
+  for (const CurvePoint& point : points) values.push_back(point.*value);
+  return values;
+}
+
 /// Reads GET /jobs/ID/result. Throws ServerError if it is no curve.
 Curve read_curve(const std::string& json);
 

@@ -73,16 +73,6 @@ std::string mark(const KindRow& row, bool is_best, double x, double y, const std
                                                 : "path");
 }
 
-LogPlot make_plot(const std::vector<CurvePoint>& points) {
-  std::vector<double> times;
-  std::vector<double> errors;
-  for (const CurvePoint& point : points) {
-    times.push_back(point.trace_ms);
-    errors.push_back(point.rmse);
-  }
-  return {times, errors};
-}
-
 std::string legend() {
   constexpr double x = LogPlot::right + 32;
   double y = LogPlot::top + 8;
@@ -162,7 +152,8 @@ std::string curve_svg(const Curve& curve, const std::string& label) {
   std::vector<CurvePoint> points = curve.points;
   std::sort(points.begin(), points.end(),
             [](const CurvePoint& a, const CurvePoint& b) { return a.trace_ms < b.trace_ms; });
-  const LogPlot plot = make_plot(points);
+  const LogPlot plot(values_of(points, &CurvePoint::trace_ms),
+                     values_of(points, &CurvePoint::rmse));
   const std::string measured = fmt::format(
       "{} x {} pixels on {} thread{}; errors against {} samples per pixel in double precision, "
       "off by at most {:.1g} by estimate",

@@ -34,14 +34,8 @@ std::string plot(const std::vector<CurvePoint>& points) {
   constexpr std::size_t width = 64;
   constexpr std::size_t height = 16;
   constexpr std::size_t margin = 9;  // of the numbers on the left
-  std::vector<double> times;
-  std::vector<double> errors;
-  for (const CurvePoint& point : points) {
-    times.push_back(point.trace_ms);
-    errors.push_back(point.rmse);
-  }
-  const LogAxis across(times);
-  const LogAxis up(errors);
+  const LogAxis across(values_of(points, &CurvePoint::trace_ms));
+  const LogAxis up(values_of(points, &CurvePoint::rmse));
   const auto column_of = [&](double ms) {
     return static_cast<std::size_t>(std::lround(across.place(ms) * (width - 1)));
   };

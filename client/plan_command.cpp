@@ -6,22 +6,15 @@
 
 #include "client/commands.h"
 #include "client/plan_text.h"
-#include "client/scene_errors.h"
 #include "client/terminal.h"
 #include "client/with_server.h"
 
 namespace raytracer::client {
 
 void plan(const PlanArguments& arguments, const ServerChoice& server) {
-  std::optional<SceneSource> scene = read_scene_file(arguments.scene);
   std::string json;
-  with_server(server, [&](Api& api) {
-    if (!scene) scene = fetch_shipped_scene(arguments.scene, api);
-    try {
-      json = api.plan(scene->text, arguments.overrides);
-    } catch (const Refused& refused) {
-      throw explain(refused, *scene, arguments.overrides);
-    }
+  with_scene(arguments.scene, arguments.overrides, server, [&](Api& api, const SceneSource& scene) {
+    json = api.plan(scene.text, arguments.overrides);
   });
   if (arguments.as_json) {
     fmt::print("{}", json);

@@ -156,7 +156,7 @@ PrivateDaemon::PrivateDaemon(const Interrupts& interrupts) : log_(std::tmpfile()
   try {
     url_ = wait_until_listening(output.ends[0], interrupts);
     if (url_.empty()) {
-      const std::string end = obituary();
+      const std::string end = exit_report();
       throw ServerError(fmt::format("{} did not start: {}", path,
                                     end.empty() ? "it did not say that it listens" : end));
     }
@@ -210,7 +210,7 @@ void PrivateDaemon::stop() {
   ended_ = true;
 }
 
-std::string PrivateDaemon::obituary() {
+std::string PrivateDaemon::exit_report() {
   if (!has_ended(false)) return {};
   constexpr long most_bytes = 1000;
   std::string log;

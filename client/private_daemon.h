@@ -27,7 +27,7 @@ class PrivateDaemon {
   const std::string& url() const { return url_; }
 
   /// How and with which last words it has ended by itself; empty while it runs.
-  std::string obituary();
+  std::string exit_report();
 
  private:
   std::string wait_until_listening(int output, const Interrupts& interrupts);

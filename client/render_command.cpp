@@ -69,13 +69,12 @@ void watch(const RenderArguments& arguments, const ServerChoice& server, const D
 void render(const RenderArguments& arguments, const ServerChoice& server) {
   const Delivery deliver(arguments.output);
   if (arguments.watch) return watch(arguments, server, deliver);
-  std::optional<SceneSource> scene = read_scene_file(arguments.scene);
   RenderedImage image;
-  with_server(server, [&](Api& api) {
-    if (!scene) scene = fetch_shipped_scene(arguments.scene, api);
-    image = render_scene(*scene, arguments.overrides, deliver.format(), api);
-  });
-  deliver(image, scene->label);
+  const SceneSource scene = with_scene(
+      arguments.scene, arguments.overrides, server, [&](Api& api, const SceneSource& rendered) {
+        image = render_scene(rendered, arguments.overrides, deliver.format(), api);
+      });
+  deliver(image, scene.label);
 }
 
 }  // namespace raytracer::client

@@ -48,10 +48,7 @@ void append_row(std::string& text, const std::vector<int>& bits) {
 }  // namespace
 
 std::string sixels(const Pixmap& picture, const TerminalSize& size) {
-  const double scale = std::min({1.0, 10.0 * std::max(size.columns, 1) / picture.width,
-                                 20.0 * std::max(size.rows, 1) / picture.height});
-  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(length * scale)); };
-  const Pixmap small = shrink(picture, scaled(picture.width), scaled(picture.height));
+  const Pixmap small = fitted(picture, size, 10, 20);
 
   std::string text = fmt::format("\033P0;1q\"1;1;{};{}", small.width, small.height);
   for (int color = 0; color < levels * levels * levels; ++color)

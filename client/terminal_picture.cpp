@@ -44,15 +44,6 @@ std::array<unsigned char, 3> mean(const Pixmap& picture, double x0, double x1, d
   return color;
 }
 
-/// A pixel to a column and two to a row.
-Pixmap fitted(const Pixmap& picture, const TerminalSize& size) {
-  const double scale =
-      std::min({1.0, static_cast<double>(std::max(size.columns, 1)) / picture.width,
-                2.0 * std::max(size.rows, 1) / picture.height});
-  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(length * scale)); };
-  return shrink(picture, scaled(picture.width), scaled(picture.height));
-}
-
 }  // namespace
 
 Pixmap read_ppm(std::string_view bytes) {
@@ -79,8 +70,15 @@ Pixmap shrink(const Pixmap& picture, int width, int height) {
   return small;
 }
 
+Pixmap fitted(const Pixmap& picture, const TerminalSize& size, double column_px, double row_px) {
+  const double scale = std::min({1.0, column_px * std::max(size.columns, 1) / picture.width,
+                                 row_px * std::max(size.rows, 1) / picture.height});
+  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(length * scale)); };
+  return shrink(picture, scaled(picture.width), scaled(picture.height));
+}
+
 std::string half_blocks(const Pixmap& picture, const TerminalSize& size) {
-  const Pixmap small = fitted(picture, size);
+  const Pixmap small = fitted(picture, size, 1, 2);
 
   std::string text;
   const auto color = [&](const char* layer, int x, int y) {
@@ -101,7 +99,7 @@ std::string half_blocks(const Pixmap& picture, const TerminalSize& size) {
 
 std::string characters(const Pixmap& picture, const TerminalSize& size) {
   constexpr std::string_view from_dark_to_light = " .:-=+*#%@";
-  const Pixmap pixels = fitted(picture, size);
+  const Pixmap pixels = fitted(picture, size, 1, 2);
   const Pixmap small = shrink(pixels, pixels.width, std::max(1, pixels.height / 2));
   std::string text;
   for (int y = 0; y < small.height; ++y) {

@@ -25,6 +25,9 @@ Pixmap read_ppm(std::string_view bytes);
 /// Neither is more than the picture's own.
 Pixmap shrink(const Pixmap& picture, int width, int height);
 
+/// Shrunk to fit the columns and rows, of so many pixels each; never larger than the picture.
+Pixmap fitted(const Pixmap& picture, const TerminalSize& size, double column_px, double row_px);
+
 /// Lines of 24-bit coloured half blocks that fit the columns and rows, in the picture's aspect and
 /// never larger than it is.
 std::string half_blocks(const Pixmap& picture, const TerminalSize& size);

@@ -2,7 +2,6 @@
 // table or text.
 #include <fmt/format.h>
 
-#include <optional>
 #include <string>
 
 #include "client/atomic_file.h"
@@ -12,7 +11,6 @@
 #include "client/curve_svg.h"
 #include "client/curve_text.h"
 #include "client/owned_job.h"
-#include "client/scene_errors.h"
 #include "client/with_server.h"
 
 namespace raytracer::client {
@@ -34,29 +32,24 @@ std::string file_of(const std::string& json, CurveFormat format, const std::stri
 
 void tradeoff(const TradeoffArguments& arguments, const ServerChoice& server) {
   if (arguments.output) check_writable(*arguments.output);
-  std::optional<SceneSource> scene = read_scene_file(arguments.scene);
   Overrides query = arguments.overrides;
   query["task"] = "tradeoff";
   std::string json;
-  with_server(server, [&](Api& api) {
-    if (!scene) scene = fetch_shipped_scene(arguments.scene, api);
-    try {
-      OwnedJob job(api, api.start_job(scene->text, query));
-      job.wait("measuring");
-      json = api.job_result(job.id());
-    } catch (const Refused& refused) {
-      throw explain(refused, *scene, arguments.overrides);
-    }
-  });
+  const SceneSource scene = with_scene(arguments.scene, arguments.overrides, server,
+                                       [&](Api& api, const SceneSource& measured) {
+                                         OwnedJob job(api, api.start_job(measured.text, query));
+                                         job.wait("measuring");
+                                         json = api.job_result(job.id());
+                                       });
 
   if (!arguments.output) {
-    fmt::print("{}", curve_text(read_curve(json), scene->label));
+    fmt::print("{}", curve_text(read_curve(json), scene.label));
     return;
   }
   const CurveFormat format = curve_format_of(*arguments.output).value();
-  write_atomically(*arguments.output, file_of(json, format, scene->label));
+  write_atomically(*arguments.output, file_of(json, format, scene.label));
   fmt::print(stderr, "{}: {} settings of {}\n", arguments.output->string(),
-             read_curve(json).points.size(), scene->label);
+             read_curve(json).points.size(), scene.label);
 }
 
 }  // namespace raytracer::client

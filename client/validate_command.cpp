@@ -2,22 +2,15 @@
 #include <fmt/format.h>
 
 #include "client/commands.h"
-#include "client/scene_errors.h"
 #include "client/with_server.h"
 
 namespace raytracer::client {
 
 void validate(const ValidateArguments& arguments, const ServerChoice& server) {
-  std::optional<SceneSource> scene = read_scene_file(arguments.scene);
-  with_server(server, [&](Api& api) {
-    if (!scene) scene = fetch_shipped_scene(arguments.scene, api);
-    try {
-      api.validate(scene->text);
-    } catch (const Refused& refused) {
-      throw explain(refused, *scene, {});
-    }
-  });
-  fmt::print("{}: valid\n", scene->label);
+  const SceneSource scene =
+      with_scene(arguments.scene, {}, server,
+                 [](Api& api, const SceneSource& checked) { api.validate(checked.text); });
+  fmt::print("{}: valid\n", scene.label);
 }
 
 }  // namespace raytracer::client

@@ -6,11 +6,18 @@
 
 #include "client/api.h"
 #include "client/arguments.h"
+#include "client/scene_source.h"
 
 namespace raytracer::client {
 
 /// Calls `use` with the chosen server. Throws what `use` does; if the private daemon has
 /// ended meanwhile, a ServerError that says how.
 void with_server(const ServerChoice& choice, const std::function<void(Api&)>& use);
+
+/// The same with the scene that `name` means: a file, which is read first, "-", or a shipped one.
+/// What the server refuses about it is thrown as explain() has it. Returns the scene.
+SceneSource with_scene(const std::string& name, const Overrides& overrides,
+                       const ServerChoice& choice,
+                       const std::function<void(Api&, const SceneSource&)>& use);
 
 }  // namespace raytracer::client

@@ -16,15 +16,15 @@ struct Admission::Entry {
   Clock::time_point entered;
   Clock::time_point started{};
   std::atomic<bool> is_running{false};  ///< set with the mutex held, behind `started`
-  std::condition_variable turn_came{};  ///< its own: a turn wakes nobody but whose it is
+  std::condition_variable admitted{};   ///< its own: an admission wakes nobody else
 };
 
 Admission::Admission(std::size_t most_running, std::size_t most_waiting)
     : most_running_(most_running), most_waiting_(most_waiting) {}
 
-Admission::Place Admission::enter(RenderProgress& progress) {
+AdmissionSlot Admission::enter(RenderProgress& progress) {
   const std::scoped_lock lock(mutex_);
-  demand_open();
+  require_open();
   auto entry = std::make_unique<Entry>(progress, Clock::now());
   if (running_.size() >= most_running_ && !may_wait()) refuse_full();
   waiting_.push_back(entry.get());
@@ -32,32 +32,32 @@ Admission::Place Admission::enter(RenderProgress& progress) {
   return {*this, std::move(entry)};
 }
 
-Admission::Companion Admission::accompany() {
+AdmissionWaiter Admission::add_waiter() {
   const std::scoped_lock lock(mutex_);
-  demand_open();
+  require_open();
   if (!may_wait()) refuse_full();
-  ++companions_;
-  return Companion(*this);
+  ++extra_waiters_;
+  return {this, [this](const void*) { --extra_waiters_; }};
 }
 
-bool Admission::may_wait() const { return waiting_.size() + companions_ < most_waiting_; }
+bool Admission::may_wait() const { return waiting_.size() + extra_waiters_ < most_waiting_; }
 
 void Admission::refuse_full() const {
-  throw Refusal({429,
-                 fmt::format("{} renders wait already (--max-queue); try again later",
-                             waiting_.size() + companions_),
-                 {},
-                 {{"Retry-After", std::to_string(retry_after_s())}}});
+  throw HttpError({429,
+                   fmt::format("{} renders wait already (--max-queue); try again later",
+                               waiting_.size() + extra_waiters_),
+                   {},
+                   {{"Retry-After", std::to_string(retry_after_s())}}});
 }
 
-void Admission::demand_open() const {
-  if (closed_) throw Refusal({503, "The server is shutting down and takes no new work"});
+void Admission::require_open() const {
+  if (closed_) throw HttpError({503, "The server is shutting down and takes no new work"});
 }
 
 void Admission::close() {
   const std::scoped_lock lock(mutex_);
   closed_ = true;
-  for (Entry* const entry : waiting_) entry->turn_came.notify_all();
+  for (Entry* const entry : waiting_) entry->admitted.notify_all();
 }
 
 void Admission::stop_running() {
@@ -67,7 +67,7 @@ void Admission::stop_running() {
 
 Admission::Load Admission::load() const {
   const std::scoped_lock lock(mutex_);
-  return {running_.size(), waiting_.size() + companions_};
+  return {running_.size(), waiting_.size() + extra_waiters_};
 }
 
 bool Admission::is_closed() const { return closed_; }
@@ -101,7 +101,7 @@ void Admission::let_in_next() {
     running_.push_back(next);
     next->started = Clock::now();
     next->is_running = true;
-    next->turn_came.notify_all();
+    next->admitted.notify_all();
   }
 }
 
@@ -117,34 +117,29 @@ long Admission::retry_after_s() const {
   return std::lround(std::clamp(std::ceil(all_s), 1.0, 600.0));
 }
 
-Admission::Place::Place(Admission& admission, std::unique_ptr<Entry> entry)
+AdmissionSlot::AdmissionSlot(Admission& admission, std::unique_ptr<Admission::Entry> entry)
     : admission_(&admission), entry_(std::move(entry)) {}
 
-Admission::Place::Place(Place&&) noexcept = default;
+AdmissionSlot::AdmissionSlot(AdmissionSlot&&) noexcept = default;
 
-Admission::Place::~Place() {
+AdmissionSlot::~AdmissionSlot() {
   if (entry_) admission_->leave(*entry_);
 }
 
-bool Admission::Place::wait_for_turn() {
+bool AdmissionSlot::wait_until_admitted() {
   if (entry_->is_running) return !entry_->progress.stop;
   // A client's leaving sets a flag and notifies nobody, hence the short waits.
   constexpr std::chrono::milliseconds look_again{50};
   std::unique_lock lock(admission_->mutex_);
   while (!entry_->is_running) {
     if (entry_->progress.stop) return false;
-    admission_->demand_open();
-    entry_->turn_came.wait_for(lock, look_again);
+    admission_->require_open();
+    entry_->admitted.wait_for(lock, look_again);
   }
   return !entry_->progress.stop;
 }
 
-Admission::Companion::~Companion() {
-  const std::scoped_lock lock(admission_.mutex_);
-  --admission_.companions_;
-}
-
-double Admission::Place::queue_ms() const {
+double AdmissionSlot::queue_ms() const {
   return std::chrono::duration<double, std::milli>(entry_->started - entry_->entered).count();
 }
 

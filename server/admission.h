@@ -17,24 +17,26 @@
 
 namespace raytracer {
 
+class AdmissionSlot;
+
+/// One of those who wait beside the queue, until nobody holds it any more.
+using AdmissionWaiter = std::shared_ptr<const void>;
+
 /// Every member function may be called from any thread.
 class Admission {
  public:
   Admission(std::size_t most_running, std::size_t most_waiting);
 
-  class Place;
-  class Companion;
+  /// Takes the last slot, running or waiting. `progress` must outlive the AdmissionSlot.
+  /// Throws HttpError: 429 with Retry-After if the queue is full, 503 after close().
+  AdmissionSlot enter(RenderProgress& progress);
 
-  /// Takes the last place, running or waiting. `progress` must outlive the Place.
-  /// Throws Refusal: 429 with Retry-After if the queue is full, 503 after close().
-  Place enter(RenderProgress& progress);
-
-  /// For who waits for somebody else's render: one of those who wait, without a turn of its own.
-  /// Throws Refusal as enter() does.
-  Companion accompany();
+  /// For who waits for somebody else's render: one of those who wait, without a slot of its own.
+  /// Throws HttpError as enter() does. The waiter must not outlive this.
+  AdmissionWaiter add_waiter();
 
   /// Throws the 503 of a closed queue: for a look before a body is read.
-  void demand_open() const;
+  void require_open() const;
 
   /// No new work from now on; those who wait are refused, those who run go on.
   void close();
@@ -53,6 +55,7 @@ class Admission {
   bool wait_until_empty(std::chrono::milliseconds timeout) const;
 
  private:
+  friend class AdmissionSlot;
   struct Entry;
   using Clock = std::chrono::steady_clock;
 
@@ -68,43 +71,32 @@ class Admission {
   mutable std::condition_variable emptied_;
   std::vector<Entry*> running_;
   std::deque<Entry*> waiting_;
-  std::size_t companions_ = 0;
+  std::atomic<std::size_t> extra_waiters_{0};
   std::atomic<bool> closed_{false};  ///< set with the mutex held
   double mean_render_s_ = 1;         ///< of late, the newest counting most
 };
 
-/// A place in the queue, then among those who run; given back at the end of its life.
-class Admission::Place {
+/// A place in the queue, then an admission slot: among those who run; given back at the end of its
+/// life.
+class AdmissionSlot {
  public:
-  Place(Place&&) noexcept;
-  Place& operator=(Place&&) = delete;
-  ~Place();
+  AdmissionSlot(AdmissionSlot&&) noexcept;
+  AdmissionSlot& operator=(AdmissionSlot&&) = delete;
+  ~AdmissionSlot();
 
-  /// Returns true when it is this place's turn, false soon after `progress.stop` was set.
-  /// Throws Refusal 503 if the queue is closed before.
-  bool wait_for_turn();
+  /// Returns true once it is admitted, false soon after `progress.stop` was set.
+  /// Throws HttpError 503 if the queue is closed before.
+  bool wait_until_admitted();
 
-  /// From entering to the turn, in milliseconds.
+  /// From entering to the admission, in milliseconds.
   double queue_ms() const;
 
  private:
   friend class Admission;
-  Place(Admission& admission, std::unique_ptr<Entry> entry);
+  AdmissionSlot(Admission& admission, std::unique_ptr<Admission::Entry> entry);
 
   Admission* admission_;
-  std::unique_ptr<Entry> entry_;
-};
-
-/// Who waits beside the queue, until the end of its life.
-class Admission::Companion {
- public:
-  explicit Companion(Admission& admission) : admission_(admission) {}
-  ~Companion();
-  Companion(const Companion&) = delete;
-  Companion& operator=(const Companion&) = delete;
-
- private:
-  Admission& admission_;
+  std::unique_ptr<Admission::Entry> entry_;
 };
 
 }  // namespace raytracer

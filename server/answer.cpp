@@ -21,7 +21,8 @@ void set_closing_content(httplib::Response& response, std::string bytes,
 
 }  // namespace
 
-void answer_problem(httplib::Response& response, const Problem& problem, Afterwards afterwards) {
+void answer_problem(httplib::Response& response, const Problem& problem,
+                    ConnectionReuse afterwards) {
   for (const char* const of_success :
        {"Content-Type", "Content-Length", "ETag", "Vary", "Cache-Control", "Location"})
     response.headers.erase(of_success);
@@ -30,7 +31,7 @@ void answer_problem(httplib::Response& response, const Problem& problem, Afterwa
   for (const auto& [name, value] : problem.headers) response.set_header(name, value);
   response.set_header("Cache-Control", "no-store");
   const std::string media_type = "application/problem+json";
-  if (afterwards == Afterwards::close)
+  if (afterwards == ConnectionReuse::close)
     set_closing_content(response, to_json(problem), media_type);
   else
     response.set_content(to_json(problem), media_type);

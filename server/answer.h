@@ -14,10 +14,11 @@ namespace raytracer {
 
 /// What becomes of the connection after the answer. `close` is for requests whose body, or rest,
 /// is unread: it would be taken for the next request.
-enum class Afterwards { keep, close };
+enum class ConnectionReuse { keep, close };
 
 /// Replaces whatever the response held by the problem.
-void answer_problem(httplib::Response& response, const Problem& problem, Afterwards afterwards);
+void answer_problem(httplib::Response& response, const Problem& problem,
+                    ConnectionReuse afterwards);
 
 void answer_bytes(httplib::Response& response, std::string bytes, std::string_view media_type);
 

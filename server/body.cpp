@@ -15,7 +15,7 @@ namespace raytracer {
 namespace {
 
 [[noreturn]] void refuse(int status, std::string detail) {
-  throw Refusal({status, std::move(detail)});
+  throw HttpError({status, std::move(detail)});
 }
 
 /// Digits only; one that no int64 holds is as good as the largest.
@@ -49,12 +49,12 @@ bool announces_body(const httplib::Request& request) {
           request.get_header_value("Content-Length") != "0");
 }
 
-void demand_no_body(const httplib::Request& request) {
+void require_no_body(const httplib::Request& request) {
   if (announces_body(request))
     refuse(400, fmt::format("{} takes no body here; send it without one", request.method));
 }
 
-void demand_scene_body(const httplib::Request& request, std::int64_t most_bytes) {
+void require_scene_body(const httplib::Request& request, std::int64_t most_bytes) {
   if (request.has_header("Transfer-Encoding"))
     refuse(411, "Bodies must come with a Content-Length, not with Transfer-Encoding");
   const std::string coding = header_list(request, "Content-Encoding");

@@ -22,7 +22,7 @@ struct Call {
   bool is_head() const { return request.method == "HEAD"; }
 };
 
-/// Answers a call, or throws Refusal.
+/// Answers a call, or throws HttpError.
 using Handler = std::function<void(Call&)>;
 
 /// All values of a header field as one list.
@@ -36,7 +36,7 @@ inline std::string header_list(const httplib::Request& request, const std::strin
   return list;
 }
 
-inline ConnectionEnds ends_of(const httplib::Request& request) {
+inline ConnectionEndpoints endpoints_of(const httplib::Request& request) {
   return {request.remote_addr, request.remote_port, request.local_addr, request.local_port};
 }
 

@@ -25,7 +25,7 @@ class Catalog {
   /// Ordered by name.
   const std::vector<ShippedScene>& scenes() const { return scenes_; }
 
-  /// Throws Refusal 404 that suggests the nearest name.
+  /// Throws HttpError 404 that suggests the nearest name.
   const ShippedScene& at(std::string_view name) const;
 
  private:

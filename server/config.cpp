@@ -19,10 +19,6 @@
 namespace raytracer {
 namespace {
 
-// Each of those who wait holds a connection, and most systems give a process 1,024 descriptors.
-constexpr std::int64_t longest_queue = 500;
-constexpr std::int64_t most_memory = 1LL << 40;  // bytes
-
 /// A value and where it came from, for messages: "--port" or "RAYTRACER_PORT".
 struct Given {
   std::string source;
@@ -60,7 +56,7 @@ std::int64_t integer_of(const Given& given, std::int64_t least, std::int64_t mos
   return value;
 }
 
-void demand_token_beyond_loopback(const Config& config) {
+void require_token_beyond_loopback(const Config& config) {
   if (!config.token.empty() || is_loopback(config.host)) return;
   throw ConfigError(fmt::format(
       "--host {} can be reached from other machines, so a token is required: set --token or "
@@ -96,9 +92,7 @@ class CommandLine {
   const Setting* port = nullptr;
   const Setting* threads = nullptr;
   std::vector<const Setting*> limits{};  ///< in the order of limit_table
-  const Setting* max_queue = nullptr;
-  const Setting* max_kept = nullptr;
-  const Setting* max_cache = nullptr;
+  std::vector<const Setting*> sizes{};   ///< in the order of size_table
   const Setting* token = nullptr;
 
  private:
@@ -128,16 +122,12 @@ CommandLine::CommandLine() {
   port = add("--port", "RAYTRACER_PORT", "PORT", "port to listen on; 0 takes a free one",
              std::to_string(defaults.port));
   threads = add("--threads", "RAYTRACER_THREADS", "COUNT", "threads that trace", "every core");
-  limits.reserve(limit_table.size());
   for (const LimitRow& row : limit_table)
     limits.push_back(add(row.flag, row.variable, "COUNT", fmt::format("most {}", row.meaning),
                          std::to_string(defaults.limits.*row.value)));
-  max_queue = add("--max-queue", "RAYTRACER_MAX_QUEUE", "COUNT", "most renders waiting",
-                  std::to_string(defaults.max_queue));
-  max_kept = add("--max-kept", "RAYTRACER_MAX_KEPT", "COUNT", fmt::format("most {}", kept_meaning),
-                 std::to_string(defaults.max_kept));
-  max_cache = add("--max-cache", "RAYTRACER_MAX_CACHE", "COUNT",
-                  fmt::format("most {}", cache_meaning), std::to_string(defaults.max_cache));
+  for (const SizeRow& row : size_table)
+    sizes.push_back(add(row.flag, row.variable, "COUNT", fmt::format("most {}", row.meaning),
+                        std::to_string(defaults.*row.value)));
   token = add("--token", "RAYTRACER_TOKEN", "TOKEN",
               "bearer token that requests must carry; safer in its variable, "
               "which other users cannot list",
@@ -165,19 +155,17 @@ std::variant<Config, Printout> read_config(int argc, const char* const* argv,
   for (std::size_t i = 0; i < limit_table.size(); ++i)
     if (const auto given = line.limits[i]->given(environment))
       config.limits.*limit_table[i].value = integer_of(*given, 1, limit_table[i].largest);
-  if (const auto given = line.max_queue->given(environment))
-    config.max_queue = static_cast<std::size_t>(integer_of(*given, 0, longest_queue));
-  if (const auto given = line.max_kept->given(environment))
-    config.max_kept = static_cast<std::size_t>(integer_of(*given, 0, most_memory));
-  if (const auto given = line.max_cache->given(environment))
-    config.max_cache = static_cast<std::size_t>(integer_of(*given, 0, most_memory));
+  for (std::size_t i = 0; i < size_table.size(); ++i)
+    if (const auto given = line.sizes[i]->given(environment))
+      config.*size_table[i].value =
+          static_cast<std::size_t>(integer_of(*given, 0, size_table[i].largest));
   if (const auto given = line.token->given(environment)) {
     if (!is_token(given->text))
       throw ConfigError(
           fmt::format("{} must be a non-empty text of letters, digits and -._~+/=", given->source));
     config.token = given->text;
   }
-  demand_token_beyond_loopback(config);
+  require_token_beyond_loopback(config);
   return config;
 }
 

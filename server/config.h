@@ -2,7 +2,9 @@
 // starts, so that nothing is unset or out of range afterwards.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -16,21 +18,35 @@ class App;
 
 namespace raytracer {
 
-inline constexpr const char* kept_meaning = "bytes of posted scenes that are kept";
-inline constexpr const char* cache_meaning =
-    "bytes of finished images, and as many of scenes read from long bodies, to answer again from";
-
 struct Config {
   std::string host = "127.0.0.1";
   int port = 8080;  ///< 0: one that is free
   std::size_t threads = 1;
   Limits limits;
   std::size_t max_queue = 64;           ///< renders waiting
-  std::size_t max_kept = 256UL << 20;   ///< see kept_meaning
-  std::size_t max_cache = 128UL << 20;  ///< see cache_meaning
+  std::size_t max_kept = 256UL << 20;   ///< as size_table says
+  std::size_t max_cache = 128UL << 20;  ///< as size_table says
   std::string token;                    ///< empty: none is asked for
   bool quiet = false;                   ///< no line per request
 };
+
+/// A setting of how many there may be, beside the limits of a scene.
+struct SizeRow {
+  const char* flag;
+  const char* variable;
+  const char* meaning;
+  std::size_t Config::*value;
+  std::int64_t largest;
+};
+
+// Each of those who wait holds a connection, and most systems give a process 1,024 descriptors.
+inline constexpr std::array<SizeRow, 3> size_table{
+    {{"--max-queue", "RAYTRACER_MAX_QUEUE", "renders waiting", &Config::max_queue, 500},
+     {"--max-kept", "RAYTRACER_MAX_KEPT", "bytes of posted scenes that are kept", &Config::max_kept,
+      1LL << 40},
+     {"--max-cache", "RAYTRACER_MAX_CACHE",
+      "bytes of finished images, and as many of scenes read from long bodies, to answer again from",
+      &Config::max_cache, 1LL << 40}}};
 
 /// Says which flag or variable, its value, and what is allowed.
 class ConfigError : public std::runtime_error {

@@ -66,7 +66,7 @@ int descriptor_limit() {
 
 }  // namespace
 
-int find_socket(const ConnectionEnds& ends) {
+int find_socket(const ConnectionEndpoints& ends) {
   // Descriptors are given out from below, so that the search ends soon.
   const int limit = descriptor_limit();
   for (int socket = 0; socket < limit; ++socket)
@@ -76,7 +76,7 @@ int find_socket(const ConnectionEnds& ends) {
   return -1;
 }
 
-void hang_up_all(int local_port) {
+void shut_down_connections(int local_port) {
   const int limit = descriptor_limit();
   for (int socket = 0; socket < limit; ++socket) {
     const std::optional<End> local = end_of(socket, getsockname);
@@ -85,7 +85,7 @@ void hang_up_all(int local_port) {
   }
 }
 
-bool client_has_left(int socket) {
+bool client_has_disconnected(int socket) {
   if (socket < 0) return false;
   pollfd state{socket, static_cast<short>(POLLIN | end_of_input), 0};
   if (poll(&state, 1, 0) <= 0) return false;

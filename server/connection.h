@@ -15,7 +15,7 @@
 namespace raytracer {
 
 /// The four things that identify a connection.
-struct ConnectionEnds {
+struct ConnectionEndpoints {
   std::string remote_address;
   int remote_port = 0;
   std::string local_address;
@@ -23,14 +23,14 @@ struct ConnectionEnds {
 };
 
 /// The descriptor of the connection, or -1 if this process has none such.
-int find_socket(const ConnectionEnds& ends);
+int find_socket(const ConnectionEndpoints& ends);
 
 /// Ends both sides of every connection of this process that came in at `local_port`: whoever reads
 /// from one sees its end. Only for when no handler runs any more.
-void hang_up_all(int local_port);
+void shut_down_connections(int local_port);
 
 /// Whether the client has ended its side; never waits. False for a descriptor of -1.
-bool client_has_left(int socket);
+bool client_has_disconnected(int socket);
 
 /// Ends the sending side, so that the client sees the answer's end, and throws away what it still
 /// sends: closing with unread input makes the kernel discard the answer on its way (RST).

@@ -25,6 +25,7 @@ std::string sha256_hex(std::string_view bytes) {
       EVP_DigestUpdate(context.get(), bytes.data(), bytes.size()) != 1 ||
       EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1)
     throw std::runtime_error("OpenSSL does not compute SHA-256");
+  // Digit by digit: fmt takes 1 us more, of the 57 that the smallest picture takes.
   constexpr std::string_view digits = "0123456789abcdef";
   std::string hex;
   hex.reserve(2 * std::size_t{length});
@@ -38,12 +39,10 @@ std::string sha256_hex(std::string_view bytes) {
 std::string content_digest(const Scene& scene) { return sha256_hex(canonical_content(scene)); }
 
 std::string picture_digest(std::string_view content_digest, const Scene& view) {
-  std::string text(content_digest);
-  text += '\n';
-  return sha256_hex(text += canonical_view(view));
+  return sha256_hex(fmt::format("{}\n{}", content_digest, canonical_view(view)));
 }
 
-std::string maker_of_pictures(const Machine& machine) {
+std::string renderer_id_of(const Machine& machine) {
   constexpr std::size_t digits = 16;  // nobody but this program chooses what they are made from
   return sha256_hex(
              fmt::format("{}\n{}\n{}", build_id, machine.instruction_set.name, processor_model()))
@@ -51,16 +50,12 @@ std::string maker_of_pictures(const Machine& machine) {
 }
 
 std::string entity_tag(std::string_view picture_digest, std::string_view media_type,
-                       std::string_view maker) {
+                       std::string_view renderer_id) {
   constexpr std::size_t digits = 32;
-  std::string tag;
-  tag.reserve(digits + media_type.size() + maker.size() + 4);
-  (tag += '"') += picture_digest.substr(0, digits);
-  (((tag += '-') += media_type) += '-') += maker;
-  return tag += '"';
+  return fmt::format("\"{}-{}-{}\"", picture_digest.substr(0, digits), media_type, renderer_id);
 }
 
-bool names_tag(std::string_view if_none_match, std::string_view tag) {
+bool matches_tag(std::string_view if_none_match, std::string_view tag) {
   bool found = false;
   for_each_part(if_none_match, ',', [&](std::string_view candidate) {
     if (candidate.starts_with("W/")) candidate.remove_prefix(2);

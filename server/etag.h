@@ -21,14 +21,15 @@ std::string picture_digest(std::string_view content_digest, const Scene& view);
 
 /// Who draws: a digest of this build, the machine's instruction set, its processor. Slow, as asking
 /// a virtual machine's processor for its name is: to be asked once.
-std::string maker_of_pictures(const Machine& machine);
+std::string renderer_id_of(const Machine& machine);
 
-/// The strong entity tag, with its quotes, of the picture as `maker` draws it in one media type.
+/// The strong entity tag, with its quotes, of the picture as `renderer_id` draws it in one media
+/// type.
 std::string entity_tag(std::string_view picture_digest, std::string_view media_type,
-                       std::string_view maker);
+                       std::string_view renderer_id);
 
 /// Whether an If-None-Match field names `tag`, by weak comparison (RFC 9110, 13.1.2), or is "*".
-bool names_tag(std::string_view if_none_match, std::string_view tag);
+bool matches_tag(std::string_view if_none_match, std::string_view tag);
 
 /// SHA-256 in hexadecimal. Throws std::runtime_error if OpenSSL has no SHA-256.
 std::string sha256_hex(std::string_view bytes);

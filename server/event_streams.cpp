@@ -21,16 +21,16 @@ constexpr std::chrono::seconds longest_silence{5};  // proxies end what is silen
 /// One client's view of one job.
 class EventStream {
  public:
-  EventStream(EventStreams::Place place, std::shared_ptr<const Job> job,
+  EventStream(EventStreams::Slot slot, std::shared_ptr<const Job> job,
               std::function<std::string(const Job&)> describe, int socket)
-      : place_(std::move(place)),
+      : slot_(std::move(slot)),
         job_(std::move(job)),
         describe_(std::move(describe)),
         socket_(socket) {}
 
   /// Writes what there is to say and waits a little; false if nobody listens any more.
   bool step(httplib::DataSink& sink) {
-    if (client_has_left(socket_)) return false;
+    if (client_has_disconnected(socket_)) return false;
     const JobState state = job_->state();
     if (has_ended(state.status)) {
       if (!write(sink, event(name_of(state.status)))) return false;
@@ -58,7 +58,7 @@ class EventStream {
     return sink.write(text.data(), text.size());
   }
 
-  const EventStreams::Place place_;
+  const EventStreams::Slot slot_;
   const std::shared_ptr<const Job> job_;
   const std::function<std::string(const Job&)> describe_;
   const int socket_;
@@ -68,15 +68,15 @@ class EventStream {
 
 }  // namespace
 
-EventStreams::Place EventStreams::take() {
+EventStreams::Slot EventStreams::take() {
   if (++open_ > most_event_streams) {
     --open_;
-    throw Refusal({429,
-                   fmt::format("{} event streams are open, and this server has no more; ask for "
-                               "the job itself from time to time instead",
-                               most_event_streams),
-                   {},
-                   {{"Retry-After", "1"}}});
+    throw HttpError({429,
+                     fmt::format("{} event streams are open, and this server has no more; ask for "
+                                 "the job itself from time to time instead",
+                                 most_event_streams),
+                     {},
+                     {{"Retry-After", "1"}}});
   }
   return {this, [this](const void*) { --open_; }};
 }
@@ -88,7 +88,7 @@ void answer_events(Call& call, EventStreams& streams, std::shared_ptr<const Job>
   call.response.set_header("Cache-Control", "no-store");
   if (call.is_head()) return call.response.set_header("Content-Type", media_type);
   const auto stream = std::make_shared<EventStream>(
-      streams.take(), std::move(job), std::move(describe), find_socket(ends_of(call.request)));
+      streams.take(), std::move(job), std::move(describe), find_socket(endpoints_of(call.request)));
   const auto next = [stream](std::size_t, httplib::DataSink& sink) { return stream->step(sink); };
   if (call.request.version != "HTTP/1.0")
     return call.response.set_chunked_content_provider(media_type, next);

@@ -24,10 +24,10 @@ inline constexpr std::size_t most_event_streams = 32;
 class EventStreams {
  public:
   /// One of the streams, given back when nobody holds it any more.
-  using Place = std::shared_ptr<const void>;
+  using Slot = std::shared_ptr<const void>;
 
-  /// Throws Refusal 429 if all are taken. The place must not outlive this.
-  Place take();
+  /// Throws HttpError 429 if all are taken. The slot must not outlive this.
+  Slot take();
 
   std::size_t open_count() const { return open_; }
 
@@ -37,7 +37,7 @@ class EventStreams {
 
 /// Answers with `progress` events while the job changes, some ten a second at most, and a comment
 /// when it has not for seconds; then one `done`, `failed` or `cancelled`. The data of each is what
-/// `describe` says of the job on one line. Throws Refusal 429 if there are too many streams.
+/// `describe` says of the job on one line. Throws HttpError 429 if there are too many streams.
 void answer_events(Call& call, EventStreams& streams, std::shared_ptr<const Job> job,
                    std::function<std::string(const Job&)> describe);
 

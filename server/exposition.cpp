@@ -34,6 +34,12 @@ void Exposition::family(std::string_view name, std::string_view type, std::strin
   fmt::format_to(std::back_inserter(text_), "# HELP {0} {1}\n# TYPE {0} {2}\n", name, help, type);
 }
 
+void Exposition::family(std::string_view name, std::string_view type, std::string_view help,
+                        double value) {
+  family(name, type, help);
+  sample(value);
+}
+
 void Exposition::sample(double value, Labels labels) {
   line("", {labels.begin(), labels.size()}, fmt::format("{}", value));
 }

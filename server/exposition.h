@@ -33,6 +33,9 @@ class Exposition {
   /// Begins a family; samples belong to the last one begun. `type` is counter, gauge or histogram.
   void family(std::string_view name, std::string_view type, std::string_view help);
 
+  /// A family of one sample.
+  void family(std::string_view name, std::string_view type, std::string_view help, double value);
+
   void sample(double value, Labels labels = {});
   void sample(const Histogram& histogram, Labels labels = {});
 

@@ -3,26 +3,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <string_view>
 
 namespace raytracer {
-namespace {
-
-std::string_view name_of(Stop stop) {
-  switch (stop) {
-    case Stop::target:
-      return "target";
-    case Stop::budget:
-      return "budget";
-    case Stop::samples:
-    case Stop::cancelled:
-      break;
-  }
-  return "samples";
-}
-
-}  // namespace
-
 std::size_t FinishedImage::memory() const { return sizeof *this + bytes.capacity(); }
 
 template <typename Channel>
@@ -37,7 +19,9 @@ FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queu
                   encoding.count()};
   image.samples = fmt::format("{:.6g}", rendering.samples_per_pixel);
   image.precision = rendering.precision == Precision::single_precision ? "single" : "double";
-  image.stop = name_of(rendering.stop);
+  image.stop = rendering.stop == Stop::target   ? "target"
+               : rendering.stop == Stop::budget ? "budget"
+                                                : "samples";
   if (rendering.estimated_error) image.error = fmt::format("{:.3g}", *rendering.estimated_error);
   return image;
 }

@@ -33,7 +33,7 @@ struct FinishedImage {
   std::size_t memory() const;
 };
 
-/// Encodes the rendering, which waited for its turn for `queue_ms`, on the pool's threads.
+/// Encodes the rendering, which waited in the queue for `queue_ms`, on the pool's threads.
 template <typename Channel>
 FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queue_ms,
                            ImageFormat format, WorkerPool& pool);

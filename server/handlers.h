@@ -1,4 +1,5 @@
-// What each route does. A handler answers its call or throws Refusal; see routes.cpp for the table.
+// What each route does. A handler answers its call or throws HttpError; see routes.cpp for the
+// table.
 #pragma once
 
 #include "server/call.h"

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstdint>
-
 #include "server/answer.h"
 #include "server/etag.h"
 #include "server/header_text.h"
@@ -25,7 +22,7 @@ void set_caching(httplib::Response& response, const Representation& wanted) {
   response.set_header("Cache-Control", "no-cache");
 }
 
-bool wants_anew(const httplib::Request& request) {
+bool forbids_cache(const httplib::Request& request) {
   bool found = false;
   const std::string directives = header_list(request, "Cache-Control");
   for_each_part(directives, ',', [&](std::string_view directive) {
@@ -34,44 +31,27 @@ bool wants_anew(const httplib::Request& request) {
   return found;
 }
 
-/// Appends "name;dur=" and milliseconds with three decimals. By hand, because fmt takes longer for
-/// the six of an answer than the smallest picture takes to plan.
-void add_stage(std::string& list, std::string_view name, double ms) {
-  constexpr std::int64_t thousand = 1000;
-  const std::int64_t us = std::llround(static_cast<double>(thousand) * ms);
-  const std::string decimals = std::to_string(thousand + us % thousand);  // a 1 and the three
-  if (!list.empty()) list += ", ";
-  (list += name) += ";dur=";
-  (list += std::to_string(us / thousand)) += '.';
-  list.append(decimals, 1);
-}
-
 /// What of the making this request waited for, and that it was no more.
 std::string server_timing(const Delivery& delivery, double parse_ms) {
   Stages stages;
   const char* origin = "";
   switch (delivery.origin) {
-    case Origin::made:
+    case Origin::rendered:
       stages = delivery.image->stages;
       break;
     case Origin::shared:
       stages.queue_ms = delivery.waited_ms;
       origin = ", cache;desc=shared";
       break;
-    case Origin::remembered:
+    case Origin::cached:
       origin = ", cache;desc=hit";
       break;
   }
-  constexpr std::size_t usual_length = 160;
-  std::string list;
-  list.reserve(usual_length);
-  add_stage(list, "queue", stages.queue_ms);
-  add_stage(list, "parse", parse_ms);
-  add_stage(list, "plan", stages.plan_ms);
-  add_stage(list, "build", stages.build_ms);
-  add_stage(list, "trace", stages.trace_ms);
-  add_stage(list, "encode", stages.encode_ms);
-  return list += origin;
+  return fmt::format(
+      "queue;dur={:.3f}, parse;dur={:.3f}, plan;dur={:.3f}, build;dur={:.3f}, trace;dur={:.3f}, "
+      "encode;dur={:.3f}{}",
+      stages.queue_ms, parse_ms, stages.plan_ms, stages.build_ms, stages.trace_ms, stages.encode_ms,
+      origin);
 }
 
 }  // namespace
@@ -81,29 +61,30 @@ Reproducible reproducible_digest(const SceneRequest& request) {
   return picture_digest(request.known->content_digest, request.scene);
 }
 
-Representation represent(const Reproducible& digest, ImageFormat format, std::string_view maker) {
+Representation represent(const Reproducible& digest, ImageFormat format,
+                         std::string_view renderer_id) {
   Representation wanted{format, {}};
-  if (digest) wanted.tag = entity_tag(*digest, media_type(format), maker);
+  if (digest) wanted.tag = entity_tag(*digest, media_type(format), renderer_id);
   return wanted;
 }
 
-ImageWish wish_of(const Call& call, const Representation& wanted) {
-  return {wanted.tag, wants_anew(call.request), ends_of(call.request)};
+ImageRequest image_request(const Call& call, const Representation& wanted) {
+  return {wanted.tag, forbids_cache(call.request), endpoints_of(call.request)};
 }
 
-ImageFormat demand_format(const httplib::Request& request) {
+ImageFormat require_format(const httplib::Request& request) {
   const std::optional<ImageFormat> format = choose_format(header_list(request, "Accept"));
   if (format) return *format;
-  throw Refusal({406, fmt::format("None of the accepted types is offered: {}, {}, {}",
-                                  media_type(ImageFormat::png), media_type(ImageFormat::ppm),
-                                  media_type(ImageFormat::pfm))});
+  throw HttpError({406, fmt::format("None of the accepted types is offered: {}, {}, {}",
+                                    media_type(ImageFormat::png), media_type(ImageFormat::ppm),
+                                    media_type(ImageFormat::pfm))});
 }
 
 bool answer_not_modified(Call& call, const Representation& wanted) {
-  if (!call.request.has_header("If-None-Match") || wants_anew(call.request)) return false;
+  if (!call.request.has_header("If-None-Match") || forbids_cache(call.request)) return false;
   const std::string named = header_list(call.request, "If-None-Match");
   // Any image at all has a client who names "*", be it one that has no tag.
-  if (named != "*" && !(wanted.tag && names_tag(named, *wanted.tag))) return false;
+  if (named != "*" && !(wanted.tag && matches_tag(named, *wanted.tag))) return false;
   call.response.status = 304;
   set_caching(call.response, wanted);
   return true;

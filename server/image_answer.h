@@ -8,7 +8,7 @@
 
 #include "engine/engine.h"
 #include "server/call.h"
-#include "server/images.h"
+#include "server/image_cache.h"
 #include "server/scene_request.h"
 
 namespace raytracer {
@@ -19,22 +19,23 @@ namespace raytracer {
 using Reproducible = std::optional<std::string>;
 Reproducible reproducible_digest(const SceneRequest& request);
 
-/// The format that the call's Accept asks for. Throws Refusal 406.
-ImageFormat demand_format(const httplib::Request& request);
+/// The format that the call's Accept asks for. Throws HttpError 406.
+ImageFormat require_format(const httplib::Request& request);
 
 /// What is to be answered.
 struct Representation {
   ImageFormat format;
   std::optional<std::string> tag;  ///< its entity tag, if the same request would give it again
 };
-Representation represent(const Reproducible& digest, ImageFormat format, std::string_view maker);
+Representation represent(const Reproducible& digest, ImageFormat format,
+                         std::string_view renderer_id);
 
 /// Answers 304 if the client has this picture already and does not insist (Cache-Control:
 /// no-cache); returns whether it did.
 bool answer_not_modified(Call& call, const Representation& wanted);
 
-/// What the call asks Images for.
-ImageWish wish_of(const Call& call, const Representation& wanted);
+/// What the call asks ImageCache for.
+ImageRequest image_request(const Call& call, const Representation& wanted);
 
 /// The picture, with its stages as far as this call waited for them.
 void answer_image(Call& call, const Delivery& delivery, double parse_ms,

@@ -22,18 +22,14 @@ void get_readiness(Services& services, Call& call) {
 void get_version(Services& services, Call& call) {
   const Config& config = services.config;
   nlohmann::ordered_json limits = nlohmann::ordered_json::array();
-  const auto add = [&](const char* flag, const char* variable, std::int64_t value,
-                       const char* meaning) {
-    limits.push_back(
-        {{"flag", flag}, {"variable", variable}, {"value", value}, {"meaning", meaning}});
+  const auto add = [&](const auto& row, std::int64_t value) {
+    limits.push_back({{"flag", row.flag},
+                      {"variable", row.variable},
+                      {"value", value},
+                      {"meaning", row.meaning}});
   };
-  for (const LimitRow& row : limit_table)
-    add(row.flag, row.variable, config.limits.*row.value, row.meaning);
-  add("--max-queue", "RAYTRACER_MAX_QUEUE", static_cast<std::int64_t>(config.max_queue),
-      "renders waiting");
-  add("--max-kept", "RAYTRACER_MAX_KEPT", static_cast<std::int64_t>(config.max_kept), kept_meaning);
-  add("--max-cache", "RAYTRACER_MAX_CACHE", static_cast<std::int64_t>(config.max_cache),
-      cache_meaning);
+  for (const LimitRow& row : limit_table) add(row, config.limits.*row.value);
+  for (const SizeRow& row : size_table) add(row, static_cast<std::int64_t>(config.*row.value));
   answer_json(call.response, 200,
               {{"version", version},
                {"build_id", build_id},

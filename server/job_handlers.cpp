@@ -43,14 +43,14 @@ nlohmann::ordered_json to_json(const Job& job) {
 [[noreturn]] void refuse_without(std::string_view product, const Job& job) {
   const JobState state = job.state();
   if (state.status == JobStatus::queued || state.status == JobStatus::running)
-    throw Refusal({409,
-                   fmt::format("The job is {}; its {} can be fetched when it is done",
-                               name_of(state.status), product),
-                   {},
-                   {{"Retry-After", "1"}}});
-  throw Refusal({409, fmt::format("The job has no {}: it {} ({})", product,
-                                  state.status == JobStatus::failed ? "failed" : "was cancelled",
-                                  state.detail)});
+    throw HttpError({409,
+                     fmt::format("The job is {}; its {} can be fetched when it is done",
+                                 name_of(state.status), product),
+                     {},
+                     {{"Retry-After", "1"}}});
+  throw HttpError({409, fmt::format("The job has no {}: it {} ({})", product,
+                                    state.status == JobStatus::failed ? "failed" : "was cancelled",
+                                    state.detail)});
 }
 
 Image black_image(int width, int height) {
@@ -80,22 +80,22 @@ void answer_image_so_far(Services& services, Call& call, const Image& image, Ima
   call.response.set_header("Cache-Control", "no-store");
 }
 
-JobTask demand_task(const std::string& name) {
+JobTask require_task(const std::string& name) {
   for (const JobTask task : {JobTask::render, JobTask::tradeoff})
     if (name == name_of(task)) return task;
-  throw Refusal({400, fmt::format("The query parameter \"task\" is \"{}\" but must be render or "
-                                  "tradeoff",
-                                  name)});
+  throw HttpError({400, fmt::format("The query parameter \"task\" is \"{}\" but must be render or "
+                                    "tradeoff",
+                                    name)});
 }
 
 }  // namespace
 
 void post_job(Services& services, Call& call) {
   RenderQuery query = read_query(call.request.target, QueryOf::job);
-  const JobTask task = demand_task(query.task);
+  const JobTask task = require_task(query.task);
   if (task == JobTask::tradeoff) query = curve_query(std::move(query));
   SceneRequest request = read_scene_request(call, query, services);
-  if (task == JobTask::tradeoff) demand_room_for_curve(request.scene, services.config.limits);
+  if (task == JobTask::tradeoff) require_room_for_curve(request.scene, services.config.limits);
   const auto job = services.jobs.accept(task, std::move(request));
   answer_json(call.response, 202, to_json(*job));
   call.response.set_header("Location", "/jobs/" + job->id);
@@ -108,16 +108,16 @@ void get_job(Services& services, Call& call) {
 }
 
 void get_job_image(Services& services, Call& call) {
-  const ImageFormat format = demand_format(call.request);
+  const ImageFormat format = require_format(call.request);
   const auto job = services.jobs.at(call.captured);
   if (job->task != JobTask::render)
-    throw Refusal({404, fmt::format("The job is a {}: it has no image, but GET /jobs/{}/result",
-                                    name_of(job->task), job->id)});
+    throw HttpError({404, fmt::format("The job is a {}: it has no image, but GET /jobs/{}/result",
+                                      name_of(job->task), job->id)});
   if (const std::optional<Image> image = image_so_far(*job))
     return answer_image_so_far(services, call, *image, format);
   const Rendering* const rendering = job->rendering();
   if (!rendering) refuse_without("image", *job);
-  const Representation wanted = represent(job->digest, format, services.maker);
+  const Representation wanted = represent(job->digest, format, services.renderer_id);
   if (answer_not_modified(call, wanted)) return;
   if (call.is_head()) return answer_image_head(call, wanted);
   const auto image = std::make_shared<const FinishedImage>(
@@ -129,8 +129,8 @@ void get_job_image(Services& services, Call& call) {
 void get_job_result(Services& services, Call& call) {
   const auto job = services.jobs.at(call.captured);
   if (job->task != JobTask::tradeoff)
-    throw Refusal({404, fmt::format("The job is a {}: it has no result but GET /jobs/{}/image",
-                                    name_of(job->task), job->id)});
+    throw HttpError({404, fmt::format("The job is a {}: it has no result but GET /jobs/{}/image",
+                                      name_of(job->task), job->id)});
   const Curve* const curve = job->curve();
   if (!curve) refuse_without("result", *job);
   answer_json(call.response, 200, to_json(*curve));

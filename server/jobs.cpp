@@ -21,28 +21,18 @@ std::string random_id() {
   return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
 }
 
-Refusal unknown_job(const std::string& id) {
-  return Refusal({404, fmt::format("There is no job \"{}\": it never was, was deleted, or ended "
-                                   "so long ago that it was forgotten",
-                                   id)});
+HttpError unknown_job(const std::string& id) {
+  return HttpError({404, fmt::format("There is no job \"{}\": it never was, was deleted, or ended "
+                                     "so long ago that it was forgotten",
+                                     id)});
 }
 
 }  // namespace
 
 std::string_view name_of(JobStatus status) {
-  switch (status) {
-    case JobStatus::queued:
-      return "queued";
-    case JobStatus::running:
-      return "running";
-    case JobStatus::done:
-      return "done";
-    case JobStatus::failed:
-      return "failed";
-    case JobStatus::cancelled:
-      break;
-  }
-  return "cancelled";
+  constexpr std::array<std::string_view, job_statuses.size()> names{"queued", "running", "done",
+                                                                    "failed", "cancelled"};
+  return names[static_cast<std::size_t>(status)];
 }
 
 std::string_view name_of(JobTask task) { return task == JobTask::render ? "render" : "tradeoff"; }
@@ -91,7 +81,7 @@ double Job::queue_ms() const {
 
 void Job::begin() {
   const std::scoped_lock lock(mutex_);
-  queue_ms_ = place_->queue_ms();
+  queue_ms_ = slot_->queue_ms();
   status_ = JobStatus::running;
 }
 
@@ -104,7 +94,7 @@ void Job::end(JobStatus status, std::string detail) {
   }
   end_came_.notify_all();
   request_.reset();
-  place_.reset();
+  slot_.reset();
 }
 
 std::size_t Job::result_bytes() const {
@@ -142,7 +132,7 @@ void Jobs::close() {
 std::shared_ptr<const Job> Jobs::accept(JobTask task, SceneRequest request) {
   const auto job = std::make_shared<Job>(random_id(), task, std::move(request));
   const std::scoped_lock lock(mutex_);  // places and jobs in one order
-  job->place_.emplace(admission_.enter(job->progress_));
+  job->slot_.emplace(admission_.enter(job->progress_));
   jobs_.emplace(job->id, job);
   queue_.push_back(job);
   arrived_.notify_one();
@@ -217,12 +207,12 @@ bool Jobs::make_result(Job& job) {
 
 void Jobs::run(Job& job) {
   try {
-    if (!job.place_->wait_for_turn()) return job.end(JobStatus::cancelled, "stopped");
+    if (!job.slot_->wait_until_admitted()) return job.end(JobStatus::cancelled, "stopped");
     job.begin();
     metrics_.waited(job.queue_ms());
     if (!make_result(job)) return job.end(JobStatus::cancelled, "stopped");
     job.end(JobStatus::done, "");
-  } catch (const Refusal& refusal) {
+  } catch (const HttpError& refusal) {
     job.end(JobStatus::cancelled, refusal.problem().detail);
   } catch (const std::exception& error) {
     note_(fmt::format("job {} failed: {}", job.id, error.what()));

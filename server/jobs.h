@@ -2,8 +2,8 @@
 //
 // A job takes its place in the same queue as every other render when it is accepted, so a full
 // queue refuses both alike. As many threads run jobs as may render at once; since places are given
-// in order of arrival, and these threads take jobs in that order too, none of them waits for a
-// turn behind a job that has no thread yet.
+// in order of arrival, and these threads take jobs in that order too, none of them waits for its
+// slot behind a job that has no thread yet.
 //
 // Finished jobs are kept until there are too many or they take too much memory, oldest out first.
 #pragma once
@@ -77,7 +77,7 @@ class Job {
   const Rendering* rendering() const;
   /// A render's picture as far as it has come; nothing if there is nothing to see yet, or it ended.
   std::optional<Image> image_so_far() const { return progress_.preview.so_far(); }
-  /// How long it waited for its turn.
+  /// How long it waited to be admitted.
   double queue_ms() const;
   /// Once a tradeoff is done; null before.
   const Curve* curve() const;
@@ -93,7 +93,7 @@ class Job {
   std::optional<SceneRequest> request_;      ///< until it ended; only its runner reads it
   RenderProgress progress_;                  ///< of a tradeoff: of the picture that is made now
   CurveProgress curve_progress_{progress_};  ///< of a tradeoff
-  std::optional<Admission::Place> place_;    ///< until it ended
+  std::optional<AdmissionSlot> slot_;        ///< until it ended
 
   mutable std::mutex mutex_;
   mutable std::condition_variable end_came_;
@@ -117,13 +117,13 @@ class Jobs {
   Jobs(const Jobs&) = delete;
   Jobs& operator=(const Jobs&) = delete;
 
-  /// Throws Refusal if the queue is full or closed.
+  /// Throws HttpError if the queue is full or closed.
   std::shared_ptr<const Job> accept(JobTask task, SceneRequest request);
 
-  /// Throws Refusal 404.
+  /// Throws HttpError 404.
   std::shared_ptr<const Job> at(const std::string& id) const;
 
-  /// Cancels and forgets the job. Throws Refusal 404.
+  /// Cancels and forgets the job. Throws HttpError 404.
   void remove(const std::string& id);
 
   /// How many of the jobs that are not forgotten have each status.

@@ -17,8 +17,8 @@
 #include "server/answer.h"
 #include "server/body.h"
 #include "server/connection_threads.h"
-#include "server/gate.h"
 #include "server/problem.h"
+#include "server/request_validation.h"
 
 namespace raytracer {
 namespace {
@@ -62,11 +62,11 @@ bool is_unknown(std::string_view method) {
   return is_name && std::find(known.begin(), known.end(), method) == known.end();
 }
 
-Afterwards after_refusal(const httplib::Request& request) {
+ConnectionReuse after_refusal(const httplib::Request& request) {
   // Of several lengths, or of one that is oddly written, httplib shows the first at most: after a
   // refused POST nobody can be sure where the next request begins.
   const bool may_have_body = request.method == "POST" || announces_body(request);
-  return may_have_body ? Afterwards::close : Afterwards::keep;
+  return may_have_body ? ConnectionReuse::close : ConnectionReuse::keep;
 }
 
 std::string bracketed(const std::string& host) {
@@ -123,14 +123,15 @@ void Listener::set_handlers() {
   using HandlerResponse = httplib::Server::HandlerResponse;
 
   server_.set_expect_100_continue_handler([this](const Request& request, Response& response) {
-    return refuse_at_gate(request, response) ? response.status : 100;
+    return refuse_invalid(request, response) ? response.status : 100;
   });
   server_.set_pre_routing_handler([this](const Request& request, Response& response) {
-    return refuse_at_gate(request, response) ? HandlerResponse::Handled
+    return refuse_invalid(request, response) ? HandlerResponse::Handled
                                              : HandlerResponse::Unhandled;
   });
 
-  // The gate has found the route already; these are the ways to get there with and without a body.
+  // Validation has found the route already; these are the ways to get there with and without a
+  // body.
   const httplib::Server::Handler bodiless = [this](const Request& request, Response& response) {
     dispatch(request, response, nullptr);
   };
@@ -167,15 +168,15 @@ void Listener::set_handlers() {
       [this](const Request& request, const Response& response) { finish(request, response); });
 }
 
-bool Listener::refuse_at_gate(const httplib::Request& request, httplib::Response& response) {
+bool Listener::refuse_invalid(const httplib::Request& request, httplib::Response& response) {
   // httplib does not expect exceptions from the Expect handler.
   try {
     log_.begin(request);
     ignore_ranges(request);
     drop_authority(request);
-    pass_gate(request, routes_, config_);
+    validate_request(request, routes_, config_);
     return false;
-  } catch (const Refusal& refusal) {
+  } catch (const HttpError& refusal) {
     refuse(response, refusal.problem(), after_refusal(request));
   } catch (const std::exception& error) {
     log_.note(error.what());
@@ -184,7 +185,8 @@ bool Listener::refuse_at_gate(const httplib::Request& request, httplib::Response
   return true;
 }
 
-void Listener::refuse(httplib::Response& response, const Problem& problem, Afterwards afterwards) {
+void Listener::refuse(httplib::Response& response, const Problem& problem,
+                      ConnectionReuse afterwards) {
   metrics_.refused(problem.status);
   answer_problem(response, problem, afterwards);
 }
@@ -193,13 +195,13 @@ void Listener::dispatch(const httplib::Request& request, httplib::Response& resp
                         const httplib::ContentReader* content) {
   Call call{request, response, {}, content};
   const auto afterwards = [&] {
-    return call.body_was_read ? Afterwards::keep : after_refusal(request);
+    return call.body_was_read ? ConnectionReuse::keep : after_refusal(request);
   };
   try {
     RouteTable::Match match = routes_.match(request.method, request.path);
     call.captured = std::move(match.captured);
     match.route.handler(call);
-  } catch (const Refusal& refusal) {
+  } catch (const HttpError& refusal) {
     refuse(response, refusal.problem(), afterwards());
   } catch (const std::exception& error) {
     log_.note(fmt::format("{} {} failed: {}", request.method, request.path, error.what()));
@@ -219,8 +221,8 @@ void Listener::answer_unrouted(const httplib::Request& request, httplib::Respons
     try {
       const std::string target = without_authority(request.target);
       routes_.match(request.method, target.substr(0, target.find('?')));
-    } catch (const Refusal& refusal) {
-      return answer_problem(response, refusal.problem(), Afterwards::close);
+    } catch (const HttpError& refusal) {
+      return answer_problem(response, refusal.problem(), ConnectionReuse::close);
     }
   }
   const std::string detail =
@@ -231,7 +233,7 @@ void Listener::answer_unrouted(const httplib::Request& request, httplib::Respons
                              "is longer than {} bytes",
                             CPPHTTPLIB_HEADER_MAX_LENGTH)
                      : "The server has too many connections";
-  answer_problem(response, {status, detail}, Afterwards::close);
+  answer_problem(response, {status, detail}, ConnectionReuse::close);
 }
 
 void Listener::finish(const httplib::Request& request, const httplib::Response& response) {
@@ -242,7 +244,7 @@ void Listener::finish(const httplib::Request& request, const httplib::Response& 
       metrics_.answered(route->method, route->pattern, response.status, took_s);
     else
       metrics_.answered("other", "none", response.status, took_s);
-    if (closes_connection(response)) linger(find_socket(ends_of(request)));
+    if (closes_connection(response)) linger(find_socket(endpoints_of(request)));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "raytracer-server: no line for a request: %s\n", error.what());
   }
@@ -276,7 +278,7 @@ void Listener::stop() {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   server_.stop();
   // Otherwise a client that says nothing, or says it slowly, keeps its thread and run() waiting.
-  hang_up_all(port_);
+  shut_down_connections(port_);
 }
 
 }  // namespace raytracer

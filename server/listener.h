@@ -36,10 +36,10 @@ class Listener {
  private:
   void set_options();
   void set_handlers();
-  bool refuse_at_gate(const httplib::Request& request, httplib::Response& response);
+  bool refuse_invalid(const httplib::Request& request, httplib::Response& response);
   void dispatch(const httplib::Request& request, httplib::Response& response,
                 const httplib::ContentReader* content);
-  void refuse(httplib::Response& response, const Problem& problem, Afterwards afterwards);
+  void refuse(httplib::Response& response, const Problem& problem, ConnectionReuse afterwards);
   void answer_unrouted(const httplib::Request& request, httplib::Response& response);
   void finish(const httplib::Request& request, const httplib::Response& response);
 

@@ -17,7 +17,7 @@ namespace {
 using namespace raytracer;
 
 int serve(const Config& config) {
-  hold_signals();
+  block_signals();
   Services services(config);
   const RouteTable routes = make_routes(services);
   Listener listener(services.config, routes, services.log, services.metrics);

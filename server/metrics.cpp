@@ -10,11 +10,6 @@ constexpr std::array<double, 12> ratios{0.25, 0.5, 0.7, 0.8, 0.9, 1, 1.1, 1.25, 
 constexpr std::array<std::string_view, 5> stage_names{"parse", "plan", "build", "trace", "encode"};
 constexpr std::array<int, 3> refusals{413, 429, 503};
 
-void write_count(Exposition& out, std::string_view name, std::string_view help, double value) {
-  out.family(name, "counter", help);
-  out.sample(value);
-}
-
 }  // namespace
 
 Metrics::Metrics()
@@ -62,7 +57,7 @@ void Metrics::rendered(const RenderReport& report, const std::optional<std::stri
   samples_ += pixels * report.samples_per_pixel;
   clamped_pixels_ += static_cast<double>(report.beyond.clamped);
   nan_pixels_ += static_cast<double>(report.beyond.not_numbers);
-  const std::optional<double> foreseen_ms = digest ? predictions_.trace_ms(*digest) : std::nullopt;
+  const auto foreseen_ms = digest ? predicted_ms_.find(*digest) : nullptr;
   if (!foreseen_ms || *foreseen_ms <= 0) return;
   actual_to_predicted_.observe(report.trace_ms / *foreseen_ms);
   predicted_s_ += *foreseen_ms / 1000;
@@ -76,8 +71,7 @@ void Metrics::cancelled() {
 
 void Metrics::predicted(const std::optional<std::string>& digest, const Prediction& prediction) {
   if (!digest) return;
-  const std::scoped_lock lock(mutex_);
-  predictions_.add(*digest, prediction.trace_ms);
+  predicted_ms_.keep(*digest, std::make_shared<const double>(prediction.trace_ms), 1);
 }
 
 void Metrics::write(Exposition& out) const {
@@ -99,33 +93,33 @@ void Metrics::write(Exposition& out) const {
     out.sample(static_cast<double>(count), {{"status", std::to_string(status)}});
 
   out.family("raytracer_queue_duration_seconds", "histogram",
-             "What renders and plans waited for their turn.");
+             "What renders and plans waited in the queue.");
   out.sample(queue_seconds_);
   out.family("raytracer_stage_duration_seconds", "histogram", "The stages of renders.");
   for (std::size_t i = 0; i < stage_names.size(); ++i)
     out.sample(stage_seconds_[i], {{"stage", stage_names[i]}});
-  write_count(out, "raytracer_renders_total", "Renders done.", static_cast<double>(renders_));
-  write_count(out, "raytracer_renders_cancelled_total",
-              "Renders stopped because their client left, their job was deleted, or the server "
-              "ended.",
-              static_cast<double>(cancelled_));
-  write_count(out, "raytracer_pixels_rendered_total", "Pixels of the renders done.", pixels_);
-  write_count(out, "raytracer_samples_rendered_total", "Samples in the images of the renders done.",
-              samples_);
-  write_count(out, "raytracer_pixels_clamped_total",
-              "Pixels of the renders done with a sample brighter than 1, which is cut off.",
-              clamped_pixels_);
-  write_count(out, "raytracer_pixels_nan_total",
-              "Pixels of the renders done with a sample that was no number: 0, or a fault here.",
-              nan_pixels_);
+  out.family("raytracer_renders_total", "counter", "Renders done.", static_cast<double>(renders_));
+  out.family("raytracer_renders_cancelled_total", "counter",
+             "Renders stopped because their client left, their job was deleted, or the server "
+             "ended.",
+             static_cast<double>(cancelled_));
+  out.family("raytracer_pixels_rendered_total", "counter", "Pixels of the renders done.", pixels_);
+  out.family("raytracer_samples_rendered_total", "counter",
+             "Samples in the images of the renders done.", samples_);
+  out.family("raytracer_pixels_clamped_total", "counter",
+             "Pixels of the renders done with a sample brighter than 1, which is cut off.",
+             clamped_pixels_);
+  out.family("raytracer_pixels_nan_total", "counter",
+             "Pixels of the renders done with a sample that was no number: 0, or a fault here.",
+             nan_pixels_);
 
   out.family("raytracer_trace_actual_to_predicted_ratio", "histogram",
              "Trace time over the time predicted, of renders whose plan was asked for before.");
   out.sample(actual_to_predicted_);
-  write_count(out, "raytracer_trace_predicted_seconds_total",
-              "Trace time predicted, of renders whose plan was asked for before.", predicted_s_);
-  write_count(out, "raytracer_trace_actual_seconds_total",
-              "Trace time taken by the renders whose plan was asked for before.", actual_s_);
+  out.family("raytracer_trace_predicted_seconds_total", "counter",
+             "Trace time predicted, of renders whose plan was asked for before.", predicted_s_);
+  out.family("raytracer_trace_actual_seconds_total", "counter",
+             "Trace time taken by the renders whose plan was asked for before.", actual_s_);
 }
 
 }  // namespace raytracer

@@ -16,7 +16,7 @@
 
 #include "engine/engine.h"
 #include "server/exposition.h"
-#include "server/predictions.h"
+#include "server/lru_cache.h"
 
 namespace raytracer {
 
@@ -34,7 +34,7 @@ class Metrics {
   /// A request was refused with this status, of which 413, 429 and 503 are shown.
   void refused(int status);
 
-  /// A render came to its turn after `queue_ms`.
+  /// A render was admitted after `queue_ms`.
   void waited(double queue_ms);
 
   void took(Stage stage, double ms);
@@ -67,7 +67,7 @@ class Metrics {
   double samples_ = 0;
   double clamped_pixels_ = 0;
   double nan_pixels_ = 0;
-  Predictions predictions_;
+  LruCache<double> predicted_ms_{64};  ///< of the scenes planned last, by digest; one counts 1
   Histogram actual_to_predicted_;
   double predicted_s_ = 0;
   double actual_s_ = 0;

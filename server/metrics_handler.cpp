@@ -1,35 +1,33 @@
 // GET /metrics: what Prometheus scrapes. It waits for no render and reads no scene.
 #include <array>
+#include <fstream>
+#include <sstream>
+#include <string>
 #include <string_view>
 
 #include "engine/engine.h"
 #include "server/answer.h"
 #include "server/exposition.h"
 #include "server/handlers.h"
-#include "server/process_state.h"
 
 namespace raytracer {
 namespace {
 
-void write_gauge(Exposition& out, std::string_view name, std::string_view help, double value) {
-  out.family(name, "gauge", help);
-  out.sample(value);
-}
-
 void write_present(Exposition& out, const Services& services) {
   const Admission::Load load = services.admission.load();
-  write_gauge(out, "raytracer_renders_running", "Renders and plans that have their turn.",
-              static_cast<double>(load.running));
-  write_gauge(out, "raytracer_queue_length", "Renders and plans that wait for their turn.",
-              static_cast<double>(load.waiting));
-  write_gauge(out, "raytracer_queue_limit", "The most that may wait (--max-queue).",
-              static_cast<double>(services.config.max_queue));
+  out.family("raytracer_renders_running", "gauge", "Renders and plans in an admission slot.",
+             static_cast<double>(load.running));
+  out.family("raytracer_queue_length", "gauge",
+             "Renders and plans that wait for an admission slot.",
+             static_cast<double>(load.waiting));
+  out.family("raytracer_queue_limit", "gauge", "The most that may wait (--max-queue).",
+             static_cast<double>(services.config.max_queue));
   out.family("raytracer_jobs", "gauge", "Jobs that are not forgotten, by status.");
   std::map<JobStatus, std::size_t> jobs = services.jobs.counts();
   for (const JobStatus status : job_statuses)
     out.sample(static_cast<double>(jobs[status]), {{"status", name_of(status)}});
-  write_gauge(out, "raytracer_event_streams_open", "Event streams about jobs.",
-              static_cast<double>(services.event_streams.open_count()));
+  out.family("raytracer_event_streams_open", "gauge", "Event streams about jobs.",
+             static_cast<double>(services.event_streams.open_count()));
 }
 
 void write_caches(Exposition& out, const Services& services) {
@@ -37,7 +35,7 @@ void write_caches(Exposition& out, const Services& services) {
     std::string_view cache;
     LruCounts counts;
   };
-  const std::array<Row, 3> rows{{{"images", services.images.remembered()},
+  const std::array<Row, 3> rows{{{"images", services.image_cache.cache_counts()},
                                  {"kept_scenes", services.scenes.kept()},
                                  {"read_scenes", services.scenes.read_lately()}}};
   const auto write = [&](std::string_view name, std::string_view type, std::string_view help,
@@ -54,7 +52,7 @@ void write_caches(Exposition& out, const Services& services) {
   write("raytracer_cache_bytes", "gauge", "The memory that it takes.", &LruCounts::bytes);
   out.family("raytracer_renders_shared_total", "counter",
              "Requests that waited for another's render of the same picture.");
-  out.sample(static_cast<double>(services.images.shared_count()));
+  out.sample(static_cast<double>(services.image_cache.shared_count()));
 }
 
 void write_process(Exposition& out, const Services& services) {
@@ -62,15 +60,21 @@ void write_process(Exposition& out, const Services& services) {
   out.sample(1, {{"version", version},
                  {"build_id", build_id},
                  {"instruction_set", this_machine().instruction_set.name}});
-  write_gauge(out, "raytracer_render_threads", "Threads that trace (--threads).",
-              static_cast<double>(services.config.threads));
-  const ProcessState process = this_process();
-  if (process.resident_bytes)
-    write_gauge(out, "raytracer_process_resident_memory_bytes", "Memory that the process holds.",
-                static_cast<double>(*process.resident_bytes));
-  if (process.thread_count)
-    write_gauge(out, "raytracer_process_threads", "Threads of the process.",
-                static_cast<double>(*process.thread_count));
+  out.family("raytracer_render_threads", "gauge", "Threads that trace (--threads).",
+             static_cast<double>(services.config.threads));
+  // What the system says about this process, where it does: Linux.
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    std::istringstream fields(line);
+    std::string name;
+    double value = 0;
+    if (!(fields >> name >> value)) continue;
+    if (name == "VmRSS:")  // "VmRSS:   5120 kB"
+      out.family("raytracer_process_resident_memory_bytes", "gauge",
+                 "Memory that the process holds.", value * 1024);
+    if (name == "Threads:")
+      out.family("raytracer_process_threads", "gauge", "Threads of the process.", value);
+  }
 }
 
 }  // namespace

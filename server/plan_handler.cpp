@@ -6,8 +6,8 @@
 #include "server/handlers.h"
 #include "server/image_answer.h"
 #include "server/query.h"
+#include "server/run_admitted.h"
 #include "server/scene_request.h"
-#include "server/turn.h"
 
 namespace raytracer {
 
@@ -15,7 +15,7 @@ void post_plan(Services& services, Call& call) {
   const RenderQuery query = read_query(call.request.target, QueryOf::render);
   const SceneRequest request = read_scene_request(call, query, services);
   std::optional<Forecast> foreseen;
-  take_turn(services, call, [&](RenderProgress& progress) {
+  run_admitted(services, call, [&](RenderProgress& progress) {
     foreseen = forecast(request.scene, services.config.limits, services.machine_costs,
                         services.pool, progress);
     return foreseen.has_value();

@@ -22,9 +22,9 @@ struct Problem {
 };
 
 /// Ends a request from wherever the reason is found; the dispatcher turns it into the answer.
-class Refusal : public std::exception {
+class HttpError : public std::exception {
  public:
-  explicit Refusal(Problem problem) : problem_(std::move(problem)) {}
+  explicit HttpError(Problem problem) : problem_(std::move(problem)) {}
   const Problem& problem() const noexcept { return problem_; }
   const char* what() const noexcept override { return problem_.detail.c_str(); }
 
@@ -43,7 +43,7 @@ Problem scene_problem(std::vector<Error> errors);
 Problem internal_error();
 
 /// 499, which nobody reads: it is what the log then shows.
-Problem client_left();
+Problem client_closed_request();
 
 /// HTTP's own phrase for a status.
 std::string_view title_of(int status);

@@ -14,7 +14,7 @@
 namespace raytracer {
 namespace {
 
-[[noreturn]] void refuse(std::string detail) { throw Refusal({400, std::move(detail)}); }
+[[noreturn]] void refuse(std::string detail) { throw HttpError({400, std::move(detail)}); }
 
 int hex_value(char c) {
   if (c >= '0' && c <= '9') return c - '0';

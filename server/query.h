@@ -15,7 +15,7 @@
 namespace raytracer {
 
 /// Names and values in order, decoded (%41, and + for a space).
-/// Throws Refusal 400 for a malformed escape or a repeated name.
+/// Throws HttpError 400 for a malformed escape or a repeated name.
 std::vector<std::pair<std::string, std::string>> split_query(std::string_view target);
 
 struct RenderQuery {
@@ -31,7 +31,7 @@ enum class QueryOf { render, job };
 std::vector<std::string_view> query_names(QueryOf request);
 
 /// Reads the query of a request's target ("/render?samples=4").
-/// Throws Refusal 400 whose detail names the parameter. Integers beyond int become the nearest
+/// Throws HttpError 400 whose detail names the parameter. Integers beyond int become the nearest
 /// int, which is beyond every limit, so that the limits answer.
 RenderQuery read_query(std::string_view target, QueryOf request);
 

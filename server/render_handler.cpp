@@ -3,23 +3,23 @@
 #include "server/handlers.h"
 #include "server/image_answer.h"
 #include "server/query.h"
+#include "server/run_admitted.h"
 #include "server/scene_request.h"
-#include "server/turn.h"
 
 namespace raytracer {
 
 void post_or_get_render(Services& services, Call& call) {
-  const ImageFormat format = demand_format(call.request);
+  const ImageFormat format = require_format(call.request);
   const RenderQuery query = read_query(call.request.target, QueryOf::render);
   const SceneRequest request = read_scene_request(call, query, services);
   const Reproducible digest = reproducible_digest(request);
-  const Representation wanted = represent(digest, format, services.maker);
+  const Representation wanted = represent(digest, format, services.renderer_id);
   if (answer_not_modified(call, wanted)) return;
   if (call.is_head()) return answer_image_head(call, wanted);
 
   const auto make_with = [&](const auto& render, RenderProgress& progress) {
     auto rendering = decltype(render(request.scene, Limits{}, services.pool, progress)){};
-    const double queue_ms = take_turn(services, progress, [&] {
+    const double queue_ms = run_admitted(services, progress, [&] {
       rendering = render(request.scene, services.config.limits, services.pool, progress);
       return rendering.stop != Stop::cancelled;
     });
@@ -33,7 +33,7 @@ void post_or_get_render(Services& services, Call& call) {
         holds_floats(format) || sampling_of(request.scene.render) == Sampling::contract;
     return needs_floats ? make_with(render, progress) : make_with(render_bytes, progress);
   };
-  const Delivery delivery = services.images.fetch(wish_of(call, wanted), make);
+  const Delivery delivery = services.image_cache.fetch(image_request(call, wanted), make);
   answer_image(call, delivery, request.parse_ms, wanted);
 }
 

@@ -49,11 +49,11 @@ RouteTable::Match RouteTable::match(std::string_view method, std::string_view pa
     allowed += route.method == "GET" ? "GET, HEAD" : route.method;
   }
   if (allowed.empty())
-    throw Refusal({404, fmt::format("There is nothing at {}; the page is at /", path)});
-  throw Refusal({405,
-                 fmt::format("{} is not among the methods of {}: {}", method, path, allowed),
-                 {},
-                 {{"Allow", allowed}}});
+    throw HttpError({404, fmt::format("There is nothing at {}; the page is at /", path)});
+  throw HttpError({405,
+                   fmt::format("{} is not among the methods of {}: {}", method, path, allowed),
+                   {},
+                   {{"Allow", allowed}}});
 }
 
 }  // namespace raytracer

@@ -36,7 +36,7 @@ class RouteTable {
   /// The route, or null if there is none.
   const Route* find(std::string_view method, std::string_view path) const;
 
-  /// Throws Refusal: 404 for an unknown path, 405 with Allow for another method.
+  /// Throws HttpError: 404 for an unknown path, 405 with Allow for another method.
   Match match(std::string_view method, std::string_view path) const;
 
  private:

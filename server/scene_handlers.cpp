@@ -27,7 +27,7 @@ void get_scene(Services& services, Call& call) {
 
 void post_scene(Services& services, Call& call) {
   if (!split_query(call.request.target).empty())
-    throw Refusal({400, "POST /scenes takes no query: views of the scene say theirs later"});
+    throw HttpError({400, "POST /scenes takes no query: views of the scene say theirs later"});
   PostedDocument posted = read_document(call, services);
   const SceneRequest request = find_scene(posted.text, {}, services);
   const Scene& scene = request.known->scene;

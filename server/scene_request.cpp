@@ -11,10 +11,10 @@
 namespace raytracer {
 
 PostedDocument read_document(Call& call, Services& services) {
-  services.admission.demand_open();
+  services.admission.require_open();
   PostedDocument posted;
   const std::int64_t length = body_length(call.request);
-  posted.memory = services.body_memory.take(length);
+  posted.memory = services.body_budget.reserve(length);
   posted.text = read_body(call, length);
   return posted;
 }
@@ -30,11 +30,12 @@ SceneRequest find_scene(std::string_view document, const RenderQuery& query, Ser
 
 SceneRequest read_scene_request(Call& call, const RenderQuery& query, Services& services) {
   if (!query.scene && !call.content)
-    throw Refusal({400,
-                   "Which scene? Name one of GET /scenes, or the id of one that was posted there, "
-                   "as ?scene=NAME, or POST a document"});
+    throw HttpError(
+        {400,
+         "Which scene? Name one of GET /scenes, or the id of one that was posted there, "
+         "as ?scene=NAME, or POST a document"});
   if (query.scene) {
-    services.admission.demand_open();
+    services.admission.require_open();
     return find_scene({}, query, services);
   }
   PostedDocument posted = read_document(call, services);

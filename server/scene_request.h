@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "engine/engine.h"
-#include "server/body_memory.h"
+#include "server/body_budget.h"
 #include "server/call.h"
 #include "server/query.h"
 #include "server/scenes.h"
@@ -17,23 +17,23 @@ struct Services;
 /// What was posted, and its share of the memory for that.
 struct PostedDocument {
   std::string text;
-  BodyMemory::Share memory;
+  BodyBudget::Reservation memory;
 };
 
 struct SceneRequest : SceneView {
-  double parse_ms = 0;       ///< to find or read the scene, and to judge the view
-  BodyMemory::Share memory;  ///< of the body that came with the request
+  double parse_ms = 0;             ///< to find or read the scene, and to judge the view
+  BodyBudget::Reservation memory;  ///< of the body that came with the request
 };
 
-/// The body. Throws Refusal if it is late or too much for now, and 503 while draining.
+/// The body. Throws HttpError if it is late or too much for now, and 503 while draining.
 PostedDocument read_document(Call& call, Services& services);
 
 /// The scene that the query names, or else the document's, with the query's values over its own.
-/// Throws Refusal for everything that can be wrong with either.
+/// Throws HttpError for everything that can be wrong with either.
 SceneRequest find_scene(std::string_view document, const RenderQuery& query, Services& services);
 
 /// Alike, with the request's body as the document: it is gone once it was read, the scene has all
-/// of it. Throws Refusal, 503 while draining.
+/// of it. Throws HttpError, 503 while draining.
 SceneRequest read_scene_request(Call& call, const RenderQuery& query, Services& services);
 
 }  // namespace raytracer

@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t id_length = 32;
 
 /// In bytes of its text. To read what is shorter takes as long as to look it up, and less than to
-/// remember it; that would only push out the texts that take long.
-constexpr std::size_t least_remembered = 4096;
+/// keep it; that would only push out the texts that take long.
+constexpr std::size_t least_cached = 4096;
 
 /// No shipped scene is called like this.
 bool is_scene_id(std::string_view name) {
@@ -48,17 +48,17 @@ Scenes::Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_ke
     : catalog_(catalog), limits_(limits), kept_(most_kept), read_(most_read) {}
 
 SceneView Scenes::read(std::string_view document, const Overrides& overrides) {
-  if (document.size() < least_remembered) return read_anew(document, overrides);
+  if (document.size() < least_cached) return parse(document, overrides);
   const std::string text_digest = sha256_hex(document);
   if (auto known = read_.find(text_digest)) return view(std::move(known), overrides);
-  SceneView read = read_anew(document, overrides);
+  SceneView read = parse(document, overrides);
   read_.keep(text_digest, read.known, bytes_of(*read.known) + text_digest.size());
   return read;
 }
 
-SceneView Scenes::read_anew(std::string_view document, const Overrides& overrides) const {
+SceneView Scenes::parse(std::string_view document, const Overrides& overrides) const {
   Result<ViewedScene> read = read_viewed_scene(document, limits_, overrides);
-  if (!read.ok()) throw Refusal(scene_problem(read.errors()));
+  if (!read.ok()) throw HttpError(scene_problem(read.errors()));
   auto known = std::make_shared<KnownScene>();
   known->scene = read.value().scene;
   known->content_digest = content_digest(known->scene);
@@ -67,7 +67,7 @@ SceneView Scenes::read_anew(std::string_view document, const Overrides& override
 
 SceneView Scenes::view(std::shared_ptr<const KnownScene> known, const Overrides& overrides) const {
   Result<Scene> view = view_scene(known->scene, limits_, overrides);
-  if (!view.ok()) throw Refusal(scene_problem(view.errors()));
+  if (!view.ok()) throw HttpError(scene_problem(view.errors()));
   return {std::move(known), view.value()};
 }
 
@@ -78,16 +78,18 @@ Scenes::Place Scenes::keep(KeptScene scene) {
   std::string id = sha256_hex(without_white_space(scene.document)).substr(0, id_length);
   if (kept_.keep(id, std::make_shared<const KeptScene>(std::move(scene)), bytes))
     return {std::move(id), bytes};
-  throw Refusal({413, fmt::format("The scene takes {} bytes in memory, but this server keeps {} in "
-                                  "all (--max-kept); POST it to /render instead",
-                                  bytes, kept_.most_bytes())});
+  throw HttpError(
+      {413, fmt::format("The scene takes {} bytes in memory, but this server keeps {} in "
+                        "all (--max-kept); POST it to /render instead",
+                        bytes, kept_.most_bytes())});
 }
 
 std::shared_ptr<const KeptScene> Scenes::kept_at(std::string_view id) {
   if (auto scene = kept_.find(id)) return scene;
-  throw Refusal({404, fmt::format("There is no scene \"{}\": it was never posted, or was forgotten "
-                                  "because others needed the memory; POST it to /scenes again",
-                                  id)});
+  throw HttpError(
+      {404, fmt::format("There is no scene \"{}\": it was never posted, or was forgotten "
+                        "because others needed the memory; POST it to /scenes again",
+                        id)});
 }
 
 SceneView Scenes::at(std::string_view name, const Overrides& overrides) {

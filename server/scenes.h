@@ -12,7 +12,7 @@
 
 #include "engine/engine.h"
 #include "server/catalog.h"
-#include "server/lru_memory.h"
+#include "server/lru_cache.h"
 
 namespace raytracer {
 
@@ -41,11 +41,11 @@ class Scenes {
   Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_kept,
          std::size_t most_read);
 
-  /// A view of the document's scene. Throws Refusal with all errors of both.
+  /// A view of the document's scene. Throws HttpError with all errors of both.
   SceneView read(std::string_view document, const Overrides& overrides);
 
-  /// A view of the shipped scene of that name or the posted one with that id. Throws Refusal: 404,
-  /// or with the view's errors.
+  /// A view of the shipped scene of that name or the posted one with that id. Throws HttpError:
+  /// 404, or with the view's errors.
   SceneView at(std::string_view name, const Overrides& overrides);
 
   /// Where a posted scene was put, and the memory that it takes there.
@@ -54,10 +54,10 @@ class Scenes {
     std::size_t bytes;
   };
 
-  /// Keeps it, so that at() finds it by its id. Throws Refusal 413 if it is too large for that.
+  /// Keeps it, so that at() finds it by its id. Throws HttpError 413 if it is too large for that.
   Place keep(KeptScene scene);
 
-  /// Its document, which is not read for that. Throws Refusal 404.
+  /// Its document, which is not read for that. Throws HttpError 404.
   std::string document(std::string_view name);
 
   LruCounts kept() const { return kept_.counts(); }
@@ -65,13 +65,13 @@ class Scenes {
 
  private:
   std::shared_ptr<const KeptScene> kept_at(std::string_view id);
-  SceneView read_anew(std::string_view document, const Overrides& overrides) const;
+  SceneView parse(std::string_view document, const Overrides& overrides) const;
   SceneView view(std::shared_ptr<const KnownScene> known, const Overrides& overrides) const;
 
   const Catalog& catalog_;
   const Limits limits_;
-  LruMemory<KeptScene> kept_;
-  LruMemory<KnownScene> read_;
+  LruCache<KeptScene> kept_;
+  LruCache<KnownScene> read_;
 };
 
 }  // namespace raytracer

@@ -6,13 +6,13 @@
 
 #include "engine/engine.h"
 #include "server/admission.h"
-#include "server/body_memory.h"
+#include "server/body_budget.h"
 #include "server/catalog.h"
 #include "server/config.h"
-#include "server/departures.h"
+#include "server/disconnect_watch.h"
 #include "server/etag.h"
 #include "server/event_streams.h"
-#include "server/images.h"
+#include "server/image_cache.h"
 #include "server/jobs.h"
 #include "server/metrics.h"
 #include "server/request_log.h"
@@ -27,13 +27,13 @@ struct Services {
   explicit Services(const Config& configuration)
       : config(configuration),
         log(config.quiet),
-        body_memory(2 * config.limits.body),
+        body_budget(2 * config.limits.body),
         admission(renders_at_once, config.max_queue),
         pool(config.threads),
-        maker(maker_of_pictures(this_machine())),
+        renderer_id(renderer_id_of(this_machine())),
         machine_costs(measure_machine_costs(pool)),
         scenes(catalog, config.limits, config.max_kept, config.max_cache),
-        images(config.max_cache, admission, departures),
+        image_cache(config.max_cache, admission, disconnect_watch),
         jobs(admission, pool, config.limits, renders_at_once, metrics,
              [this](std::string_view text) { log.note(text); }) {}
 
@@ -41,15 +41,15 @@ struct Services {
   RequestLog log;
   Metrics metrics{};
   const Catalog catalog{};
-  BodyMemory body_memory;
+  BodyBudget body_budget;
   Admission admission;
   WorkerPool pool;
-  const std::string maker;           ///< of pictures, in their entity tags
+  const std::string renderer_id;     ///< in the entity tags of pictures
   const MachineCosts machine_costs;  ///< measured before anyone waits
-  Departures departures{};
+  DisconnectWatch disconnect_watch{};
   EventStreams event_streams{};
   Scenes scenes;
-  Images images;
+  ImageCache image_cache;
   Jobs jobs;  ///< ends first: its threads use what is above
 };
 

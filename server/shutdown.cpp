@@ -21,7 +21,7 @@ bool another_signal_came() {
 
 }  // namespace
 
-void hold_signals() {
+void block_signals() {
   const sigset_t signals = ending_signals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   signal(SIGPIPE, SIG_IGN);  // a client that leaves while it is written to is an error code

@@ -14,12 +14,12 @@ namespace raytracer {
 
 /// Blocks SIGTERM and SIGINT in this thread and all that it starts from now on, so that they wait
 /// for Shutdown, and ignores SIGPIPE.
-void hold_signals();
+void block_signals();
 
 /// Waits for a signal on a thread of its own, then ends the service.
 class Shutdown {
  public:
-  /// Both must outlive it. hold_signals() comes before any thread.
+  /// Both must outlive it. block_signals() comes before any thread.
   Shutdown(Services& services, Listener& listener);
   /// Ends the waiting if no signal came.
   ~Shutdown();

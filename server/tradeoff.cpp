@@ -53,7 +53,7 @@ Json contract_json(const CurvePoint& point) {
 
 [[noreturn]] void refuse_beyond(std::int64_t Limits::*limit, std::string detail) {
   const LimitRow& row = row_of(limit);
-  throw Refusal(
+  throw HttpError(
       scene_problem({{ErrorKind::limit, "/render", fmt::format("{} ({})", detail, row.flag)}}));
 }
 
@@ -68,14 +68,14 @@ RenderQuery curve_query(RenderQuery query) {
        {over.precision.has_value(), "precision"}}};
   for (const auto& [given, name] : varied)
     if (given)
-      throw Refusal({400, fmt::format("The query parameter \"{}\" does not go with "
-                                      "\"task=tradeoff\", which tries many values: leave it out",
-                                      name)});
+      throw HttpError({400, fmt::format("The query parameter \"{}\" does not go with "
+                                        "\"task=tradeoff\", which tries many values: leave it out",
+                                        name)});
   over.samples = 1;
   return query;
 }
 
-void demand_room_for_curve(const Scene& scene, const Limits& limits) {
+void require_room_for_curve(const Scene& scene, const Limits& limits) {
   const double least = count_rays(scene, least_curve_samples);
   if (least > static_cast<double>(limits.work))
     refuse_beyond(&Limits::work,

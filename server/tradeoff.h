@@ -12,11 +12,11 @@ namespace raytracer {
 inline constexpr double most_curve_ms = 30'000;
 
 /// The query to read the scene with: the document's samples and contracts count for nothing.
-/// Throws Refusal 400 for a parameter that sets what a curve varies.
+/// Throws HttpError 400 for a parameter that sets what a curve varies.
 RenderQuery curve_query(RenderQuery query);
 
-/// Throws Refusal 413 if the shortest curve of this scene is more than the limits allow.
-void demand_room_for_curve(const Scene& scene, const Limits& limits);
+/// Throws HttpError 413 if the shortest curve of this scene is more than the limits allow.
+void require_room_for_curve(const Scene& scene, const Limits& limits);
 
 /// The curve as GET /jobs/ID/result answers it.
 nlohmann::ordered_json to_json(const Curve& curve);

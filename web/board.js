@@ -1,6 +1,6 @@
 // What the hand's movements on the picture mean: the view, or a sphere where the person says so.
 import { dollied, orbited } from "./camera.js";
-import { watchHand } from "./hand.js";
+import { watchGestures } from "./gestures.js";
 import { createSphereMover } from "./move_sphere.js";
 
 /// `board` holds the picture and #outline; `moveTool` is checked while dragging moves spheres, which
@@ -15,7 +15,7 @@ export function createBoard(board, moveTool, { camera, text, onGrab, onDrag, onL
     onLook(change(camera()));
   };
 
-  watchHand(board, {
+  watchGestures(board, {
     grab(x, y, event) {
       if (!means(event) || !mover.grab(camera(), text(), x, y)) return false;
       onGrab();

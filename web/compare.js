@@ -11,7 +11,7 @@ export function createCompare(board, button, { current }) {
     board.style.setProperty("--split", `${split.value}%`);
   }
 
-  function turn(on) {
+  function setComparing(on) {
     isOn = on;
     button.setAttribute("aria-pressed", String(on));
     for (const part of parts) part.hidden = !on;
@@ -24,7 +24,7 @@ export function createCompare(board, button, { current }) {
   button.addEventListener("click", () => {
     const { blob, words } = current();
     if (!isOn && !blob) return;
-    turn(!isOn);
+    setComparing(!isOn);
     if (!isOn) return;
     before.src = URL.createObjectURL(blob);
     beforeLabel.textContent = `Before: ${words}`;

@@ -4,6 +4,7 @@ import { jobResult, renderFrame } from "./api.js";
 import { errorText } from "./accuracy.js";
 import { curvePlot } from "./curve_plot.js";
 import { differenceOf } from "./difference.js";
+import { element } from "./element.js";
 import { withJob } from "./job.js";
 import { withValue } from "./json_edit.js";
 import { readPpm } from "./ppm.js";
@@ -46,9 +47,8 @@ export function createCurvePanel(box, { state, onSettings, onFail }) {
     try {
       if (!shadows) onSettings(settings, settingsText(point.settings));
       const size = { width: curve.width, height: curve.height };
-      const about = document.createElement("p");
-      about.textContent = `${nameOf(point)}. Largest error ${errorText(point.max_error)}.`;
-      figures.replaceChildren(about, waiting());
+      const about = element("p", {}, `${nameOf(point)}. Largest error ${errorText(point.max_error)}.`);
+      figures.replaceChildren(about, element("p", { className: "reason" }, "Rendering it and the reference…"));
       const body = shadows ? withValue(text, "/shadows", shadows) : text;
       const picture = readPpm(await renderFrame({ query: { ...settings, ...size }, body }, signal));
       const { samples, ...rest } = curve.reference.settings;
@@ -92,14 +92,8 @@ function nameOf({ settings, trace_ms, rmse }) {
   return `${settingsText(settings)}: ${duration(trace_ms)}, error ${errorText(rmse)}`;
 }
 
-function waiting() {
-  return Object.assign(document.createElement("p"), { className: "reason", textContent: "Rendering it and the reference…" });
-}
-
 function figure(image, words) {
-  const made = document.createElement("figure");
-  const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height, role: "img", ariaLabel: words });
+  const canvas = element("canvas", { width: image.width, height: image.height, role: "img", ariaLabel: words });
   canvas.getContext("2d").putImageData(image, 0, 0);
-  made.append(canvas, Object.assign(document.createElement("figcaption"), { textContent: words }));
-  return made;
+  return element("figure", {}, canvas, element("figcaption", {}, words));
 }

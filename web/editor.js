@@ -4,6 +4,7 @@
 // methods); its own glyphs are transparent. Only the lines in sight are painted, so that a long
 // document costs no more than a short one. Lines do not wrap: a line's place is its number times
 // the line height.
+import { element } from "./element.js";
 import { lineAndColumn } from "./json_pointer.js";
 import { tokensOf } from "./json_tokens.js";
 import { editorKeys } from "./editor_keys.js";
@@ -150,8 +151,7 @@ function messagesByLine(marks) {
 }
 
 function numberRow(line, isCurrent, wrong) {
-  const row = document.createElement("div");
-  row.textContent = line;
+  const row = element("div", {}, String(line));
   row.classList.toggle("current", isCurrent);
   row.classList.toggle("wrong", Boolean(wrong));
   if (wrong) row.title = wrong.join("\n");
@@ -159,22 +159,13 @@ function numberRow(line, isCurrent, wrong) {
 }
 
 function textRow(line, wrong) {
-  const row = document.createElement("div");
+  const row = element("div");
   for (const { kind, text } of tokensOf(line)) {
-    if (kind === "plain") {
-      row.append(text);
-      continue;
-    }
-    const span = document.createElement("span");
-    span.className = kind;
-    span.textContent = text;
-    row.append(span);
+    row.append(kind === "plain" ? text : element("span", { className: kind }, text));
   }
   if (wrong) {
     row.className = "wrong";
-    const note = document.createElement("em");
-    note.textContent = wrong.join("; ");
-    row.append(note);
+    row.append(element("em", {}, wrong.join("; ")));
   }
   return row;
 }

@@ -1,4 +1,5 @@
 // The shipped scenes as pictures to choose from; they are rendered when the gallery is first opened.
+import { element } from "./element.js";
 
 const thumbnail_px = 240;  // wide; shown at most that large
 
@@ -8,26 +9,19 @@ export function createGallery(dialog, opener, { scenes, current, onChoose }) {
   const list = dialog.querySelector("ul");
 
   function card({ name, title, description, width, height }) {
-    const item = document.createElement("li");
-    const button = document.createElement("button");
-    button.type = "button";
-    button.dataset.scene = name;
-    const picture = document.createElement("img");
     const tall = Math.max(1, Math.round((thumbnail_px * height) / width));
-    Object.assign(picture, { alt: "", loading: "lazy", width: thumbnail_px, height: tall });
-    picture.src = `render?${new URLSearchParams({ scene: name, width: thumbnail_px, height: tall })}`;
-    const heading = document.createElement("strong");
-    heading.textContent = title;
-    const text = document.createElement("span");
-    text.textContent = description;
-    button.append(picture, heading, " ", text);
+    const picture = element("img", {
+      alt: "", loading: "lazy", width: thumbnail_px, height: tall,
+      src: `render?${new URLSearchParams({ scene: name, width: thumbnail_px, height: tall })}`,
+    });
+    const button = element("button", { type: "button" }, picture, element("strong", {}, title), " ", element("span", {}, description));
+    button.dataset.scene = name;
     if (name === current()) button.setAttribute("aria-current", "true");
     button.addEventListener("click", () => {
       dialog.close();
       onChoose(name);
     });
-    item.append(button);
-    return item;
+    return element("li", {}, button);
   }
 
   opener.addEventListener("click", () => {

@@ -21,8 +21,8 @@ import { createSceneForm } from "./scene_form.js";
 import { createSource } from "./scene_source.js";
 import { fragmentOf, readFragment } from "./share.js";
 import { createTabs } from "./tabs.js";
-import { createTakeAway } from "./take_away.js";
-import { createTrouble, problemFrom } from "./trouble.js";
+import { createSharing } from "./sharing.js";
+import { createProblemPanel, problemFrom } from "./problem_panel.js";
 import { duration } from "./units.js";
 import { sameCamera, withView } from "./view.js";
 import { startWaiting } from "./waiting.js";
@@ -53,9 +53,9 @@ const editor = createEditor(at("editor-box"), {
     clearTimeout(reading);
     reading = setTimeout(takeText, reading_after_ms);
   },
-  onMarksMoved: () => trouble.renumber(),
+  onMarksMoved: () => problemPanel.renumber(),
 });
-const trouble = createTrouble({
+const problemPanel = createProblemPanel({
   editor, dated: at("dated"),
   overriding: () => new Map(Object.keys(accuracy.settings).map((key) => [`/render/${key}`, accuracy.slider])),
   reveal(mark) {
@@ -112,7 +112,7 @@ function stop() {
 
 function fail(problem, text = editor.text) {
   live.hide();
-  enter("error", trouble.show(problem, text));
+  enter("error", problemPanel.show(problem, text));
 }
 
 // The hand rests: the picture, as accurate as was chosen.
@@ -121,7 +121,7 @@ async function rest(signal) {
   const words = accuracy.words;
   enter("rendering", "Refining");
   // A refusal would have come early, so what was said about the text before is out of date then.
-  const waiting = startWaiting(elapsed, cancel, () => trouble.forget());
+  const waiting = startWaiting(elapsed, cancel, () => problemPanel.forget());
   try {
     const rendering = await refine({
       source, text, view, settings: accuracy.settings, size: camera(),
@@ -140,7 +140,7 @@ async function rest(signal) {
     accuracy.report(rendering);
     shown = { blob: rendering.blob, words };
     compare.after(words);
-    trouble.rendered();
+    problemPanel.rendered();
     enter("done", editor.text === text ? `Rendered in ${duration(total_ms)}` : edited);
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
@@ -201,7 +201,7 @@ async function load(signal) {
 
 async function begin(text, signal, from = null) {
   restore.hidden = laidAside === null;
-  trouble.forget();
+  problemPanel.forget();
   history.forget();
   editor.text = text;
   view = null;
@@ -258,7 +258,7 @@ createCurvePanel(at("panel-curve"), {
   onSettings: (settings, words) => accuracy.choose(settings, words),
   onFail: (error) => fail(problemFrom(error)),
 });
-createTakeAway({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") }, () => ({
+createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") }, () => ({
   name: editor.text === loaded.text ? loaded.name : "", title: loaded.name || "scene", text: editor.text, view,
   written: withView(editor.text, view), step: accuracy.step, settings: accuracy.settings,
 }), (words) => {

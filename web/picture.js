@@ -1,4 +1,5 @@
 // The picture, and what is known about how it came to be.
+import { element } from "./element.js";
 import { bytes, digits, duration } from "./units.js";
 
 const stops = { samples: "sample count", target: "accuracy target", budget: "time budget" };
@@ -43,11 +44,8 @@ function showFacts({ blob, samples, precision, error, stop }, size) {
     ["Ended by", stop && (stops[stop] ?? stop)],
     ["PNG", bytes(blob.size)],
   ];
-  const rows = facts.filter(([, value]) => value).map(([term, value]) => {
-    const row = document.createElement("div");
-    row.append(element("dt", term), element("dd", value));
-    return row;
-  });
+  const rows = facts.filter(([, value]) => value)
+    .map(([term, value]) => element("div", {}, element("dt", {}, term), element("dd", {}, value)));
   document.querySelector("#facts").replaceChildren(...rows);
 }
 
@@ -57,11 +55,10 @@ function showStages(stages, total_ms) {
   const known_ms = stages.reduce((sum, stage) => sum + stage.ms, 0);
   // What the server does not account for is the way there and back, and the browser's own work.
   const parts = [...stages, { name: "transport", ms: Math.max(0, total_ms - known_ms) }];
-  const bar = element("div", "");
-  bar.className = "bar";
-  const legend = element("ul", "");
+  const bar = element("div", { className: "bar" });
+  const legend = element("ul");
   for (const { name, ms } of parts) {
-    const part = element("span", "");
+    const part = element("span");
     part.dataset.stage = name;
     part.style.flexGrow = ms;
     bar.append(part);
@@ -76,13 +73,5 @@ function showStages(stages, total_ms) {
 }
 
 function timed(name, ms) {
-  const row = element("li", `${name} `);
-  row.append(element("span", duration(ms)));
-  return row;
-}
-
-function element(tag, text) {
-  const made = document.createElement(tag);
-  made.textContent = text;
-  return made;
+  return element("li", {}, `${name} `, element("span", {}, duration(ms)));
 }

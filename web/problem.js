@@ -1,6 +1,7 @@
 // What is wrong, in words: the problem, and its errors as a list that leads to their places.
+import { element } from "./element.js";
 import { lineAndColumn, locator, offsetOf } from "./json_pointer.js";
-import { counted } from "./units.js";
+import { pluralised } from "./units.js";
 
 const most_listed = 200;  // errors; nobody reads further, and each is a mark in the editor
 const about_keys = /^unknown key|stands twice/;  // the name is wrong then, whatever its value is
@@ -39,12 +40,11 @@ function rank({ control, pointer, start }) {
 
 /// Shows the problem with its marks; `reveal(mark)` follows a click on one.
 export function showProblem(problem, marks, reveal) {
-  const title = document.createElement("strong");
-  title.textContent = titleOf(problem, marks);
   const says = marks.length > 0 ? [] : [problem.detail];
   if (problem.errors.length > marks.length && marks.length > 0) says.push(`The first ${marks.length} are listed.`);
   if (problem.retryAfter) says.push(`The server suggests another attempt in ${problem.retryAfter} s.`);
-  document.querySelector("#problem-summary").replaceChildren(title, ...says.flatMap((sentence) => [" ", sentence]));
+  document.querySelector("#problem-summary").replaceChildren(
+    element("strong", {}, titleOf(problem, marks)), ...says.flatMap((sentence) => [" ", sentence]));
   document.querySelector("#errors").replaceChildren(...marks.map((mark) => row(mark, reveal)));
   document.querySelector("#problem").hidden = false;
 }
@@ -54,7 +54,7 @@ function titleOf({ status, title, errors }, marks) {
   if (marks.length === 0) return title;
   if (status === 400) return "The text is not JSON";
   if (status === 413) return "More than this server accepts";
-  return `${counted(errors.length, "error")} in the scene`;
+  return `${pluralised(errors.length, "error")} in the scene`;
 }
 
 export function hideProblem() {
@@ -74,24 +74,16 @@ export function renumber(marks) {
 }
 
 function row(mark, reveal) {
-  const item = document.createElement("li");
-  const button = document.createElement("button");
-  button.type = "button";
   const place = mark.control
     ? [piece("line", "↑"), piece("unseen", mark.control.labels[0].textContent)]
     : [piece("unseen", "Line"), piece("line", mark.line)];
   const rest = [piece("message", mark.message), piece("pointer", mark.pointer)];
   // The spaces part the words for those who hear them; the layout ignores them.
-  button.append(...[...place, ...rest].flatMap((each) => [each, " "]));
-  if (!mark.control) item.dataset.line = mark.line;
+  const button = element("button", { type: "button" }, ...[...place, ...rest].flatMap((each) => [each, " "]));
   button.addEventListener("click", () => reveal(mark));
-  item.append(button);
+  const item = element("li", {}, button);
+  if (!mark.control) item.dataset.line = mark.line;
   return item;
 }
 
-function piece(className, text) {
-  const span = document.createElement("span");
-  span.className = className;
-  span.textContent = text;
-  return span;
-}
+const piece = (className, text) => element("span", { className }, text);

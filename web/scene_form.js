@@ -1,5 +1,6 @@
 // The common edits as a form beside the JSON: each control stands for one value of the document,
 // by its pointer, and writes that value alone into the text.
+import { element } from "./element.js";
 
 const most_spheres = 50;  // with a row each; nobody moves more by hand
 
@@ -10,7 +11,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
   let fields = [];  // {pointer, read(value)}
 
   function number(label, pointer, { step = 0.1, min } = {}) {
-    const input = Object.assign(document.createElement("input"), { type: "number", step: "any", ariaLabel: label });
+    const input = element("input", { type: "number", step: "any", ariaLabel: label });
     if (min !== undefined) input.min = min;
     input.addEventListener("input", () => {
       if (input.value !== "" && input.checkValidity()) onEdit(pointer, input.valueAsNumber);
@@ -30,7 +31,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
   }
 
   function slider(label, pointer, max = 1) {
-    const input = Object.assign(document.createElement("input"), { type: "range", min: 0, max, step: max / 100, ariaLabel: label });
+    const input = element("input", { type: "range", min: 0, max, step: max / 100, ariaLabel: label });
     input.addEventListener("input", () => onEdit(pointer, input.valueAsNumber));
     fields.push({ pointer, read(value) {
       if (Number.isFinite(value)) input.value = value;
@@ -39,7 +40,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
   }
 
   function colour(label, pointer) {
-    const input = Object.assign(document.createElement("input"), { type: "color", ariaLabel: label });
+    const input = element("input", { type: "color", ariaLabel: label });
     let isArray = true;
     input.addEventListener("input", () => onEdit(pointer, isArray ? partsOf(input.value) : input.value));
     fields.push({ pointer, read(value) {
@@ -130,30 +131,21 @@ const hexOf = (parts) => `#${parts.map((part) => Math.round(part * 255).toString
 const partsOf = (hex) => [1, 3, 5].map((at) => Number((parseInt(hex.slice(at, at + 2), 16) / 255).toFixed(3)));
 
 function group(title, rows) {
-  const made = document.createElement("fieldset");
-  made.append(Object.assign(document.createElement("legend"), { textContent: title }), ...rows);
-  return made;
+  return element("fieldset", {}, element("legend", {}, title), ...rows);
 }
 
 function row(name, about, controls, kind = "") {
-  const made = document.createElement("div");
-  made.className = `form-row ${kind}`;
-  const heading = Object.assign(document.createElement("span"), { className: "form-name", textContent: name });
-  if (about) heading.append(" ", Object.assign(document.createElement("small"), { textContent: about }));
-  const rest = document.createElement("div");
-  rest.append(...controls);
-  made.append(heading, rest);
-  return made;
+  const heading = element("span", { className: "form-name" }, name);
+  if (about) heading.append(" ", element("small", {}, about));
+  return element("div", { className: `form-row ${kind}` }, heading, element("div", {}, ...controls));
 }
 
 function labelled(text, input) {
-  const made = document.createElement("label");
-  made.append(Object.assign(document.createElement("span"), { textContent: text, ariaHidden: "true" }), input);
-  return made;
+  return element("label", {}, element("span", { ariaHidden: "true" }, text), input);
 }
 
 function button(text, onPress) {
-  const made = Object.assign(document.createElement("button"), { type: "button", className: "quiet", textContent: text });
+  const made = element("button", { type: "button", className: "quiet" }, text);
   made.addEventListener("click", onPress);
   return made;
 }

@@ -15,7 +15,7 @@ export function bytes(count) {
 }
 
 /// "1 error", "2 errors".
-export function counted(count, noun) {
+export function pluralised(count, noun) {
   return `${count} ${noun}${count === 1 ? "" : "s"}`;
 }
 

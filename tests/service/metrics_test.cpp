@@ -229,7 +229,7 @@ TEST(MetricsOfAFullServer, are_answered_and_show_the_queue) {
   EXPECT_EQ(scrape(server)["raytracer_queue_length"], 0);
 }
 
-TEST(MetricsOfDepartures, count_the_render_of_a_client_that_left) {
+TEST(MetricsOfDisconnects, count_the_render_of_a_client_that_left) {
   const ServerProcess server({"--threads", "1"});
   {
     RawConnection client(server.port());

@@ -84,7 +84,8 @@ class Mutator {
  public:
   explicit Mutator(unsigned seed) : random_(seed), requests_(valid_requests()) {}
 
-  /// Mostly with a length that is the body's: what is wrong is then found behind the first gate.
+  /// Mostly with a length that is the body's: what is wrong is then found behind the first
+  /// validation.
   std::string next() {
     Parts parts = requests_[below(requests_.size())];
     const std::size_t changes = 1 + below(3);

@@ -13,12 +13,12 @@
 namespace raytracer::test {
 namespace {
 
-TEST(Transfer, LinearChangesNothing) {
+TEST(Transfer, linear_changes_nothing) {
   for (const double value : {0.0, 1e-9, 0.18, 0.5, 1.0})
     EXPECT_EQ(encode_channel(value, Transfer::linear), value);
 }
 
-TEST(Transfer, SrgbHasItsKnownValues) {
+TEST(Transfer, srgb_has_its_known_values) {
   const auto srgb = [](double linear) { return encode_channel(linear, Transfer::srgb); };
   EXPECT_EQ(srgb(0), 0);
   EXPECT_NEAR(srgb(1), 1, 1e-15);
@@ -30,7 +30,7 @@ TEST(Transfer, SrgbHasItsKnownValues) {
   EXPECT_NEAR(srgb(0.2158605), 128 / 255.0, 1e-6);
 }
 
-TEST(Transfer, SrgbRisesAndStaysInRange) {
+TEST(Transfer, srgb_rises_and_stays_in_range) {
   double last = -1;
   for (int i = 0; i <= 10'000; ++i) {
     const double value = encode_channel(i / 10'000.0, Transfer::srgb);
@@ -40,7 +40,7 @@ TEST(Transfer, SrgbRisesAndStaysInRange) {
   }
 }
 
-TEST(ToByte, IsTheFloorOf255cPlusAHalf) {
+TEST(ToByte, is_the_floor_of_255c_plus_a_half) {
   EXPECT_EQ(to_byte(0), 0);
   EXPECT_EQ(to_byte(1), 255);
   EXPECT_EQ(to_byte(0.5F), 128);
@@ -69,14 +69,14 @@ Image sample() {
   return image;
 }
 
-TEST(Image, HasItsFirstRowOnTop) {
+TEST(Image, has_its_first_row_on_top) {
   Image image(3, 2);
   std::fill(image.values.begin(), image.values.end(), 0.0F);
   image.pixel(2, 1)[0] = 1;
   EXPECT_EQ(image.values[15], 1);
 }
 
-TEST(Ppm, HasItsHeaderAndTheRowsFromTheTop) {
+TEST(Ppm, has_its_header_and_the_rows_from_the_top) {
   const std::string file = encoded(sample(), ImageFormat::ppm);
   const std::string header = "P6\n3 2\n255\n";
   ASSERT_EQ(file.size(), header.size() + 18);
@@ -85,7 +85,7 @@ TEST(Ppm, HasItsHeaderAndTheRowsFromTheTop) {
     EXPECT_EQ(static_cast<unsigned char>(file[header.size() + i]), i * 14);
 }
 
-TEST(Pfm, HasItsHeaderAndLittleEndianRowsFromTheBottom) {
+TEST(Pfm, has_its_header_and_little_endian_rows_from_the_bottom) {
   const Image image = sample();
   const std::string file = encoded(image, ImageFormat::pfm);
   const std::string header = "PF\n3 2\n-1.0\n";

@@ -67,7 +67,7 @@ void expect_read_back(int width, int height, const Bytes& rgb) {
   EXPECT_LE(file.size(), rgb.size() + static_cast<std::size_t>(height) + rgb.size() / 1000 + 200);
 }
 
-TEST(Png, HasEveryByteOfAPictureOfAnySize) {
+TEST(Png, has_every_byte_of_a_picture_of_any_size) {
   // The last have exactly one strip's bytes, then two strips', then a byte or so beside them.
   for (const auto& [width, height] :
        {std::pair{1, 1}, {1, 2},      {2, 1},     {1, 300},   {300, 1},   {257, 3},   {3, 257},
@@ -81,7 +81,7 @@ TEST(Png, HasEveryByteOfAPictureOfAnySize) {
 }
 
 /// Strips that depended on the threads would not give the same file.
-TEST(Png, IsTheSameFileOnAnyNumberOfThreads) {
+TEST(Png, is_the_same_file_on_any_number_of_threads) {
   const Bytes rgb = mixture(1501, 777);
   WorkerPool one(1);
   const std::string file = encode_png(1501, 777, rgb, one);
@@ -98,7 +98,7 @@ TEST(Png, IsTheSameFileOnAnyNumberOfThreads) {
 }
 
 /// ISA-L 2.30 leaves how far back matches may be to what the memory held.
-TEST(Png, IsTheSameFileWhateverTheStackHeld) {
+TEST(Png, is_the_same_file_whatever_the_stack_held) {
   const Bytes rgb = gradient(20, 8);
   WorkerPool pool(1);
   const std::string file = encode_png(20, 8, rgb, pool);
@@ -108,12 +108,12 @@ TEST(Png, IsTheSameFileWhateverTheStackHeld) {
   }
 }
 
-TEST(Png, OfAFlatPictureIsSmall) {
+TEST(Png, of_a_flat_picture_is_small) {
   WorkerPool pool(2);
   EXPECT_LT(encode_png(3840, 2160, flat(3840, 2160), pool).size(), 250'000U);
 }
 
-TEST(Png, HasTheBytesOfThePpm) {
+TEST(Png, has_the_bytes_of_the_ppm) {
   Image image(700, 500);
   for (std::size_t i = 0; i < image.values.size(); ++i)
     image.values[i] = static_cast<float>(static_cast<double>(i * i % 1009) / 1008);
@@ -126,7 +126,7 @@ TEST(Png, HasTheBytesOfThePpm) {
 }
 
 /// That the reader of these tests looks at the checksums which the writer combines.
-TEST(Png, WithAWrongChecksumIsRefused) {
+TEST(Png, with_a_wrong_checksum_is_refused) {
   WorkerPool pool(2);
   const std::string file = encode_png(700, 500, mixture(700, 500), pool);
   ASSERT_NO_THROW(decode_png(file));

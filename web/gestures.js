@@ -10,7 +10,7 @@ const keys = {
 /// `board` is focusable and holds the picture. `to`: {grab(x, y, event), drag(dx, dy, x, y), drop(),
 /// orbit(sideways, over), dolly(factor), hover(x, y, event), leave()}. x, y, dx, dy: parts of the
 /// board's width and height. grab returns whether drag follows; else dragging orbits.
-export function watchHand(board, to) {
+export function watchGestures(board, to) {
   const touching = new Map();  // pointer to where it was
   let isHeld = false;          // by grab
 

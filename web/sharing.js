@@ -4,7 +4,7 @@ import { curlCommand, fragmentOf } from "./share.js";
 
 /// `state()` gives {name, title, text, view, step, settings, written}: `name` is empty where the text
 /// is no shipped scene's; `written` is the text with the view in it. `say(words)` tells the person what happened.
-export function createTakeAway({ share, curl, dialog }, state, say) {
+export function createSharing({ share, curl, dialog }, state, say) {
   share.addEventListener("click", async () => {
     const fragment = await fragmentOf(state());
     // The address is the link too: for those who copy it from there.

@@ -27,9 +27,9 @@ struct LruCounts {
 
 /// Every member function may be called from any thread.
 template <typename Value>
-class LruMemory {
+class LruCache {
  public:
-  explicit LruMemory(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+  explicit LruCache(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
   std::size_t most_bytes() const { return most_bytes_; }
 

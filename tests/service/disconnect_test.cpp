@@ -24,7 +24,7 @@ std::string render_request(const std::string& document) {
       document.size(), document);
 }
 
-TEST(Departure, render_ends_when_its_client_leaves) {
+TEST(Disconnect, render_ends_when_its_client_leaves) {
   // Nobody may wait here, so "ready" says that a place is free: that a render has ended.
   const ServerProcess server({"--threads", "1", "--max-queue", "0"});
   std::vector<std::unique_ptr<RawConnection>> clients;
@@ -41,7 +41,7 @@ TEST(Departure, render_ends_when_its_client_leaves) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, patience(3s));
 }
 
-TEST(Departure, waiting_render_leaves_the_queue_with_its_client) {
+TEST(Disconnect, waiting_render_leaves_the_queue_with_its_client) {
   const ServerProcess server({"--threads", "1", "--max-queue", "1"});
   for (int i = 0; i < 4; ++i) ASSERT_EQ(post(server, "/jobs", endless_scene()).status, 202);
   auto client = std::make_unique<RawConnection>(server.port());
@@ -53,7 +53,7 @@ TEST(Departure, waiting_render_leaves_the_queue_with_its_client) {
       << "its place in the queue is still taken";
 }
 
-TEST(Departure, render_ends_whose_client_left_in_the_first_moment) {
+TEST(Disconnect, render_ends_whose_client_left_in_the_first_moment) {
   const ServerProcess server({"--threads", "1", "--max-queue", "20"});
   // Renders that are over before anybody looked at their clients.
   for (int i = 0; i < 200; ++i)
@@ -73,7 +73,7 @@ TEST(Departure, render_ends_whose_client_left_in_the_first_moment) {
       << get(server, "/metrics").body.substr(0, 2000);
 }
 
-TEST(Departure, client_that_leaves_before_its_answer_is_read_harms_nobody) {
+TEST(Disconnect, client_that_leaves_before_its_answer_is_read_harms_nobody) {
   const ServerProcess server;
   for (int i = 0; i < 30; ++i) {
     RawConnection client(server.port());

@@ -2,11 +2,11 @@
 // the word beside the picture that it is an older one.
 import { hideProblem, marksOf, renumber, showProblem } from "./problem.js";
 import { Problem } from "./api.js";
-import { counted } from "./units.js";
+import { pluralised } from "./units.js";
 
 /// `dated` is the picture's caption. `overriding()` gives the controls that stand over the document,
 /// by pointer; `reveal(mark)` follows a click on an error that has a place in the text.
-export function createTrouble({ editor, dated, overriding, reveal }) {
+export function createProblemPanel({ editor, dated, overriding, reveal }) {
   let marks = [];         // what is marked in the editor and listed below it
   let renderedAt = null;  // when the picture in sight was
 
@@ -20,7 +20,7 @@ export function createTrouble({ editor, dated, overriding, reveal }) {
       dated.hidden = renderedAt === null;
       const what = marks.length > 0 ? "Picture of the last valid scene" : "Picture of the last render";
       dated.textContent = `${what}, ${renderedAt?.toLocaleTimeString()}`;
-      return marks.length > 0 ? `Not rendered: ${counted(Math.max(marks.length, problem.errors.length), "error")}` : "Not rendered";
+      return marks.length > 0 ? `Not rendered: ${pluralised(Math.max(marks.length, problem.errors.length), "error")}` : "Not rendered";
     },
 
     /// After an edit: the marks' lines may have changed.
@@ -35,7 +35,7 @@ export function createTrouble({ editor, dated, overriding, reveal }) {
       hideProblem();
     },
 
-    /// A picture without trouble is in sight, from now.
+    /// A picture without a problem is in sight, from now.
     rendered() {
       renderedAt = new Date();
       dated.hidden = true;

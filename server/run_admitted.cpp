@@ -1,0 +1,35 @@
+#include "server/run_admitted.h"
+
+#include "server/problem.h"
+
+namespace raytracer {
+namespace {
+
+[[noreturn]] void refuse_stopped(Services& services) {
+  services.metrics.cancelled();
+  if (services.admission.is_closed())
+    throw HttpError({503, "The server shut down before the work was finished"});
+  throw HttpError(client_closed_request());
+}
+
+}  // namespace
+
+double run_admitted(Services& services, RenderProgress& progress,
+                    const std::function<bool()>& work) {
+  AdmissionSlot slot = services.admission.enter(progress);
+  if (!slot.wait_until_admitted()) refuse_stopped(services);
+  const double queue_ms = slot.queue_ms();
+  services.metrics.waited(queue_ms);
+  if (!work()) refuse_stopped(services);
+  return queue_ms;
+}
+
+void run_admitted(Services& services, const Call& call,
+                  const std::function<bool(RenderProgress&)>& work) {
+  RenderProgress progress;
+  const DisconnectWatch::Registration registration(
+      services.disconnect_watch, endpoints_of(call.request), [&] { progress.stop = true; });
+  run_admitted(services, progress, [&] { return work(progress); });
+}
+
+}  // namespace raytracer
