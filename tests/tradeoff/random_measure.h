@@ -27,7 +27,7 @@ struct MeasuredScene {
 };
 
 /// The exact picture is in double precision and has ever four times the samples of the one before,
-/// until its error is a tenth of the least target, or its samples would be more than `most_samples`
+/// until its error is a sixth of the least target, or its samples would be more than `most_samples`
 /// in all pixels together.
 MeasuredScene measure_random_scene(std::uint64_t seed, const std::vector<double>& targets,
                                    double most_samples, WorkerPool& pool);

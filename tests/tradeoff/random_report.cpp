@@ -13,7 +13,7 @@ namespace {
 
 using bench::row;
 
-constexpr double clearly_above = 3;
+constexpr double clearly_above = 2;  // adds at most 12 % to the error, mostly 4 %
 
 /// Of the estimate to the true error, where both are known well enough.
 std::optional<double> judged_ratio(const MeasuredScene& scene, const MeasuredTarget& measured) {

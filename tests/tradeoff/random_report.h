@@ -9,7 +9,7 @@
 
 namespace raytracer::published {
 
-/// Of one target. Estimates are judged where the error is at least three times the exact picture's.
+/// Of one target. Estimates are judged where the error is at least twice the exact picture's.
 struct TargetTally {
   std::size_t count = 0;
   std::size_t kept_count = 0;
