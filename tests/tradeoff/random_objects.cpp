@@ -128,7 +128,8 @@ RandomObject bumpy_grid(Dice& dice, double half) {
       mesh.add_vertex({side * u, level + bump + roughness * dice.within(-1, 1), side * v});
     }
   const auto index = [&](int column, int row) {
-    return static_cast<std::size_t>(row * (across + 1) + column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(across + 1) +
+           static_cast<std::size_t>(column);
   };
   for (int row = 0; row < along; ++row)
     for (int column = 0; column < across; ++column) {

@@ -38,6 +38,12 @@ TEST(RandomReport, estimate_of_an_error_near_the_exact_pictures_is_not_judged) {
   EXPECT_EQ(tally({scene(1, 0.0019, 0.01), scene(2, 0.01, {})}, 0).judged_count, 0U);
 }
 
+TEST(RandomReport, estimate_of_no_error_to_speak_of_is_not_judged) {
+  MeasuredScene flat = scene(1, 1e-8, 0);
+  flat.exact_error = 0;
+  EXPECT_EQ(tally({flat}, 0).judged_count, 0U);
+}
+
 TEST(RandomReport, ninety_nine_in_a_hundred_are_enough) {
   EXPECT_TRUE(is_enough(99, 100));
   EXPECT_FALSE(is_enough(98, 100));
