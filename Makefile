@@ -25,7 +25,7 @@ define test_in
 	$(3) ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
 endef
 
-.PHONY: all test check sanitize tsan tradeoff bench extremes fuzz load soak install clean help
+.PHONY: all test check sanitize tsan tradeoff contracts bench extremes fuzz load soak install clean help
 
 all:
 	$(call configure,build)
@@ -60,6 +60,16 @@ tradeoff:
 	@cmake --build build-bench --parallel $(JOBS) --target raytracer_published_tradeoff
 	@mkdir -p tests/tradeoff/runs
 	build-bench/raytracer_published_tradeoff --runs tests/tradeoff/runs \
+	  --commit "$$(git describe --always --dirty --exclude='*')"
+
+# Another SEED, other scenes; fails if fewer than 99 % of the targets are kept.
+SEED ?= 1
+SCENES ?= 100
+contracts:
+	.ci/install build test
+	$(call configure,build,-DRAYTRACER_TESTS=ON)
+	@cmake --build build --parallel $(JOBS) --target raytracer_random_contracts
+	build/raytracer_random_contracts --seed $(SEED) --scenes $(SCENES) \
 	  --commit "$$(git describe --always --dirty --exclude='*')"
 
 bench:
@@ -117,6 +127,7 @@ help:
 	@echo "make sanitize  all tests with AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make tsan      all tests with ThreadSanitizer"
 	@echo "make tradeoff  error against time beside Embree and POV-Ray, written to tests/tradeoff/runs"
+	@echo "make contracts targets on random scenes (SEED=$(SEED) SCENES=$(SCENES)): are they kept, and told truly?"
 	@echo "make bench     times against Embree and POV-Ray, written to tests/bench/runs"
 	@echo "make extremes  scenes at the extremes against exact pictures, written to tests/extremes/runs"
 	@echo "make fuzz      a minute each of random documents and of random scenes, with libFuzzer"

@@ -4,31 +4,12 @@
 
 #include <cstdint>
 #include <iterator>
-#include <random>
 
 #include "tests/bench/scene_documents.h"
+#include "tests/tradeoff/dice.h"
 
 namespace raytracer::published {
 namespace {
-
-/// Taken from the generator's bits: the standard's distributions differ between libraries.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : generator_(seed) {}
-
-  double within(double least, double most) {
-    return least + (most - least) * (static_cast<double>(generator_() >> 11) * 0x1p-53);
-  }
-  /// In the cube from -half to half.
-  Vec3 point(double half) {
-    const double x = within(-half, half);
-    const double y = within(-half, half);
-    return {x, y, within(-half, half)};
-  }
-
- private:
-  std::mt19937_64 generator_;
-};
 
 std::string text_of(const Vec3& point) {
   return fmt::format("[{:.6g},{:.6g},{:.6g}]", point.x, point.y, point.z);
