@@ -105,7 +105,7 @@ class Names {
     for (const Box& box : places) {
       if (box.x0 < LogPlot::left || box.x1 > LogPlot::right || box.y1 > LogPlot::bottom ||
           std::any_of(taken_.begin(), taken_.end(),
-                      [&](const Box& other) { return box.meets(other); }))
+                      [&](const Box& other) { return box.overlaps(other); }))
         continue;
       taken_.push_back(box);
       return svg_text(box.x0, box.y1 - 2, "class=\"name\"", name);
@@ -116,7 +116,7 @@ class Names {
  private:
   struct Box {
     double x0, y0, x1, y1;
-    bool meets(const Box& other) const {
+    bool overlaps(const Box& other) const {
       return x0 < other.x1 && other.x0 < x1 && y0 < other.y1 && other.y0 < y1;
     }
   };

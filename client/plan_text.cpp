@@ -81,12 +81,12 @@ std::string features_text(const Json& features, int columns) {
 
 std::string choice_text(const std::string& name, const Json& choice, int columns) {
   std::string text = entry(name, word_of(choice.at("choice")), columns);
-  if (!choice.contains("ways")) return text + entry("", choice.value("reason", ""), columns);
-  for (const Json& way : choice.at("ways"))
+  if (!choice.contains("finders")) return text + entry("", choice.value("reason", ""), columns);
+  for (const Json& row : choice.at("finders"))
     text +=
         entry("",
-              fmt::format("- {} {}: {}, because {}", way.value("objects", ""),
-                          way.value("rays", ""), way.value("choice", ""), way.value("reason", "")),
+              fmt::format("- {} {}: {}, because {}", row.value("objects", ""),
+                          row.value("rays", ""), row.value("choice", ""), row.value("reason", "")),
               columns);
   return text;
 }

@@ -1,5 +1,5 @@
 // The files that are compiled into the program, so that it runs from anywhere: the shipped scenes,
-// the page, the schema. embed.cmake writes the definition.
+// the page. embed.cmake writes the definition.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 namespace raytracer {
 
 struct EmbeddedFile {
-  std::string_view path;  ///< "scenes/demo.json", "web/index.html", "scene.schema.json"
+  std::string_view path;  ///< "scenes/demo.json", "web/index.html", "openapi.json"
   std::string_view bytes;
 };
 

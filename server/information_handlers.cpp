@@ -40,8 +40,7 @@ void get_version(Services& services, Call& call) {
 }
 
 void get_scene_schema(Services&, Call& call) {
-  answer_bytes(call.response, std::string(embedded_file("scene.schema.json").bytes),
-               "application/schema+json");
+  answer_bytes(call.response, scene_schema(), "application/schema+json");
 }
 
 void get_openapi(Services&, Call& call) { answer_json(call.response, 200, openapi_document()); }

@@ -14,9 +14,9 @@ export function showPlan(box, plan) {
   parts.push(entry("What the scene needs", features(plan.features)));
   for (const [name, title] of Object.entries(titles)) {
     if (!plan[name]) continue;
-    const { choice, reason, ways } = plan[name];
-    const made = entry(title, name === "sampling" ? `${pluralised(choice, "sample")} per pixel` : String(choice), ways ? undefined : reason);
-    if (ways) made.append(listOf(ways));
+    const { choice, reason, finders } = plan[name];
+    const made = entry(title, name === "sampling" ? `${pluralised(choice, "sample")} per pixel` : String(choice), finders ? undefined : reason);
+    if (finders) made.append(listOf(finders));
     parts.push(made);
   }
   box.replaceChildren(...parts);
@@ -40,8 +40,8 @@ function entry(title, choice, ...reasons) {
     ...reasons.filter(Boolean).map((reason) => worded("p", reason, "reason")));
 }
 
-function listOf(ways) {
-  return element("ul", {}, ...ways.map(({ objects, rays, choice, reason }) => element("li", {},
+function listOf(finders) {
+  return element("ul", {}, ...finders.map(({ objects, rays, choice, reason }) => element("li", {},
     element("strong", {}, `${choice}: `), `${objects}, rays ${rays}. `, worded("span", reason, "reason"))));
 }
 

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/errors/error_model.h"
 #include "engine/forecast/rehearsal.h"
 #include "engine/kernel/this_machine.h"
 #include "engine/measure/stopwatch.h"
-#include "engine/plan/counted.h"
 #include "engine/plan/tiles.h"
 #include "engine/sample/refinement.h"
+#include "engine/text/pluralised.h"
 
 namespace raytracer {
 namespace {
@@ -38,48 +39,47 @@ struct Expectation {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What render() would make of the contract: `probing` samples everywhere, under a budget fewer
-/// before them, and then more where they are needed.
-Expectation expect_contract(const RenderSettings& settings, std::optional<double> sought_rmse,
-                            int most, int probing, const PassModel& model) {
-  constexpr double overestimate = 1.3;     // of the error, mostly
-  constexpr double all_refinements = 0.1;  // against the last one's samples
-  constexpr double ignorance = 3;          // of what each pixel needs, which only samples tell
+/// What render() would make of the contract: a pilot pass everywhere, under a budget fewer samples
+/// before it, and then more where they are needed.
+Expectation expect_contract(const RenderSettings& settings, std::optional<double> refined_rmse,
+                            int most, int pilot, const PassModel& model) {
   const Rehearsal& rehearsal = model.rehearsal;
-  const double share = std::min(ignorance * rehearsal.refined_share, 1.0);
-  constexpr int few = 4;
-  double probed_ms = model.pass_ms(probing);
-  if (settings.budget_ms) probed_ms += model.pass_ms(1);
-  if (settings.budget_ms && probing > few) probed_ms += model.pass_ms(few);
-  const double sample_ms = (1 + all_refinements) * static_cast<double>(rehearsal.tile_count) *
-                           rehearsal.refined_sample_ms / model.threads;
+  const double share = std::min(ForecastModel::blind_factor * rehearsal.refined_share, 1.0);
+  double pilot_ms = model.pass_ms(pilot);
+  if (settings.budget_ms) pilot_ms += model.pass_ms(1);
+  if (settings.budget_ms && pilot > RefinementModel::first_step)
+    pilot_ms += model.pass_ms(RefinementModel::first_step);
+  const double sample_ms =
+      static_cast<double>(rehearsal.tile_count) * rehearsal.refined_sample_ms / model.threads;
 
-  double even = probing;  // samples that would err as little as the refined image if all had them
-  if (sought_rmse)
-    even = std::max(even, std::pow(overestimate * rehearsal.error / *sought_rmse,
+  double even = pilot;  // samples that would err as little as the refined image if all had them
+  if (refined_rmse)
+    even = std::max(even, std::pow(ForecastModel::error_margin * rehearsal.error / *refined_rmse,
                                    1 / rehearsal.error_exponent));
   // On average: the pixels that are not refined keep theirs.
-  double samples = even > probing ? probing + share * even : probing;
+  double samples = even > pilot ? pilot + share * even : pilot;
   double affordable = most;
   if (settings.budget_ms && sample_ms > 0)
     affordable =
-        std::min(affordable, probing + std::max(*settings.budget_ms - probed_ms, 0.0) / sample_ms);
-  if (samples > affordable || !sought_rmse) {
+        std::min(affordable, pilot + std::max(*settings.budget_ms - pilot_ms, 0.0) / sample_ms);
+  if (samples > affordable || !refined_rmse) {
     samples = affordable;
-    even = samples > probing ? std::max(static_cast<double>(probing), (samples - probing) / share)
-                             : samples;
+    even =
+        samples > pilot ? std::max(static_cast<double>(pilot), (samples - pilot) / share) : samples;
   }
-  const double trace_ms = std::min(probed_ms + std::max(samples - probing, 0.0) * sample_ms,
+  const double trace_ms = std::min(pilot_ms + std::max(samples - pilot, 0.0) * sample_ms,
                                    settings.budget_ms.value_or(infinity));
   return {samples, trace_ms, rehearsal.error_of(even)};
 }
 
 std::string error_basis(const Rehearsal& rehearsal, double samples) {
-  const std::string parts = counted(rehearsal.compared, "part") + " of the image";
+  const std::string parts = pluralised(rehearsal.compared, "part") + " of the image";
   if (rehearsal.error == 0)
-    return fmt::format("in {} 16 samples per pixel showed nothing that 1 did not", parts);
+    return fmt::format("in {} {} samples per pixel showed nothing that 1 did not", parts,
+                       RefinementModel::second_step);
   std::string basis =
-      fmt::format("estimated from what 16 samples per pixel changed against 1 in {}", parts);
+      fmt::format("estimated from what {} samples per pixel changed against 1 in {}",
+                  RefinementModel::second_step, parts);
   if (samples > 1)
     basis += fmt::format(", where the error fell as samples^-{:.2f}", rehearsal.error_exponent);
   return basis + "; a detail that no sample met is not in it";
@@ -90,10 +90,11 @@ std::string error_basis(const Rehearsal& rehearsal, double samples) {
 std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
                                  const MachineCosts& costs, WorkerPool& pool,
                                  const RenderProgress& progress) {
-  Forecast result{make_plan(scene, this_machine(pool.thread_count()), &pool), {}};
+  PackedScene packed = pack_scene(scene, &pool);
+  Forecast result{make_plan(scene, packed, this_machine(pool.thread_count()), &pool), {}};
   const Plan& plan = result.plan;
   const Stopwatch build_watch;
-  const Tracer tracer = make_tracer(plan, scene, pool);
+  const Tracer tracer = make_tracer(plan, std::move(packed), pool);
   const double build_ms = build_watch.elapsed_ms();
   if (progress.stop) return {};
   const Rehearsal rehearsal = rehearse(scene, tracer, pool, progress);
@@ -112,8 +113,8 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
   const int most = most_samples(scene, limits);
   const Expectation expected =
       plan.sampling.value == Sampling::contract
-          ? expect_contract(scene.render, sought_rmse(scene.render, plan.census), most,
-                            first_compared_samples(plan.census, most), model)
+          ? expect_contract(scene.render, refined_rmse(scene.render, plan.statistics), most,
+                            choose_pilot_samples(plan.statistics, most), model)
           : Expectation{fixed, model.pass_ms(fixed), rehearsal.error_of(fixed)};
   result.prediction = {
       .build_ms = build_ms,

@@ -8,6 +8,7 @@
 #include <limits>
 #include <thread>
 
+#include "engine/errors/error_model.h"
 #include "engine/image/image.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/measure/thread_stopwatch.h"
@@ -15,40 +16,37 @@
 namespace raytracer {
 namespace {
 
+using Model = ForecastModel;
+
 /// The median: how long a thread sleeps on varies.
 double usual_start_ms(WorkerPool& pool) {
-  constexpr int tries = 5;
-  constexpr std::chrono::microseconds until_all_sleep{100};  // they look out for work for 50
-  constexpr double longest_ms = 5;
   const std::atomic<bool> never{false};
-  std::array<double, tries> starts{};
+  std::array<double, Model::tries> starts{};
   for (double& start_ms : starts) {
-    std::this_thread::sleep_for(until_all_sleep);
+    std::this_thread::sleep_for(std::chrono::microseconds{Model::threads_sleep_us});
     std::atomic<std::size_t> begun{0};
     const Stopwatch watch;
     pool.run(
         pool.thread_count(),
         [&](std::size_t) {
           ++begun;
-          while (begun < pool.thread_count() && watch.elapsed_ms() < longest_ms)
+          while (begun < pool.thread_count() && watch.elapsed_ms() < Model::longest_start_ms)
             std::this_thread::yield();
         },
         never);
     start_ms = watch.elapsed_ms();
   }
-  std::ranges::nth_element(starts, starts.begin() + tries / 2);
-  return starts[tries / 2];
+  std::ranges::nth_element(starts, starts.begin() + Model::tries / 2);
+  return starts[Model::tries / 2];
 }
 
 /// The least of a few tries: what else the machine does can only make it more. Of memory that has
 /// been written before: a process that renders again and again keeps it.
 double least_byte_ms() {
-  constexpr int side_px = 1024;
-  constexpr int tries = 4;
-  Image image(side_px, side_px);
+  Image image(Model::memory_side_px, Model::memory_side_px);
   std::fill(image.values.begin(), image.values.end(), 0.0F);
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < tries; ++i) {
+  for (int i = 0; i < Model::tries; ++i) {
     const ThreadStopwatch watch;
     std::fill(image.values.begin(), image.values.end(), static_cast<float>(i));
     least = std::min(least, watch.elapsed_ms());

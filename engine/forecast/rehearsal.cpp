@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
+#include "engine/errors/error_model.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/measure/thread_stopwatch.h"
 #include "engine/plan/sampling.h"
@@ -15,11 +17,10 @@
 namespace raytracer {
 namespace {
 
-constexpr std::size_t most_timed = 64;
-constexpr double timing_limit_ms = 30;
-constexpr double comparing_limit_ms = 20;
-constexpr int few_samples = 4;
-constexpr int many_samples = 16;
+using Model = ForecastModel;
+
+constexpr int few_samples = RefinementModel::first_step;
+constexpr int many_samples = RefinementModel::second_step;
 
 /// A tile to be timed, and the one before it in the image's order, which is traced first: a thread
 /// of a render comes from there, and the caches hold some of what both need.
@@ -66,30 +67,25 @@ TileValues values_of(const Tile& tile, Image& image) {
   return values;
 }
 
-/// Of n samples where errors fall as n^-3/4, the squared error c n^-3/2 of pixels sums up to a
-/// bound with the fewest samples if n grows as c^(2/5) (engine/sample/refinement.h).
-constexpr double refinement_exponent = 0.4;
+/// Where the squared error c n^-3/2 of pixels with n samples sums up to a bound with the fewest
+/// samples, n grows as c^(2/5) (engine/sample/refinement.h).
+constexpr double fall = SampleErrorModel::edge_fall;
 
-/// The sum of c^(2/5) over the pixels of a tile.
-double refinement_sum(const TileValues& one, const TileValues& many) {
-  double sum = 0;
-  for (std::size_t i = 0; i < one.size(); i += 3) {
-    double error2 = 0;
-    for (std::size_t k = i; k < i + 3; ++k) {
-      const double difference = static_cast<double>(one[k]) - static_cast<double>(many[k]);
-      error2 += difference * difference;
-    }
-    if (error2 > 0) sum += std::pow(error2, refinement_exponent);
-  }
-  return sum;
-}
-
-double squared_difference(const TileValues& a, const TileValues& b) {
+double squared_difference(std::span<const float> a, std::span<const float> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
     sum += difference * difference;
   }
+  return sum;
+}
+
+/// The sum of c^(2/5) over the pixels of a tile.
+double refinement_sum(const TileValues& one, const TileValues& many) {
+  double sum = 0;
+  for (std::size_t i = 0; i < one.size(); i += 3)
+    sum += std::pow(squared_difference(std::span(one).subspan(i, 3), std::span(many).subspan(i, 3)),
+                    1 / (1 + fall));
   return sum;
 }
 
@@ -107,9 +103,8 @@ void touch(const Tile& tile, const Canvas& canvas) {
 
 /// What it takes to ask a thread for its time twice: as long as a tile of background.
 double asking_ms() {
-  constexpr int tries = 8;
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < tries; ++i) {
+  for (int i = 0; i < Model::tries; ++i) {
     const ThreadStopwatch watch;
     least = std::min(least, watch.elapsed_ms());
   }
@@ -129,7 +124,7 @@ struct TileReport {
 /// The rms error of `samples` per pixel, from its difference to many samples, which have an error
 /// of their own: both fall about as n^(-3/4) where edges cross pixels.
 double error_from_difference(double sum_of_squares, double count, double samples) {
-  const double own_share = std::pow(samples / many_samples, 1.5);
+  const double own_share = error_power(samples) / error_power(many_samples);
   return std::sqrt(sum_of_squares / count / (1 + own_share));
 }
 
@@ -166,14 +161,14 @@ Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_cou
   if (refinement > 0) {
     const double pixel_count = value_count / 3;
     rehearsal.refined_share =
-        std::pow(refinement, 5.0 / 3) / (pixel_count * std::pow(one_error2, 2.0 / 3));
+        std::pow(refinement, (1 + fall) / fall) / (pixel_count * std::pow(one_error2, 1 / fall));
     rehearsal.refined_sample_ms = refining_ms / refinement / (many_samples - 1);
   }
 
   rehearsal.error = error_from_difference(one_error2, value_count, 1);
   const double few_error = error_from_difference(few_error2, value_count, few_samples);
-  constexpr double slowest = 0.5;  // as of random samples
-  constexpr double fastest = 1;
+  constexpr double slowest = SampleErrorModel::random_fall / 2;
+  constexpr double fastest = SampleErrorModel::smooth_fall / 2;
   const double measured = few_error > 0 ? std::log(rehearsal.error / few_error) /
                                               std::log(static_cast<double>(few_samples))
                                         : fastest;
@@ -189,11 +184,12 @@ double Rehearsal::error_of(double samples) const {
 
 Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
                    const RenderProgress& progress) {
-  // Most of a render's tiles are larger: more but smaller ones vary less.
-  const int side = std::min(32, interruptible_side_px(many_samples, scene.lights.size()));
+  const int side =
+      std::min(Model::tile_side_px, interruptible_side_px(many_samples, scene.lights.size()));
   const std::vector<Tile> all = split_into_tiles(scene.camera.width, scene.camera.height, side);
   const auto columns = static_cast<std::size_t>((scene.camera.width + side - 1) / side);
-  const std::vector<TimedTile> tiles = spread_tiles(all, columns, std::min(all.size(), most_timed));
+  const std::vector<TimedTile> tiles =
+      spread_tiles(all, columns, std::min(all.size(), Model::most_tiles));
   const SamplePattern one = sample_pattern(1);
   const SamplePattern few = sample_pattern(few_samples);
   const SamplePattern many = sample_pattern(many_samples);
@@ -220,7 +216,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
   pool.run(
       tiles.size(),
       [&](std::size_t i) {
-        if (i > 0 && timing.elapsed_ms() > timing_limit_ms) return;
+        if (i > 0 && timing.elapsed_ms() > Model::pass_limit_ms) return;
         const auto& [tile, before] = tiles[i];
         if (before) trace(one, *before, timed);
         touch(tile, timed);
@@ -232,7 +228,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
       tiles.size(),
       [&](std::size_t i) {
         TileReport& report = reports[i];
-        const bool is_late = i > 0 && comparing.elapsed_ms() > comparing_limit_ms;
+        const bool is_late = i > 0 && comparing.elapsed_ms() > Model::pass_limit_ms;
         if (report.one_ms < 0 || is_late || progress.stop) return;
         const Tile& tile = tiles[i].tile;
         if (is_fixed) trace(one, tile, &image);

@@ -1,4 +1,5 @@
-// What the samples of each pixel tell of its error: how their halves differ, and how they vary.
+// What the samples of each pixel tell of its error: how their half buffers differ, and how they
+// vary.
 #pragma once
 
 #include <cstddef>
@@ -10,19 +11,21 @@ namespace raytracer {
 
 /// What a pixel's samples tell of its error; nothing, zeros, if they are no numbers.
 struct PixelSpread {
-  float error2 = 0;    ///< by its halves alone, as PartErrors says
-  float variance = 0;  ///< of its samples, the sum over the channels
+  float error2 = 0;    ///< by its half buffers alone, as SubtileErrors says
+  float variance = 0;  ///< of its samples, the sum over the channels, at least `error2`
 };
 
-/// The same of all pixels of an image, row by row, the rows and columns filled up to whole parts
+/// The same of all pixels of an image, row by row, the rows and columns filled up to whole subtiles
 /// by pixels that tell nothing.
 struct PixelSpreads {
-  int stride;  ///< from row to row, a multiple of part_side
+  int stride;  ///< from row to row, a multiple of subtile_side
   std::vector<float> error2;
   std::vector<float> variance;
 
   PixelSpreads(int width, int height)
-      : stride(whole_parts(width)), error2(count(width, height)), variance(count(width, height)) {}
+      : stride(whole_subtiles(width)),
+        error2(count(width, height)),
+        variance(count(width, height)) {}
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride) +
@@ -36,12 +39,14 @@ struct PixelSpreads {
   int rows() const { return static_cast<int>(error2.size() / static_cast<std::size_t>(stride)); }
 
   /// Filled up.
-  static int whole_parts(int pixels) { return (pixels + part_side - 1) / part_side * part_side; }
+  static int whole_subtiles(int pixels) {
+    return (pixels + subtile_side - 1) / subtile_side * subtile_side;
+  }
 
  private:
   static std::size_t count(int width, int height) {
-    return static_cast<std::size_t>(whole_parts(width)) *
-           static_cast<std::size_t>(whole_parts(height));
+    return static_cast<std::size_t>(whole_subtiles(width)) *
+           static_cast<std::size_t>(whole_subtiles(height));
   }
 };
 

@@ -11,22 +11,22 @@ namespace raytracer {
 
 /// Pixels begin <= (x, y) < end, y = 0 on top.
 ///
-/// Only those of `parts` count: the parts of each block, from the tile's begin on, are numbered row
-/// by row.
+/// Only those of `subtiles` count: the subtiles of each block, from the tile's begin on, are
+/// numbered row by row.
 struct Tile {
   int x_begin;
   int y_begin;
   int x_end;
   int y_end;
-  std::uint16_t parts = all_parts;
+  std::uint16_t subtiles = all_subtiles;
 
-  static constexpr std::uint16_t all_parts = 0xFFFF;
+  static constexpr std::uint16_t all_subtiles = 0xFFFF;
 
-  /// The part that (x, y) is in.
-  int part_of(int x, int y) const {
-    const int column = (x - x_begin) % block_side / part_side;
-    const int row = (y - y_begin) % block_side / part_side;
-    return row * parts_across + column;
+  /// The subtile that (x, y) is in.
+  int subtile_of(int x, int y) const {
+    const int column = (x - x_begin) % block_side / subtile_side;
+    const int row = (y - y_begin) % block_side / subtile_side;
+    return row * subtiles_across + column;
   }
 };
 

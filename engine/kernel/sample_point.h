@@ -14,16 +14,16 @@ struct SamplePoint {
 };
 
 /// The places of a pixel's samples, and how those of its neighbours differ from them: in pixel
-/// (x, y) the places are moved away from the pixel's middle lines by `stagger` times
-/// stagger_of(x, y), so that their own middle stays. With none, an edge along a row of pixels
+/// (x, y) the places are moved away from the pixel's middle lines by `jitter` times
+/// jitter_of(x, y), so that their own middle stays. With none, an edge along a row of pixels
 /// passes all of them alike, and is seen by all or by none.
 struct SamplePattern {
   std::vector<SamplePoint> points;
-  /// Of the points, if they are in two halves that are spread alike and tell each other's error.
-  std::size_t first_half = 0;
-  double stagger = 0;
+  /// If the points are in two half buffers, A and B, that are spread alike: those of A come first.
+  std::size_t half_a_count = 0;
+  double jitter = 0;
 
-  bool has_halves() const { return first_half > 0; }
+  bool has_half_buffers() const { return half_a_count > 0; }
 };
 
 /// `distance` to the side of the pixel's middle on which the coordinate lies.
@@ -33,7 +33,7 @@ constexpr double away_from_middle(double coordinate, double distance) {
 
 /// For pixels of a square of 4 x 4: from -1/2 to 1/2, as evenly as possible along its rows (x) and
 /// columns (y), each value once.
-constexpr SamplePoint stagger_of(int x, int y) {
+constexpr SamplePoint jitter_of(int x, int y) {
   constexpr std::array<int, 4> order{0, 2, 3, 1};
   const auto i = static_cast<std::size_t>(x % 4);
   const auto j = static_cast<std::size_t>(y % 4);

@@ -1,14 +1,14 @@
-// How an image's pixels are grouped: blocks are traced and culled together, parts of them looked at
-// together.
+// How an image's pixels are grouped: blocks are traced and culled together, subtiles of them looked
+// at together.
 #pragma once
 
 #include <cstddef>
 
 namespace raytracer {
 
-inline constexpr int block_side = 16;                        ///< in pixels
-inline constexpr int part_side = 4;                          ///< in pixels
-inline constexpr int parts_across = block_side / part_side;  ///< in a block
-inline constexpr std::size_t parts_in_block = std::size_t{parts_across} * parts_across;
+inline constexpr int block_side = 16;                              ///< in pixels
+inline constexpr int subtile_side = 4;                             ///< in pixels
+inline constexpr int subtiles_across = block_side / subtile_side;  ///< in a block
+inline constexpr std::size_t subtiles_in_block = std::size_t{subtiles_across} * subtiles_across;
 
 }  // namespace raytracer

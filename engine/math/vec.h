@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 
 namespace raytracer {
 
@@ -15,7 +16,7 @@ struct Vec3 {
   double y = 0;
   double z = 0;
 
-  friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+  friend constexpr auto operator<=>(const Vec3&, const Vec3&) = default;
 
   constexpr Vec3& operator+=(const Vec3& b) { return *this = {x + b.x, y + b.y, z + b.z}; }
 };
@@ -37,6 +38,12 @@ constexpr double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.
 constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+
+/// The coordinate along axis 0, 1 or 2.
+constexpr double component(const Vec3& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+constexpr double& component(Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 /// The largest coordinate by magnitude.
 inline double max_abs(const Vec3& a) {
@@ -66,15 +73,15 @@ constexpr Vec3 reflected(const Vec3& direction, const Vec3& normal) {
   return direction - 2 * dot(direction, normal) * normal;
 }
 
-/// Two directions across a third, all unit and at right angles.
-struct Across {
+/// Two directions across a third, all unit and at right angles to each other.
+struct OrthonormalBasis {
   Vec3 u;
   Vec3 v;
 };
 
 /// Directions across the unit vector w, with (u, v, w) right-handed (Duff et al.: "Building an
 /// Orthonormal Basis, Revisited", JCGT 2017).
-inline Across across(const Vec3& w) {
+inline OrthonormalBasis orthonormal_basis(const Vec3& w) {
   const double sign = std::copysign(1.0, w.z);
   const double a = -1 / (sign + w.z);
   const double b = w.x * w.y * a;

@@ -1,75 +1,63 @@
-// The scene as kernels see it: arrays of plain values in frame coordinates.
+// The scene as plans and kernels see it: arrays of plain values in frame coordinates.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "engine/math/ray.h"
-#include "engine/math/vec.h"
-#include "engine/memory/page_allocator.h"
-#include "engine/pack/numbering.h"
+#include "engine/lights/lights.h"
+#include "engine/math/view.h"
+#include "engine/objects/numbering.h"
+#include "engine/objects/objects.h"
+#include "engine/pack/make_frame.h"
 #include "engine/parallel/worker_pool.h"
-#include "engine/plan/frame.h"
-#include "engine/plan/view.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {
 
-struct PackedSphere {
-  Vec3 center;
-  double radius;
-  PrimitiveId id;
-};
+/// The materials of primitives: one for all of an object, or one for each of its items.
+class WornMaterials {
+ public:
+  void add_object(MaterialIndex material) { objects_.push_back({material, one_for_all}); }
+  /// The next object's items wear these.
+  void add_object(const std::vector<MaterialIndex>& materials) {
+    objects_.push_back({0, items_.size()});
+    items_.insert(items_.end(), materials.begin(), materials.end());
+  }
 
-/// A square of touching spheres; the two spanning axes and the one across them as indices.
-struct PackedSquare {
-  Vec3 center;
-  double radius;
-  std::int64_t side;  ///< spheres along a side: 2n
-  std::uint32_t object;
-  int first_axis;
-  int second_axis;
-  int across;
-};
+  MaterialIndex operator()(const PrimitiveId& id) const {
+    const Worn& worn = objects_[id.object];
+    return worn.first_item == one_for_all ? worn.material : items_[worn.first_item + id.item];
+  }
 
-struct PackedPlane {
-  Vec3 point;
-  Vec3 normal;  ///< unit
-  PrimitiveId id;
-};
-
-struct PackedTriangle {
-  std::array<Vec3, 3> vertices;
-  Vec3 normal;  ///< unit
-  PrimitiveId id;
-};
-
-struct PackedLight {
-  bool is_distant;
-  Vec3 place;    ///< distant: unit vector towards the light; point: its position
-  Rgb emission;  ///< distant: i; point: i at distance 1 in frame coordinates
+ private:
+  static constexpr std::size_t one_for_all = ~std::size_t{0};
+  struct Worn {
+    MaterialIndex material;
+    std::size_t first_item;  ///< in `items_`
+  };
+  std::vector<Worn> objects_;
+  std::vector<MaterialIndex> items_;
 };
 
 /// Everything that a ray may need, and nothing of how the document said it.
 struct PackedScene {
+  Frame frame;
   View view;
-  // Without what the frame does not carry, and triangles of no area.
-  LargeArray<PackedSphere> spheres;  ///< of all objects of type sphere and spheres
-  std::vector<PackedSquare> squares;
-  std::vector<PackedPlane> planes;
-  LargeArray<PackedTriangle> triangles;
+  Primitives primitives;  ///< without what the frame does not carry, and triangles of no area
+  double lost = 0;        ///< those that the frame does not carry
   Numbering numbers;
-  std::vector<MaterialIndex> material_of_object;
+  WornMaterials worn;
   std::vector<Material> materials;
   std::vector<PackedLight> lights;  ///< that can change a colour
   Rgb background;
   double ambient = 0;
   Shadows shadows = Shadows::black;
   int max_depth = 0;
+
+  const Material& material_of(const PrimitiveId& id) const { return materials[worn(id)]; }
 };
 
-/// On the pool's threads where there is much to do.
-PackedScene pack_scene(const Scene& scene, const Frame& frame, WorkerPool& pool);
+/// `pool`: whose threads help where there is much to do, if there is one; the result is the same.
+PackedScene pack_scene(const Scene& scene, WorkerPool* pool);
 
 }  // namespace raytracer

@@ -43,4 +43,11 @@ void for_each_range(std::size_t count, WorkerPool& pool, const Visit& visit) {
                  [&](std::size_t, std::size_t begin, std::size_t end) { visit(begin, end); });
 }
 
+/// The same with a pool, or without.
+template <typename Visit>
+void for_each_range(std::size_t count, WorkerPool* pool, const Visit& visit) {
+  if (pool != nullptr) return for_each_range(count, *pool, visit);
+  visit(std::size_t{0}, count);
+}
+
 }  // namespace raytracer

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -31,17 +32,28 @@ const char* name_of(Shadows shadows) {
   return "off";
 }
 
+/// "sphere_squares"
+std::string key_of(std::string_view noun) {
+  std::string key(noun);
+  std::replace(key.begin(), key.end(), ' ', '_');
+  return key + "s";
+}
+
 Json features_json(const Scene& scene, const Features& features) {
+  Json objects;
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    objects[key_of(Kind::noun)] = features.primitives[kind_index<Kind>];
+  });
+  Json lights;
+  LightKinds::for_each([&]<class Kind>(std::type_identity<Kind>) {
+    lights[std::string(Kind::type)] = features.lights[LightKinds::index_of<Kind>()];
+  });
   Json shading = Json::array();
   if (features.has_ambient) shading.push_back("ambient");
   if (features.has_diffuse) shading.push_back("diffuse");
   if (features.has_specular) shading.push_back("specular");
-  Json json{{"objects",
-             {{"spheres", features.spheres},
-              {"sphere_squares", features.squares},
-              {"planes", features.planes},
-              {"triangles", features.triangles}}},
-            {"lights", {{"distant", features.distant_lights}, {"point", features.point_lights}}},
+  Json json{{"objects", objects},
+            {"lights", lights},
             {"shadows", features.casts_shadows ? name_of(scene.shadows) : "none"},
             {"materials", features.materials},
             {"shading", shading}};
@@ -54,41 +66,41 @@ Json features_json(const Scene& scene, const Features& features) {
 }
 
 Json kernel_json(const Choice<Kernel>& kernel) {
-  return choice(kernel.value == Kernel::simd ? "packets of rays" : "one ray at a time",
+  return choice(kernel.value == Kernel::packets ? "packets of rays" : "one ray at a time",
                 kernel.reason());
 }
 
 /// "2 spheres: screen bins from the eye, one by one to the lights; 1 plane: one by one from ..."
-std::string summary(const std::vector<Way>& ways) {
+std::string summary(const std::vector<FinderExplanation>& rows) {
   std::string text;
   std::string_view objects;
-  for (const Way& way : ways) {
-    if (way.objects == objects)
-      text += fmt::format(", {} {}", way.structure, way.rays);
+  for (const FinderExplanation& row : rows) {
+    if (row.objects == objects)
+      text += fmt::format(", {} {}", row.finder, row.rays);
     else
-      text += fmt::format("{}{}: {} {}", text.empty() ? "" : "; ", way.objects, way.structure,
-                          way.rays);
-    objects = way.objects;
+      text +=
+          fmt::format("{}{}: {} {}", text.empty() ? "" : "; ", row.objects, row.finder, row.rays);
+    objects = row.objects;
   }
   return text;
 }
 
-Json geometry_json(const Scene& scene, const Plan& plan) {
-  const std::vector<Way> ways =
-      explain_ways(scene, plan.features, plan.kernel.value, plan.structures);
-  std::string structures;
+Json geometry_json(const Plan& plan) {
+  const std::vector<FinderExplanation> rows =
+      explain_finders(plan.features, plan.statistics, plan.kernel.value, plan.finders);
+  std::string finders;
   Json list = Json::array();
-  for (const Way& way : ways) {
-    if (structures.find(way.structure) == std::string::npos)
-      structures += (structures.empty() ? "" : ", ") + way.structure;
-    list.push_back({{"objects", way.objects},
-                    {"rays", way.rays},
-                    {"choice", way.structure},
-                    {"reason", way.reason}});
+  for (const FinderExplanation& row : rows) {
+    if (finders.find(row.finder) == std::string::npos)
+      finders += (finders.empty() ? "" : ", ") + row.finder;
+    list.push_back({{"objects", row.objects},
+                    {"rays", row.rays},
+                    {"choice", row.finder},
+                    {"reason", row.reason}});
   }
-  Json json = ways.empty() ? choice("nothing", "there is nothing to meet")
-                           : choice(structures, summary(ways));
-  json["ways"] = list;
+  Json json =
+      rows.empty() ? choice("nothing", "there is nothing to meet") : choice(finders, summary(rows));
+  json["finders"] = list;
   return json;
 }
 
@@ -123,7 +135,7 @@ std::string explain(const Scene& scene, const Plan& plan, const Prediction& pred
   json["precision"] = choice(is_single ? "single" : "double", plan.precision.reason());
   json["precision"]["displacement_px"] = rounded(plan.arithmetic_error.displacement_px);
   json["precision"]["levels"] = rounded(plan.arithmetic_error.levels);
-  json["geometry"] = geometry_json(scene, plan);
+  json["geometry"] = geometry_json(plan);
   json["sampling"] =
       choice(plan.sampling.value == Sampling::contract ? Json("refined")
                                                        : Json(scene.render.samples.value_or(1)),

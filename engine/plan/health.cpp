@@ -3,24 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <variant>
 
-#include "engine/plan/counted.h"
+#include "engine/text/pluralised.h"
 
 namespace raytracer {
 namespace {
-
-/// Whether rounding decides on which side of the plane the light is.
-bool grazes(const Light& light, const Plane& plane) {
-  constexpr double told_apart = 1e-12;
-  const auto* const distant = std::get_if<DistantLight>(&light.source);
-  const Vec3 along =
-      distant ? distant->direction : std::get<PointLight>(light.source).position - plane.point;
-  if (max_abs(along) == 0) return true;
-  const Vec3 cosine_terms = unit(plane.normal) * unit(along);
-  const bool is_exact = distant && max_abs(cosine_terms) == 0;
-  return !is_exact && std::abs(cosine_terms.x + cosine_terms.y + cosine_terms.z) < told_apart;
-}
 
 class Report {
  public:
@@ -41,20 +28,20 @@ class Report {
   void add(std::string strain) { strains_.push_back(std::move(strain)); }
 
   void say_where_the_eye_is() {
-    const Census& census = plan_.census;
+    const SceneStatistics& statistics = plan_.statistics;
     constexpr double close = 1e-9;
-    if (census.nearest == 0)
+    if (statistics.nearest == 0)
       add("The eye is on or inside a surface, so that every ray begins there and is traced several "
           "times slower: if that is not meant, move camera.origin.");
-    else if (census.clearance < close * census.farthest)
+    else if (statistics.all.clearance < close * statistics.farthest)
       add(
           fmt::format("The nearest surface is {:.2g} of the scene's extent before the eye: if what "
                       "lies behind it is meant to be seen, move camera.origin.",
-                      census.clearance / census.farthest));
+                      statistics.all.clearance / statistics.farthest));
   }
 
   void say_what_is_lost() {
-    const double lost = plan_.census.lost;
+    const double lost = plan_.statistics.lost;
     if (lost > 0)
       add(fmt::format(
           "{} than 1e-144 of the scene's extent, which double's squares do not hold, "
@@ -66,40 +53,34 @@ class Report {
 
   void say_what_the_document_rounds() {
     constexpr double visible = 1.0 / 4096;
-    const double coarseness = plan_.census.coarseness;
+    const double coarseness = plan_.statistics.all.coarseness();
     if (coarseness > visible)
       add(
-          fmt::format("Coordinates are so large that they round to steps of {:.2g} radii of a "
-                      "sphere, before anything is rendered: move the scene and the camera towards "
+          fmt::format("Coordinates are so large that they round to steps of {:.2g} of an object's "
+                      "radius, before anything is rendered: move the scene and the camera towards "
                       "the coordinates' origin.",
                       coarseness));
   }
 
   void say_what_coincides() {
     constexpr double told_apart = 1e-13;  // by double, with a margin
-    if (plan_.census.gap < told_apart)
+    if (plan_.statistics.gap < told_apart)
       add(
           fmt::format("Two surfaces are only {:.2g} of their distance apart, and rounding may "
                       "decide which of them is seen: move them apart, or give both the same "
                       "numbers so that the first in the document is seen.",
-                      plan_.census.gap));
+                      plan_.statistics.gap));
   }
 
   void say_what_light_grazes() {
-    constexpr std::size_t most_named = 10;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < scene_.objects.size() && count < most_named; ++i) {
-      const auto* const plane = std::get_if<Plane>(&scene_.objects[i].shape);
-      if (plane == nullptr) continue;
-      for (std::size_t k = 0; k < scene_.lights.size() && count < most_named; ++k) {
-        if (!grazes(scene_.lights[k], *plane)) continue;
-        ++count;
-        add(
-            fmt::format("Light {} shines along the plane that is object {}, and rounding decides "
-                        "which of its points it reaches: move or turn one of them a little.",
-                        k, i));
-      }
-    }
+    for (const GrazingLight& grazing : plan_.statistics.grazing)
+      for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+        if (kind_index<Kind> == grazing.kind)
+          add(
+              fmt::format("Light {} shines along the {} that is object {}, and rounding decides "
+                          "which of its points it reaches: move or turn one of them a little.",
+                          grazing.light, Kind::noun, grazing.object));
+      });
   }
 
   void say_what_is_displaced() {
@@ -126,15 +107,16 @@ class Report {
   }
 
   void say_what_is_small() {
-    const double small = plan_.census.small_spheres;
+    const double small = plan_.statistics.all.subpixel;
     const int samples = scene_.render.samples.value_or(1);
     if (!(small > 0) || scene_.render.target_rmse || scene_.render.budget_ms || samples > 1) return;
-    const std::string spheres = small < 1e18 ? counted(static_cast<std::uint64_t>(small), "sphere")
-                                             : fmt::format("{:.3g} spheres", small);
+    const std::string objects = small < 1e18
+                                    ? pluralised(static_cast<std::uint64_t>(small), "object")
+                                    : fmt::format("{:.3g} objects", small);
     add(fmt::format(
         "Up to {} may be seen smaller than a pixel, and one sample a pixel misses such: "
         "ask for more samples or a target_rmse.",
-        spheres));
+        objects));
   }
 
   const Scene& scene_;

@@ -5,45 +5,35 @@
 namespace raytracer {
 namespace {
 
-// Random spheres under two lights, brute force's time over the tree's: 0.90 to 0.94 with 2 to 6
-// spheres, 1.04 with 8, 1.15 with 12, 1.9 with 32.
-constexpr std::size_t few_for_one_ray = 7;
-
-Choice<Kernel> choose_kernel(const Features& features, const Census& census) {
-  const std::size_t bounded = features.spheres + features.triangles;
-  if (census.nearest > 0)
-    return {Kernel::simd,
-            because("the eye is outside of everything, so neighbouring rays go together")};
-  return {
-      bounded <= few_for_one_ray ? Kernel::brute_force : Kernel::bvh,
-      because("the eye is on or inside a surface, which only the plain kernel models: one ray at "
-              "a time, in double, several times slower")};
-}
-
 Choice<Precision> precision_for(const Scene& scene, const Plan& plan) {
-  if (plan.kernel.value == Kernel::simd)
-    return choose_precision(scene.render.precision, plan.features, plan.census);
+  if (plan.kernel.value == Kernel::packets)
+    return choose_precision(scene.render.precision, plan.features, plan.statistics);
   return {Precision::double_precision,
-          because("the plain kernel that this scene needs has no other")};
+          because("the reference, which this scene needs, has no other")};
 }
 
 }  // namespace
 
-Plan make_plan(const Scene& scene, const Machine& machine, WorkerPool* pool) {
+Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& machine,
+               WorkerPool* pool) {
   Plan plan;
   plan.features = find_features(scene);
-  plan.frame = make_frame(scene);
-  plan.census = take_census(scene, plan.frame, plan.features, pool);
-  plan.kernel = choose_kernel(plan.features, plan.census);
+  plan.frame = packed.frame;
+  plan.statistics = gather_statistics(scene, packed, plan.features, pool);
+  plan.kernel = choose_kernel(plan.statistics);
   plan.precision = precision_for(scene, plan);
   plan.arithmetic_error =
-      foresee_arithmetic_error(plan.precision.value, plan.features, plan.census);
-  plan.structures = choose_structures(plan.features, plan.census);
-  plan.sampling = choose_sampling(scene.render, plan.census);
+      foresee_arithmetic_error(plan.precision.value, plan.features, plan.statistics);
+  plan.finders = choose_finders(plan.features, plan.statistics, plan.kernel.value);
+  plan.sampling = choose_sampling(scene.render, plan.statistics);
   plan.instruction_set = machine.instruction_set;
   plan.tile_side_px =
-      choose_tile_side(scene, first_samples(scene.render, plan.census), machine.thread_count);
+      choose_tile_side(scene, first_samples(scene.render, plan.statistics), machine.thread_count);
   return plan;
+}
+
+Plan make_plan(const Scene& scene, const Machine& machine, WorkerPool* pool) {
+  return make_plan(scene, pack_scene(scene, pool), machine, pool);
 }
 
 }  // namespace raytracer

@@ -4,14 +4,13 @@
 
 #include <vector>
 
-#include "engine/plan/census.h"
 #include "engine/plan/choice.h"
-#include "engine/plan/features.h"
-#include "engine/plan/frame.h"
+#include "engine/plan/geometry.h"
 #include "engine/plan/machine.h"
 #include "engine/plan/precision.h"
 #include "engine/plan/sampling.h"
-#include "engine/plan/structures.h"
+#include "engine/plan/scene_statistics.h"
+#include "engine/scene/features.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {
@@ -19,17 +18,22 @@ namespace raytracer {
 struct Plan {
   Features features;
   Frame frame;
-  Census census;
+  SceneStatistics statistics;
   Choice<Kernel> kernel;
   Choice<Precision> precision;       ///< never automatic
   ArithmeticError arithmetic_error;  ///< in that precision
-  Structures structures;
+  FinderTable finders;
   Choice<Sampling> sampling;
   InstructionSet instruction_set;
   Choice<int> tile_side_px;  ///< of the tiles that threads take, in the first pass
 };
 
-/// A pure function: the same scene and machine give the same plan. `pool`: as for take_census().
+/// A pure function: the same scene and machine give the same plan. `packed` is the scene's. `pool`:
+/// whose threads help with many primitives, if there is one.
+Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& machine,
+               WorkerPool* pool = nullptr);
+
+/// The same where nothing is to be traced.
 Plan make_plan(const Scene& scene, const Machine& machine, WorkerPool* pool = nullptr);
 
 }  // namespace raytracer

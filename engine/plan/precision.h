@@ -1,9 +1,9 @@
 // Whether single precision suffices for a scene, by the error that it would make.
 #pragma once
 
-#include "engine/plan/census.h"
 #include "engine/plan/choice.h"
-#include "engine/plan/features.h"
+#include "engine/plan/scene_statistics.h"
+#include "engine/scene/features.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {
@@ -16,12 +16,12 @@ struct ArithmeticError {
 
 /// Of the kernels in `precision`, single or double.
 ArithmeticError foresee_arithmetic_error(Precision precision, const Features& features,
-                                         const Census& census);
+                                         const SceneStatistics& statistics);
 
 /// Single where its errors stay below a small part of a pixel and half a level of shading, else
-/// double.
-/// `wish` other than automatic is granted, unless single cannot hold the scene's sizes or
-/// number its primitives.
-Choice<Precision> choose_precision(Precision wish, const Features& features, const Census& census);
+/// double; the first bound that single would break is the reason. `requested` other than automatic
+/// is granted, unless single cannot hold the scene's sizes or number its primitives.
+Choice<Precision> choose_precision(Precision requested, const Features& features,
+                                   const SceneStatistics& statistics);
 
 }  // namespace raytracer

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "engine/plan/counted.h"
+#include "engine/errors/error_model.h"
+#include "engine/text/pluralised.h"
 
 namespace raytracer {
 namespace {
@@ -17,21 +18,26 @@ std::string why_fixed(const RenderSettings& settings) {
                        grouped(count));
   if (!settings.samples)
     return "one per pixel, because neither a number nor an error nor a time is asked for; " + where;
-  return fmt::format("{} per pixel {} asked for; {}", counted(count, "sample"),
+  return fmt::format("{} per pixel {} asked for; {}", pluralised(count, "sample"),
                      count == 1 ? "is" : "are", where);
 }
 
-std::string why_contract(const RenderSettings& settings, std::optional<double> sought) {
+std::string why_contract(const RenderSettings& settings, std::optional<double> refined_to) {
   const std::string how =
-      "four samples per pixel, or sixteen if spheres may be smaller than a pixel, under a budget "
-      "one before them; then in each pixel as many as their variance and the difference between "
-      "their halves ask for";
-  if (settings.target_rmse && settings.budget_ms)
-    return fmt::format("{}, until the estimated error is at most {:g} or {:g} ms are over", how,
-                       *sought, *settings.budget_ms);
-  if (settings.target_rmse)
-    return fmt::format("{}, until the estimated error is at most {:g}", how, *sought);
-  return fmt::format("{}, as many as fit into {:g} ms", how, *settings.budget_ms);
+      "a pilot pass of 4 samples per pixel, or 16 where objects may be smaller than a pixel, and "
+      "under a budget 1 before it; then each pixel is refined as the variance of its samples and "
+      "the difference of their half buffers demand";
+  const std::string until =
+      settings.target_rmse
+          ? fmt::format(", until the estimated RMSE is at most {:g}{}", *refined_to,
+                        refined_to == settings.target_rmse
+                            ? ""
+                            : ", which is the target with a margin for subpixel lattices")
+          : "";
+  if (!settings.budget_ms) return how + until;
+  return how + until +
+         fmt::format("{} {:g} ms have passed", until.empty() ? ", until" : " or",
+                     *settings.budget_ms);
 }
 
 }  // namespace
@@ -40,24 +46,27 @@ Sampling sampling_of(const RenderSettings& settings) {
   return settings.target_rmse || settings.budget_ms ? Sampling::contract : Sampling::fixed;
 }
 
-int probing_samples(const Census& census) { return census.small_spheres > 0 ? 16 : 4; }
-
-int first_samples(const RenderSettings& settings, const Census& census) {
-  const bool is_probed = settings.target_rmse && !settings.budget_ms;
-  return is_probed ? probing_samples(census) : settings.samples.value_or(1);
+int pilot_samples(const SceneStatistics& statistics) {
+  return statistics.all.subpixel > 0 ? RefinementModel::second_step : RefinementModel::first_step;
 }
 
-std::optional<double> sought_rmse(const RenderSettings& settings, const Census& census) {
-  constexpr double least_estimate = 0.77;
-  if (!settings.target_rmse || !census.has_small_squares) return settings.target_rmse;
-  return least_estimate * *settings.target_rmse;
+int first_samples(const RenderSettings& settings, const SceneStatistics& statistics) {
+  const bool has_pilot = settings.target_rmse && !settings.budget_ms;
+  return has_pilot ? pilot_samples(statistics) : settings.samples.value_or(1);
 }
 
-Choice<Sampling> choose_sampling(const RenderSettings& settings, const Census& census) {
+std::optional<double> refined_rmse(const RenderSettings& settings,
+                                   const SceneStatistics& statistics) {
+  if (!settings.target_rmse || !statistics.all.has_subpixel_lattice) return settings.target_rmse;
+  return RefinementModel::lattice_margin * *settings.target_rmse;
+}
+
+Choice<Sampling> choose_sampling(const RenderSettings& settings,
+                                 const SceneStatistics& statistics) {
   const Sampling sampling = sampling_of(settings);
-  return {sampling, [settings, sampling, sought = sought_rmse(settings, census)] {
+  return {sampling, [settings, sampling, refined_to = refined_rmse(settings, statistics)] {
             return sampling == Sampling::fixed ? why_fixed(settings)
-                                               : why_contract(settings, sought);
+                                               : why_contract(settings, refined_to);
           }};
 }
 

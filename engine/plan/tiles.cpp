@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "engine/math/block.h"
-#include "engine/plan/counted.h"
 #include "engine/scene/overrides.h"
+#include "engine/text/pluralised.h"
 
 namespace raytracer {
 namespace {
@@ -62,7 +62,7 @@ Choice<int> choose_tile_side(const Scene& scene, int samples, std::size_t thread
                 "{} for {}: large, because each costs a lock, but where the image allows {:.0f} or "
                 "more for each thread, to share the work evenly, and of at most {} rays, so that "
                 "other renders have their turn",
-                counted(tiles, "tile"), counted(thread_count, "thread"), tiles_per_thread,
+                pluralised(tiles, "tile"), pluralised(thread_count, "thread"), tiles_per_thread,
                 grouped(static_cast<std::uint64_t>(most_rays)));
           }};
 }

@@ -5,53 +5,77 @@
 #include <atomic>
 #include <cstdint>
 
+#include "engine/errors/error_model.h"
+#include "engine/sample/neighbour_error.h"
+
 namespace raytracer {
 namespace {
 
-constexpr std::uint16_t first_part = 1;  // the one that blocks at the image's rims have, too
-constexpr std::uint16_t other_parts = Tile::all_parts ^ first_part;
+constexpr std::uint16_t first_subtile = 1;  // the one that blocks at the image's rims have, too
+constexpr std::uint16_t other_subtiles = Tile::all_subtiles ^ first_subtile;
 
-struct Pixels {
-  int x_begin;
-  int y_begin;
-  int x_end;
-  int y_end;
-
-  int count() const { return (x_end - x_begin) * (y_end - y_begin); }
-};
-
-Pixels pixels_of(const Image& image, int column, int row, int side) {
-  const int x = column * block_side;
-  const int y = row * block_side;
+/// The first `side` x `side` pixels of a block, those in the image.
+Tile corner_of(const Image& image, int x, int y, int side) {
   return {x, y, std::min(x + side, image.width), std::min(y + side, image.height)};
 }
 
-Rgb mean_of(const Image& image, const Pixels& pixels) {
-  Rgb sum;
-  for (int y = pixels.y_begin; y < pixels.y_end; ++y)
-    for (int x = pixels.x_begin; x < pixels.x_end; ++x) {
-      const float* const pixel = image.pixel(x, y);
-      sum += Rgb{pixel[0], pixel[1], pixel[2]};
-    }
-  return sum / static_cast<double>(pixels.count());
+int count_pixels(const Tile& tile) {
+  return (tile.x_end - tile.x_begin) * (tile.y_end - tile.y_begin);
 }
 
-/// Has the first part of each block of the tile stand for the block.
-void spread_first_parts(const Tile& tile, Image& image) {
-  for (int y = tile.y_begin; y < tile.y_end; y += block_side) {
-    for (int x = tile.x_begin; x < tile.x_end; x += block_side) {
-      const int column = x / block_side;
-      const int row = y / block_side;
-      const Rgb mean = mean_of(image, pixels_of(image, column, row, part_side));
-      const std::array color{static_cast<float>(mean.x), static_cast<float>(mean.y),
-                             static_cast<float>(mean.z)};
-      const Pixels block = pixels_of(image, column, row, block_side);
-      for (int to_y = block.y_begin; to_y < block.y_end; ++to_y)
-        for (int to_x = block.x_begin; to_x < block.x_end; ++to_x)
-          if (to_x >= x + part_side || to_y >= y + part_side)
-            std::copy(color.begin(), color.end(), image.pixel(to_x, to_y));
-    }
-  }
+/// Calls visit(x, y) for the pixels, or those that begin squares of `step` pixels.
+template <typename Visit>
+void for_each_pixel(const Tile& tile, int step, const Visit& visit) {
+  for (int y = tile.y_begin; y < tile.y_end; y += step)
+    for (int x = tile.x_begin; x < tile.x_end; x += step) visit(x, y);
+}
+
+Rgb color_at(const Image& image, int x, int y) {
+  const float* const pixel = image.pixel(x, y);
+  return {pixel[0], pixel[1], pixel[2]};
+}
+
+/// Of the first subtile of the block that begins at (x, y).
+Rgb subtile_mean(const Image& image, int x, int y) {
+  const Tile subtile = corner_of(image, x, y, subtile_side);
+  Rgb sum;
+  for_each_pixel(subtile, 1, [&](int at_x, int at_y) { sum += color_at(image, at_x, at_y); });
+  return sum / static_cast<double>(count_pixels(subtile));
+}
+
+/// Has the first subtile of each block of the tile stand for the block.
+void spread_first_subtiles(const Tile& tile, Image& image) {
+  for_each_pixel(tile, block_side, [&](int x, int y) {
+    const Rgb mean = subtile_mean(image, x, y);
+    const std::array color{static_cast<float>(mean.x), static_cast<float>(mean.y),
+                           static_cast<float>(mean.z)};
+    for_each_pixel(corner_of(image, x, y, block_side), 1, [&](int to_x, int to_y) {
+      if (to_x >= x + subtile_side || to_y >= y + subtile_side)
+        std::copy(color.begin(), color.end(), image.pixel(to_x, to_y));
+    });
+  });
+}
+
+/// The squared error that one subtile for all probably leaves in a pixel of the block that begins
+/// at (x, y), its channels' sum: what varies within that subtile, and its difference from the
+/// blocks beside it.
+double coarse_error2(const Image& image, int x, int y) {
+  const Rgb mean = subtile_mean(image, x, y);
+  const auto square = [](const Rgb& c) { return dot(c, c); };
+  const Tile subtile = corner_of(image, x, y, subtile_side);
+  double within = 0;
+  for_each_pixel(subtile, 1,
+                 [&](int at_x, int at_y) { within += square(color_at(image, at_x, at_y) - mean); });
+  double beside = 0;
+  const auto compare = [&](int at_x, int at_y) {
+    if (at_x >= 0 && at_y >= 0 && at_x < image.width && at_y < image.height)
+      beside = std::max(beside, square(subtile_mean(image, at_x, at_y) - mean));
+  };
+  compare(x - block_side, y);
+  compare(x + block_side, y);
+  compare(x, y - block_side);
+  compare(x, y + block_side);
+  return within / count_pixels(subtile) + SampleErrorModel::block_neighbour_share * beside;
 }
 
 }  // namespace
@@ -66,9 +90,9 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
       split_into_tiles(camera.width, camera.height, tracing.plan.tile_side_px.value);
   std::vector<BeyondRange> beyond(tiles.size());
   std::atomic<bool> stop{false};
-  const auto trace = [&](std::size_t i, std::uint16_t parts) {
+  const auto trace = [&](std::size_t i, std::uint16_t subtiles) {
     Tile tile = tiles[i];
-    tile.parts = parts;
+    tile.subtiles = subtiles;
     beyond[i] +=
         render_tile(tracing.tracer, pattern, tracing.scene.render.transfer, tile, &first.image);
   };
@@ -77,30 +101,31 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
       [&](std::size_t i) {
         if (tracing.progress.stop) stop = true;
         if (stop) return;
-        trace(i, first_part);
-        spread_first_parts(tiles[i], first.image);
+        trace(i, first_subtile);
+        spread_first_subtiles(tiles[i], first.image);
       },
       stop);
   if (stop) return {};
 
-  // Its errors are looked at afterwards.
-  constexpr double look_at_pixel_ms = 4e-6;
-  const double look_ms = look_at_pixel_ms * camera.width * camera.height /
-                         static_cast<double>(tracing.pool.thread_count());
   const std::size_t at_once = std::min(tracing.pool.thread_count(), tiles.size());
-  const double tile_ms = tracing.watch.elapsed_ms() * (parts_in_block - 1) *
-                         static_cast<double>(at_once) / static_cast<double>(tiles.size());
+  const double rounds = static_cast<double>(tiles.size()) / static_cast<double>(at_once);
+  const double tile_ms = tracing.watch.elapsed_ms() * (subtiles_in_block - 1) / rounds;
+  // Its errors are guessed afterwards: as long for each tile as for the first.
+  const Stopwatch guessing;
+  for_each_pixel(tiles[0], block_side, [&](int x, int y) {
+    guess_errors2(first.image, corner_of(first.image, x, y, block_side), true);
+  });
+  const double guess_ms = guessing.elapsed_ms() * rounds;
   tracing.pool.run(
       tiles.size(),
       [&](std::size_t i) {
-        if (tracing.progress.stop || tracing.is_over_time(tile_ms + look_ms)) stop = true;
+        if (tracing.progress.stop || tracing.is_over_time(tile_ms + guess_ms)) stop = true;
         if (stop) return;
-        trace(i, other_parts);
-        const Tile& tile = tiles[i];
-        for (int y = tile.y_begin; y < tile.y_end; y += block_side)
-          for (int x = tile.x_begin; x < tile.x_end; x += block_side)
-            first.is_traced[static_cast<std::size_t>(y / block_side) * columns +
-                            static_cast<std::size_t>(x / block_side)] = 1;
+        trace(i, other_subtiles);
+        for_each_pixel(tiles[i], block_side, [&](int x, int y) {
+          first.is_traced[static_cast<std::size_t>(y / block_side) * columns +
+                          static_cast<std::size_t>(x / block_side)] = 1;
+        });
       },
       stop);
   if (tracing.progress.stop) return {};
@@ -110,30 +135,16 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
   return first;
 }
 
-double coarse_error2(const Image& image, int column, int row) {
-  const Pixels part = pixels_of(image, column, row, part_side);
-  const Rgb mean = mean_of(image, part);
-  const auto square = [](const Rgb& c) { return dot(c, c); };
-  double within = 0;
-  for (int y = part.y_begin; y < part.y_end; ++y)
-    for (int x = part.x_begin; x < part.x_end; ++x) {
-      const float* const pixel = image.pixel(x, y);
-      within += square(Rgb{pixel[0], pixel[1], pixel[2]} - mean);
-    }
-  double beside = 0;
-  const auto compare = [&](int other_column, int other_row) {
-    if (other_column < 0 || other_row < 0 || other_column * block_side >= image.width ||
-        other_row * block_side >= image.height)
-      return;
-    beside = std::max(
-        beside,
-        square(mean_of(image, pixels_of(image, other_column, other_row, part_side)) - mean));
-  };
-  compare(column - 1, row);
-  compare(column + 1, row);
-  compare(column, row - 1);
-  compare(column, row + 1);
-  return within / part.count() + beside / 2;
+std::array<double, subtiles_in_block> guess_errors2(const Image& image, const Tile& block,
+                                                    bool is_traced) {
+  std::array<double, subtiles_in_block> errors2{};
+  const double coarse = is_traced ? 0 : coarse_error2(image, block.x_begin, block.y_begin);
+  for_each_pixel(block, subtile_side, [&](int x, int y) {
+    const Tile subtile = corner_of(image, x, y, subtile_side);
+    errors2[static_cast<std::size_t>(block.subtile_of(x, y))] =
+        is_traced ? neighbour_error2(image, subtile) : coarse * count_pixels(subtile);
+  });
+  return errors2;
 }
 
 }  // namespace raytracer

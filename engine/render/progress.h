@@ -1,4 +1,4 @@
-// How far a render is, and the wish that it end.
+// How far a render is, and the request that it end.
 #pragma once
 
 #include <atomic>

@@ -8,11 +8,11 @@
 #include <span>
 #include <utility>
 
+#include "engine/errors/error_model.h"
 #include "engine/image/pixel_spreads.h"
 #include "engine/math/block.h"
-#include "engine/sample/missable_spheres.h"
-#include "engine/sample/neighbour_error.h"
-#include "engine/scene/scene_size.h"
+#include "engine/measure/stopwatch.h"
+#include "engine/sample/subpixel_objects.h"
 
 namespace raytracer {
 namespace {
@@ -39,7 +39,7 @@ RefinedImage::RefinedImage(Tracing& tracing, Image& image)
     : tracing_(tracing),
       width_(tracing.scene.camera.width),
       height_(tracing.scene.camera.height),
-      errors_(width_, height_, error_scale(tracing.plan.census), tracing.pool),
+      errors_(width_, height_, choose_error_multiplier(tracing.plan.statistics), tracing.pool),
       shown_(tracing.progress.preview, image),
       image_(image) {}
 
@@ -50,8 +50,8 @@ bool RefinedImage::begin(const SamplePattern& pattern) {
   note_first_pass(samples);
   shown_.change([&](Image& whole) { whole = std::move(*image); });
   errors_.set_all(samples);
-  if (pattern.has_halves())
-    expect_errors();
+  if (pattern.has_half_buffers())
+    estimate_errors();
   else
     guess_errors(std::vector<char>(errors_.block_count(), 1));
   return true;
@@ -67,49 +67,33 @@ void RefinedImage::begin(FirstPicture first) {
     const Tile tile = errors_.tile_of(block);
     const int width = tile.x_end - tile.x_begin;
     const int height = tile.y_end - tile.y_begin;
-    stand_ins_ += width * height - std::min(width, part_side) * std::min(height, part_side);
+    stand_ins_ += width * height - std::min(width, subtile_side) * std::min(height, subtile_side);
   }
 }
 
 void RefinedImage::guess_errors(const std::vector<char>& is_traced) {
-  constexpr std::size_t blocks_at_once = 16;
+  const Stopwatch watch;
+  const auto columns = static_cast<std::size_t>((width_ + block_side - 1) / block_side);
   const std::atomic<bool> never{false};
-  tracing_.pool.run((is_traced.size() + blocks_at_once - 1) / blocks_at_once,
-                    [&](std::size_t i) {
-                      const std::size_t end = std::min(blocks_at_once * (i + 1), is_traced.size());
-                      for (std::size_t block = blocks_at_once * i; block < end; ++block)
-                        guess_errors(block, is_traced[block] != 0);
-                    },
-                    never);
-  errors_.expect_guesses();
-  // The next look is at each pixel: 1.3e-5 to 1.6e-5 ms of one on one thread of an AMD EPYC.
-  constexpr double look_at_pixel_ms = 2e-5;
-  after_ms_ =
-      look_at_pixel_ms * width_ * height_ / static_cast<double>(tracing_.pool.thread_count());
+  tracing_.pool.run(
+      is_traced.size() / columns,
+      [&](std::size_t row) {
+        for (std::size_t block = columns * row; block < columns * (row + 1); ++block) {
+          const auto errors2 = guess_errors2(image_, errors_.tile_of(block), is_traced[block] != 0);
+          for (std::size_t i = 0; i < subtiles_in_block; ++i)
+            errors_.set_guess(subtiles_in_block * block + i, errors2[i]);
+        }
+      },
+      never);
+  errors_.use_guesses();
+  after_ms_ = RefinementModel::half_buffer_cost * watch.elapsed_ms();
 }
 
-void RefinedImage::guess_errors(std::size_t block, bool is_traced) {
-  const Tile tile = errors_.tile_of(block);
-  const double coarse =
-      is_traced ? 0 : coarse_error2(image_, tile.x_begin / block_side, tile.y_begin / block_side);
-  for (std::size_t i = 0; i < parts_in_block; ++i) {
-    const int x = tile.x_begin + static_cast<int>(i) % parts_across * part_side;
-    const int y = tile.y_begin + static_cast<int>(i) / parts_across * part_side;
-    const Tile part{x, y, std::min(x + part_side, tile.x_end), std::min(y + part_side, tile.y_end)};
-    const int width = part.x_end - x;
-    const int height = part.y_end - y;
-    if (width <= 0 || height <= 0) continue;
-    errors_.set_guess(parts_in_block * block + i,
-                      is_traced ? neighbour_error2(image_, part) : coarse * width * height);
-  }
-}
-
-void RefinedImage::look_for_missable_spheres() {
-  constexpr double sphere_ms = 5e-5;
-  if (!(tracing_.plan.census.small_spheres > 0)) return;
-  const auto objects = static_cast<double>(count_objects(tracing_.scene));
-  if (tracing_.is_over_time(sphere_ms * objects)) return;
-  errors_.set_missable(MissableSpheres(tracing_.scene, tracing_.plan.frame));
+void RefinedImage::look_for_subpixel_objects() {
+  if (!(tracing_.plan.statistics.all.subpixel > 0)) return;
+  // A plan packs the scene and looks at all objects, too.
+  if (tracing_.is_over_time(tracing_.plan_ms)) return;
+  errors_.set_subpixel(SubpixelObjects(pack_scene(tracing_.scene, &tracing_.pool)));
 }
 
 double RefinedImage::mean_samples() const {
@@ -117,25 +101,25 @@ double RefinedImage::mean_samples() const {
          (static_cast<double>(width_) * height_);
 }
 
-std::vector<PixelSamples> RefinedImage::next_samples(double goal_error2, int most_samples) const {
+std::vector<PixelSamples> RefinedImage::choose_samples(double goal_error2, int most_samples) const {
   const double sum = errors_.expected_error2();
   const double goal = goal_error2 * sum / error2();
   // What smooth pixels err would not be missed; most are smooth.
-  const double share = goal > 0 ? 0.01 * goal : 0.02 * sum;
-  const double negligible = share / (static_cast<double>(width_) * height_);
-  std::vector<RoughPixel> rough;
+  const double negligible = RefinementModel::negligible * (goal > 0 ? goal : sum) /
+                            (static_cast<double>(width_) * height_);
+  std::vector<PixelError> pixels;
   double smooth = 0;
-  errors_.for_each_rough([&](std::size_t pixel, double error2) {
+  errors_.for_each_error([&](std::size_t pixel, double error2) {
     if (error2 > negligible)
-      rough.push_back(
+      pixels.push_back(
           {static_cast<std::uint32_t>(pixel), errors_.samples(pixel), static_cast<float>(error2)});
     else
       smooth += error2;
   });
-  return raytracer::next_samples(
-      rough, {.error2 = std::max(goal - smooth, 0.0),
-              .samples = std::max(tracing_.rest_ms() - after_ms_, 0.0) / sample_ms_,
-              .most_samples = most_samples});
+  return raytracer::choose_samples(
+      pixels, {.error2 = std::max(goal - smooth, 0.0),
+               .samples = std::max(tracing_.rest_ms() - after_ms_, 0.0) / sample_ms_,
+               .most_samples = most_samples});
 }
 
 bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
@@ -178,7 +162,7 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
     errors_.set(pixel, samples, by.spread);
     tracing_.beyond.not_numbers += by.is_number ? 0 : 1;
   });
-  errors_.expect();
+  errors_.estimate();
   errors_.calibrate(changed, before, change2);
   after_ms_ = tracing_.watch.elapsed_ms() - last_sample_ms_;
   return is_all_done(is_done);
@@ -209,7 +193,7 @@ bool RefinedImage::refine_all(const SamplePattern& pattern) {
     }
   });
   tracing_.beyond.not_numbers += not_numbers;
-  expect_errors();
+  estimate_errors();
   return is_all_done(is_done);
 }
 
@@ -248,8 +232,8 @@ std::vector<char> RefinedImage::run_tasks(const std::vector<RefinementTask>& tas
   return is_done;
 }
 
-void RefinedImage::expect_errors() {
-  errors_.expect();
+void RefinedImage::estimate_errors() {
+  errors_.estimate();
   after_ms_ = tracing_.watch.elapsed_ms() - last_sample_ms_;
 }
 

@@ -30,8 +30,8 @@ class RefinedImage {
   /// With a sample per pixel, or what there was time for.
   void begin(FirstPicture first);
 
-  /// Counts spheres that all samples may miss from here on, if there is time to find them.
-  void look_for_missable_spheres();
+  /// Counts objects that all samples may miss from here on, if there is time to find them.
+  void look_for_subpixel_objects();
 
   /// The squared error, the sum over the values, with its uncertainty.
   double error2() const { return errors_.error2(); }
@@ -40,8 +40,8 @@ class RefinedImage {
   double mean_samples() const;
 
   /// Which pixels get how many samples for a goal in terms of error2(), within the time that is
-  /// left; as next_samples().
-  std::vector<PixelSamples> next_samples(double goal_error2, int most_samples) const;
+  /// left; as choose_samples().
+  std::vector<PixelSamples> choose_samples(double goal_error2, int most_samples) const;
 
   /// Gives the pixels their samples. False if not all were done: time was over, or it was stopped.
   bool refine(std::vector<PixelSamples> pixels);
@@ -53,11 +53,10 @@ class RefinedImage {
   /// Says which were done.
   template <typename Run>
   std::vector<char> run_tasks(const std::vector<RefinementTask>& tasks, const Run& run);
-  /// Of pixels with one sample each, in blocks that were traced, or one part for all.
+  /// Of pixels with one sample each, in blocks that were traced, or one subtile for all.
   void guess_errors(const std::vector<char>& is_traced);
-  void guess_errors(std::size_t block, bool is_traced);
-  /// Has the errors be expected, and notes how long it took to look at the last pass.
-  void expect_errors();
+  /// Estimates the errors, and notes how long it took to look at the last pass.
+  void estimate_errors();
   /// What a sample takes, from a first pass that has just ended.
   void note_first_pass(int samples);
 
@@ -66,7 +65,7 @@ class RefinedImage {
   int height_;
   PixelErrors errors_;
   std::int64_t stand_ins_ =
-      0;  ///< pixels that were not traced, but one part of their block for all
+      0;  ///< pixels that were not traced, but one subtile of their block for all
   Preview::Whole shown_;
   Image& image_;
   std::map<int, SamplePattern> patterns_{};  ///< by their samples

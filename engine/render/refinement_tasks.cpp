@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/errors/error_model.h"
 #include "engine/math/block.h"
 
 namespace raytracer {
@@ -31,22 +32,21 @@ std::vector<RefinementTask> block_tasks(const PixelErrors& errors, int samples) 
     const int pixels = (tile.x_end - tile.x_begin) * (tile.y_end - tile.y_begin);
     tasks[block].block = block;
     tasks[block].samples = static_cast<double>(samples) * pixels;
-    for (std::size_t i = 0; i < parts_in_block; ++i)
-      tasks[block].error2 += errors.of_part(parts_in_block * block + i);
+    for (std::size_t i = 0; i < subtiles_in_block; ++i)
+      tasks[block].error2 += errors.of_subtile(subtiles_in_block * block + i);
   }
   return tasks;
 }
 
 std::vector<RefinementTask> pixel_tasks(std::vector<PixelSamples>& pixels,
                                         const PixelErrors& errors) {
-  constexpr double most_samples = 1 << 14;  // others wait for a task, and so does the clock
   sort_by_samples(pixels, errors);
   std::vector<RefinementTask> tasks;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const std::size_t block = errors.block_of(pixels[i].pixel);
     const int samples = pixels[i].samples;
     if (tasks.empty() || tasks.back().block != block || tasks.back().samples_per_pixel != samples ||
-        tasks.back().samples >= most_samples)
+        tasks.back().samples >= RefinementModel::task_samples)
       tasks.push_back({.block = block, .begin = i, .samples_per_pixel = samples});
     RefinementTask& task = tasks.back();
     task.samples += samples;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/image/encode.h"
-#include "engine/image/part_errors.h"
+#include "engine/image/subtile_errors.h"
 #include "engine/kernel/this_machine.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/plan/plan.h"
@@ -29,16 +29,17 @@ BasicRendering<Channel> make_rendering(const Scene& scene, WorkerPool& pool,
       static_cast<std::size_t>(scene.camera.width) * static_cast<std::size_t>(scene.camera.height);
 
   const Stopwatch plan_watch;
-  const Plan plan = make_plan(scene, this_machine(pool.thread_count()), &pool);
+  PackedScene packed = pack_scene(scene, &pool);
+  const Plan plan = make_plan(scene, packed, this_machine(pool.thread_count()), &pool);
   rendering.plan_ms = plan_watch.elapsed_ms();
   rendering.precision = plan.precision.value;
 
   const Stopwatch build_watch;
-  const Tracer tracer = make_tracer(plan, scene, pool);
+  const Tracer tracer = make_tracer(plan, std::move(packed), pool);
   rendering.build_ms = build_watch.elapsed_ms();
 
   // From here on kernels see packed arrays only.
-  Tracing tracing{tracer, scene, plan, pool, progress};
+  Tracing tracing{tracer, scene, plan, pool, progress, rendering.plan_ms};
   trace(tracing, rendering);
   rendering.trace_ms = tracing.watch.elapsed_ms();
   rendering.beyond = tracing.beyond;
@@ -55,16 +56,17 @@ void render_fixed(Tracing& tracing, BasicRendering<Channel>& rendering) {
   const Camera& camera = tracing.scene.camera;
   const int samples = tracing.scene.render.samples.value_or(1);
   const SamplePattern pattern = sample_pattern(samples);
-  std::optional<PartErrors> errors;
-  if (pattern.has_halves()) errors.emplace(camera.width, camera.height);
+  std::optional<SubtileErrors> errors;
+  if (pattern.has_half_buffers()) errors.emplace(camera.width, camera.height);
   std::optional<Raster<Channel>> image =
-      tracing.pass<Channel>(pattern, {.parts = errors ? &*errors : nullptr});
+      tracing.pass<Channel>(pattern, {.subtiles = errors ? &*errors : nullptr});
   rendering.samples_per_pixel = samples;
   rendering.stop = image ? Stop::samples : Stop::cancelled;
   if (!image) return;
   rendering.image = std::move(*image);
   if (!errors) return;
-  const double error2 = error_scale(tracing.plan.census).first * conservative_sum(errors->all());
+  const double error2 =
+      choose_error_multiplier(tracing.plan.statistics).initial * conservative_sum(errors->all());
   rendering.estimated_error =
       std::sqrt(error2 / (3 * static_cast<double>(camera.width) * camera.height));
 }

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/errors/error_model.h"
 #include "engine/image/transfer.h"
-#include "engine/kernel/radiance.h"
+#include "engine/reference/radiance.h"
 
 namespace raytracer {
 namespace {
@@ -38,130 +39,126 @@ BeyondRange beyond_range(const Rgb& c) {
   return {is_number && max_abs(c) > 1 ? 1U : 0U, is_number ? 0U : 1U};
 }
 
-/// Sums over a pixel's samples.
-struct PixelSums {
-  Rgb half{};  ///< of the pattern's first
-  Rgb rest{};
-  Rgb origin{};        ///< a sample
-  double squares = 0;  ///< of the others' differences from it
+/// What the means of a pixel's half buffers and the variance of its samples tell.
+PixelSpread spread_of(const Rgb& half_a, const Rgb& half_b, double variance, Transfer transfer) {
+  const Rgb difference = encoded(half_a, transfer) - encoded(half_b, transfer);
+  const double error2 = SampleErrorModel::half_difference_share * dot(difference, difference);
+  variance = std::max(variance, error2);
+  return {error2 > 0 ? static_cast<float>(error2) : 0,
+          variance > 0 ? static_cast<float>(variance) : 0};
+}
+
+/// That of encoded colours.
+double encoded_variance(double variance, const Rgb& mean, Transfer transfer) {
+  if (transfer == Transfer::linear) return variance;
+  const double deviation = std::sqrt(std::max(variance, 0.0) / 3);
+  const Rgb deviations{deviation, deviation, deviation};
+  const Rgb range =
+      encoded(clamped(mean + deviations), transfer) - encoded(clamped(mean - deviations), transfer);
+  return dot(range, range) / 4;
+}
+
+/// What a pixel's samples came to; `spread` only if the pattern has half buffers.
+struct PixelValue {
+  Rgb mean;
+  PixelSpread spread{};
   BeyondRange seen{};
-
-  /// Of all of them.
-  Rgb mean(const SamplePattern& pattern) const {
-    return (half + rest) / static_cast<double>(pattern.points.size());
-  }
-
-  /// If the pattern has halves.
-  PixelSpread spread(const SamplePattern& pattern, Transfer transfer) const {
-    const auto size = static_cast<double>(pattern.first_half);
-    const Rgb difference = encoded(half / size, transfer) - encoded(rest / size, transfer);
-    const Rgb middle = mean(pattern);
-    double variance = squares / (2 * size) - dot(middle - origin, middle - origin);
-    if (transfer != Transfer::linear) {
-      const double deviation = std::sqrt(std::max(variance, 0.0) / 3);
-      const Rgb deviations{deviation, deviation, deviation};
-      const Rgb range = encoded(clamped(middle + deviations), transfer) -
-                        encoded(clamped(middle - deviations), transfer);
-      variance = dot(range, range) / 4;
-    }
-    const double error2 = PartErrors::share * dot(difference, difference);
-    variance = std::max(variance, error2);
-    return {error2 > 0 ? static_cast<float>(error2) : 0,
-            variance > 0 ? static_cast<float>(variance) : 0};
-  }
 };
 
-template <typename Structure>
-PixelSums sample_pixel(const PackedScene& scene, const Structure& structure,
-                       const SamplePattern& pattern, int x, int y) {
-  const SamplePoint moved = stagger_of(x, y);
-  PixelSums sums;
+PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& pattern,
+                        Transfer transfer, int x, int y) {
+  const View& view = tracer.scene->view;
+  const SamplePoint moved = jitter_of(x, y);
+  PixelValue pixel;
+  Rgb half_a{};
+  Rgb half_b{};
+  Rgb origin{};        // a sample
+  double squares = 0;  // of the others' differences from it
   for (std::size_t i = 0; i < pattern.points.size(); ++i) {
     const SamplePoint& sample = pattern.points[i];
-    const double across = away_from_middle(sample.x, pattern.stagger) * moved.x;
-    const double up = away_from_middle(sample.y, pattern.stagger) * moved.y;
-    const Rgb color = radiance(
-        scene, structure,
-        scene.view.direction(x + sample.x + across, scene.view.height - 1 - y + sample.y + up));
+    const double across = away_from_middle(sample.x, pattern.jitter) * moved.x;
+    const double up = away_from_middle(sample.y, pattern.jitter) * moved.y;
+    const Rgb color =
+        radiance(*tracer.scene, tracer.finder,
+                 view.direction(x + sample.x + across, view.height - 1 - y + sample.y + up));
     const Rgb seen = clamped(color);
-    sums.seen += beyond_range(color);
-    (i < pattern.first_half ? sums.half : sums.rest) += seen;
-    if (i == 0) sums.origin = seen;
-    sums.squares += dot(seen - sums.origin, seen - sums.origin);
+    pixel.seen += beyond_range(color);
+    (i < pattern.half_a_count ? half_a : half_b) += seen;
+    if (i == 0) origin = seen;
+    squares += dot(seen - origin, seen - origin);
   }
-  return sums;
+  const auto count = static_cast<double>(pattern.points.size());
+  pixel.mean = (half_a + half_b) / count;
+  if (!pattern.has_half_buffers()) return pixel;
+  const Rgb shift = pixel.mean - origin;
+  const double variance =
+      encoded_variance(squares / count - dot(shift, shift), pixel.mean, transfer);
+  pixel.spread = spread_of(half_a / (count / 2), half_b / (count / 2), variance, transfer);
+  return pixel;
 }
 
 BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, Transfer transfer,
                   const Tile& tile, const Canvas& canvas, const TileErrors& errors) {
   BeyondRange beyond;
-  const auto trace_with = [&](const auto& structure, auto* image) {
+  const auto trace_into = [&](auto* image) {
     for (int y = tile.y_begin; y < tile.y_end; ++y) {
       for (int x = tile.x_begin; x < tile.x_end; ++x) {
-        if ((tile.parts >> tile.part_of(x, y) & 1) == 0) continue;
-        const PixelSums sums = sample_pixel(*tracer.scene, structure, pattern, x, y);
-        const BeyondRange& seen = sums.seen;
-        beyond.not_numbers += seen.not_numbers > 0 ? 1 : 0;
-        beyond.clamped += seen.clamped > 0 && seen.not_numbers == 0 ? 1 : 0;
-        store(sums.mean(pattern), transfer, image->pixel(x, y));
-        if (!errors.are_wanted() || !pattern.has_halves()) continue;
-        const PixelSpread spread = sums.spread(pattern, transfer);
-        if (errors.parts != nullptr)
-          errors.parts->of_block(x - (x - tile.x_begin) % block_side,
-                                 y - (y - tile.y_begin) % block_side)[tile.part_of(x, y)] +=
-              spread.error2;
-        if (errors.pixels != nullptr) errors.pixels->set(errors.pixels->index(x, y), spread);
+        const int subtile = tile.subtile_of(x, y);
+        if ((tile.subtiles >> subtile & 1) == 0) continue;
+        const PixelValue pixel = sample_pixel(tracer, pattern, transfer, x, y);
+        beyond.not_numbers += pixel.seen.not_numbers > 0 ? 1 : 0;
+        beyond.clamped += pixel.seen.clamped > 0 && pixel.seen.not_numbers == 0 ? 1 : 0;
+        store(pixel.mean, transfer, image->pixel(x, y));
+        if (errors.subtiles != nullptr)
+          errors.subtiles->of_block(x - (x - tile.x_begin) % block_side,
+                                    y - (y - tile.y_begin) % block_side)[subtile] +=
+              pixel.spread.error2;
+        if (errors.pixels != nullptr) errors.pixels->set(errors.pixels->index(x, y), pixel.spread);
       }
     }
   };
-  std::visit(trace_with, tracer.structure, canvas);
+  std::visit(trace_into, canvas);
   return beyond;
 }
 
 void sample(const ReferenceTracer& tracer, const SamplePattern& pattern, Transfer transfer,
             const BlockPixels& pixels, std::span<SampledPixel> results) {
-  const auto sample_with = [&](const auto& structure) {
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      const PixelSums sums = sample_pixel(*tracer.scene, structure, pattern,
-                                          pixels.x_begin + pixels.places[i] % block_side,
-                                          pixels.y_begin + pixels.places[i] / block_side);
-      store(sums.mean(pattern), transfer, results[i].color.data());
-      results[i].spread = sums.spread(pattern, transfer);
-      results[i].is_number = sums.seen.not_numbers == 0;
-    }
-  };
-  std::visit(sample_with, tracer.structure);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const PixelValue pixel =
+        sample_pixel(tracer, pattern, transfer, pixels.x_begin + pixels.places[i] % block_side,
+                     pixels.y_begin + pixels.places[i] / block_side);
+    store(pixel.mean, transfer, results[i].color.data());
+    results[i].spread = pixel.spread;
+    results[i].is_number = pixel.seen.not_numbers == 0;
+  }
 }
 
 template <typename T>
-BeyondRange trace(const SimdTracer<T>& tracer, const SamplePattern& pattern, Transfer transfer,
+BeyondRange trace(const PacketTracer<T>& tracer, const SamplePattern& pattern, Transfer transfer,
                   const Tile& tile, const Canvas& canvas, const TileErrors& errors) {
   return render_tile(tracer.scene, pattern, transfer, tile, tracer.target, canvas, errors).beyond;
 }
 
 template <typename T>
-void sample(const SimdTracer<T>& tracer, const SamplePattern& pattern, Transfer transfer,
+void sample(const PacketTracer<T>& tracer, const SamplePattern& pattern, Transfer transfer,
             const BlockPixels& pixels, std::span<SampledPixel> results) {
   sample_pixels(tracer.scene, pattern, transfer, pixels, tracer.target, results);
 }
 
 }  // namespace
 
-Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool) {
-  PackedScene packed = pack_scene(scene, plan.frame, pool);
-  if (plan.kernel.value == Kernel::simd) {
+Tracer make_tracer(const Plan& plan, PackedScene packed, WorkerPool& pool) {
+  if (plan.kernel.value == Kernel::packets) {
     const std::int64_t target = plan.instruction_set.target;
     if (plan.precision.value == Precision::single_precision)
-      return SimdTracer<float>{make_simd_scene<float>(packed, plan.features, plan.structures, pool),
-                               target};
-    return SimdTracer<double>{make_simd_scene<double>(packed, plan.features, plan.structures, pool),
-                              target};
+      return PacketTracer<float>{
+          make_packet_scene<float>(packed, plan.features, plan.finders, pool), target};
+    return PacketTracer<double>{
+        make_packet_scene<double>(packed, plan.features, plan.finders, pool), target};
   }
   auto kept = std::make_unique<const PackedScene>(std::move(packed));
-  const PackedScene& reference = *kept;
-  if (plan.kernel.value == Kernel::bvh)
-    return ReferenceTracer{std::move(kept), Bvh::build(reference, pool)};
-  return ReferenceTracer{std::move(kept), BruteForce(reference)};
+  SingleRayFinder finder(*kept, plan.finders, pool);
+  return ReferenceTracer{std::move(kept), std::move(finder)};
 }
 
 BeyondRange render_tile(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,

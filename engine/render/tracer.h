@@ -5,47 +5,46 @@
 #include <span>
 #include <variant>
 
-#include "engine/accel/brute_force.h"
-#include "engine/accel/bvh.h"
 #include "engine/image/image.h"
-#include "engine/image/part_errors.h"
 #include "engine/image/sampled_pixel.h"
+#include "engine/image/subtile_errors.h"
 #include "engine/image/tile.h"
 #include "engine/kernel/beyond_range.h"
 #include "engine/kernel/simd/render_tile.h"
 #include "engine/kernel/simd/sample_pixels.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/plan/plan.h"
+#include "engine/reference/single_ray_finder.h"
 #include "engine/sample/pattern.h"
 
 namespace raytracer {
 
-/// The reference kernel with whatever finds its primitives.
+/// The reference with what finds its primitives.
 struct ReferenceTracer {
-  std::unique_ptr<const PackedScene> scene;  // the structure refers to it
-  std::variant<BruteForce, Bvh> structure;
+  std::unique_ptr<const PackedScene> scene;  // the finder refers to it
+  SingleRayFinder finder;
 };
 
-/// The SIMD kernel in precision T.
+/// Packets of rays in precision T.
 template <typename T>
-struct SimdTracer {
-  SimdScene<T> scene;
+struct PacketTracer {
+  PacketScene<T> scene;
   std::int64_t target;
 };
 
-using Tracer = std::variant<ReferenceTracer, SimdTracer<float>, SimdTracer<double>>;
+using Tracer = std::variant<ReferenceTracer, PacketTracer<float>, PacketTracer<double>>;
 
-/// Builds what the plan says, on the pool's threads.
-Tracer make_tracer(const Plan& plan, const Scene& scene, WorkerPool& pool);
+/// Builds what the plan says, on the pool's threads. `packed` is the plan's scene.
+Tracer make_tracer(const Plan& plan, PackedScene packed, WorkerPool& pool);
 
 /// Traces the tile's pixels with one sample at each place of `pattern` and stores their encoded
-/// means, and adds what they tell of its errors to `errors` if the pattern has halves. Touches no
-/// other pixel and no other part.
+/// means, and adds what they tell of its errors to `errors` if the pattern has half buffers.
+/// Touches no other pixel and no other subtile.
 BeyondRange render_tile(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
                         const Tile& tile, const Canvas& canvas, const TileErrors& errors = {});
 
-/// Samples single pixels of a block, side by side, at the places of a pattern that has halves and
-/// is not staggered; `results` has one for each.
+/// Samples single pixels of a block, side by side, at the places of a pattern that has half
+/// buffers and is not jittered; `results` has one for each.
 void sample_pixels(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
                    const BlockPixels& pixels, std::span<SampledPixel> results);
 

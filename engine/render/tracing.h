@@ -9,7 +9,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "engine/image/part_errors.h"
+#include "engine/errors/error_model.h"
+#include "engine/image/subtile_errors.h"
 #include "engine/image/tile.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/plan/plan.h"
@@ -27,16 +28,15 @@ struct Tracing {
   const Plan& plan;
   WorkerPool& pool;
   RenderProgress& progress;
+  double plan_ms;  ///< that it took to pack and to plan
   int passes_done = 0;
   BeyondRange beyond{};  ///< of the passes so far, as RenderReport says
   Stopwatch watch{};
 
-  /// What is left of the budget for samples, in milliseconds; infinite without one. A little is for
-  /// what comes after the last of them.
+  /// What is left of the budget for samples, in milliseconds; infinite without one.
   double rest_ms() const {
-    constexpr double share = 0.98;
     const std::optional<double>& budget_ms = scene.render.budget_ms;
-    return budget_ms ? share * *budget_ms - watch.elapsed_ms()
+    return budget_ms ? RefinementModel::budget_share * *budget_ms - watch.elapsed_ms()
                      : std::numeric_limits<double>::infinity();
   }
 
@@ -44,7 +44,7 @@ struct Tracing {
   bool is_over_time(double more_ms = 0) const { return rest_ms() < more_ms; }
 
   /// An image with these samples, and what they tell of its errors if somebody wants it and the
-  /// pattern has halves; nothing if it was stopped before it was whole.
+  /// pattern has half buffers; nothing if it was stopped before it was whole.
   template <typename Channel>
   std::optional<Raster<Channel>> pass(const SamplePattern& pattern, const TileErrors& errors) {
     Raster<Channel> image(scene.camera.width, scene.camera.height);

@@ -4,13 +4,12 @@
 
 namespace raytracer {
 
-double error_power(int samples) { return samples * std::sqrt(samples); }
-
-ErrorScale error_scale(const Census& census) {
-  // Refinements said 0.4 to 2 on 19 scenes. Where spheres are small, to believe 0.5 misses one of
-  // 648 targets.
-  if (census.small_spheres > 0) return {.first = 1, .least = 0.65};
-  return {.first = 1 / (std::exp2(1.25) - 1), .least = 0.4};
+ErrorMultiplier choose_error_multiplier(const SceneStatistics& statistics) {
+  using Model = SampleErrorModel;
+  const auto initial = [](double fall) { return 1 / (std::exp2(fall) - 1); };
+  if (statistics.all.subpixel > 0)
+    return {initial(Model::random_fall), Model::least_subpixel_multiplier};
+  return {initial((Model::random_fall + Model::edge_fall) / 2), Model::least_multiplier};
 }
 
 double conservative_sum(std::span<const double> errors2) {
@@ -20,7 +19,7 @@ double conservative_sum(std::span<const double> errors2) {
     sum += error2;
     squares += error2 * error2;
   }
-  return sum + 2 * std::sqrt(2 * squares);
+  return sum + SampleErrorModel::confidence_deviations * std::sqrt(2 * squares);
 }
 
 }  // namespace raytracer

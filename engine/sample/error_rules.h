@@ -1,28 +1,27 @@
-// How the errors of samples fall, and how far an estimate of them is believed.
+// Corrections of estimated errors.
 #pragma once
 
 #include <span>
 
-#include "engine/plan/census.h"
+#include "engine/errors/error_model.h"
+#include "engine/plan/scene_statistics.h"
 
 namespace raytracer {
 
-/// n^3/2, by which squared errors fall with a number of samples n.
-double error_power(int samples);
-
-/// What the squared errors are of what PixelSpread and PartErrors tell.
-struct ErrorScale {
-  double first;  ///< before any refinement
-  double least;  ///< that refinements are believed
+/// From the squared error that half buffers show to that of all samples, less as halves complete
+/// each other.
+struct ErrorMultiplier {
+  double initial;  ///< before any refinement
+  double least;    ///< that refinements are believed
 };
 
-/// Where spheres are small, samples do hardly better than random ones, whose scale is 1; otherwise
-/// they do as between those and where edges cross pixels.
-ErrorScale error_scale(const Census& census);
+/// If squared errors fall as n^-e, half buffers overstate them by 2^e - 1, as halves complete each
+/// other: their errors' covariance is what all samples err less. Where objects are smaller than
+/// pixels, e is that of random samples; otherwise it is taken between that and where edges cross.
+ErrorMultiplier choose_error_multiplier(const SceneStatistics& statistics);
 
 /// The sum of these squared errors with its own uncertainty, which counts where few have an error:
-/// that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself, of which
-/// two are added.
+/// that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself.
 double conservative_sum(std::span<const double> errors2);
 
 /// 1 / error_power() of pixels one after another, most of which have the samples of the one before.

@@ -5,16 +5,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
-#include "engine/sample/error_rules.h"
+#include "engine/errors/error_model.h"
 
 namespace raytracer {
 namespace {
 
-constexpr double share = 1.0 / 8;
-
-/// The sum of squared differences of `count` values, three for a pixel.
-double squares_between(const float* a, const float* b, std::size_t count) {
+/// The sum of squared differences of `count` values, three for a pixel, of which 1 is the largest.
+template <typename Channel>
+double squares_between(const Channel* a, const Channel* b, std::size_t count) {
+  constexpr double largest = std::is_integral_v<Channel> ? 255 : 1;
   // The channels' sums do not wait for each other.
   std::array<double, 3> sums{};
   for (std::size_t i = 0; i < count; i += sums.size())
@@ -22,21 +23,7 @@ double squares_between(const float* a, const float* b, std::size_t count) {
       const double difference = static_cast<double>(a[i + k]) - static_cast<double>(b[i + k]);
       sums[k] += difference * difference;
     }
-  return sums[0] + sums[1] + sums[2];
-}
-
-double squares_between(const unsigned char* a, const unsigned char* b, std::size_t count) {
-  constexpr std::size_t most_in_32_bits = 1 << 16;
-  std::uint64_t sum = 0;
-  for (std::size_t begin = 0; begin < count; begin += most_in_32_bits) {
-    std::uint32_t piece = 0;
-    for (std::size_t i = begin; i < std::min(begin + most_in_32_bits, count); ++i) {
-      const int difference = a[i] - b[i];
-      piece += static_cast<std::uint32_t>(difference * difference);
-    }
-    sum += piece;
-  }
-  return static_cast<double>(sum) / (255.0 * 255.0);
+  return (sums[0] + sums[1] + sums[2]) / (largest * largest);
 }
 
 template <typename Channel>
@@ -52,14 +39,12 @@ double error2(const Raster<Channel>& image, const Tile& tile) {
     if (y + 1 < image.height)
       sum += squares_between(row, image.pixel(tile.x_begin, y + 1), count(width));
   }
-  return share * sum;
+  return SampleErrorModel::edge_share * sum;
 }
 
 template <typename Channel>
 double error_of(const Raster<Channel>& image, int samples) {
-  // All rows would take as long as to trace a simple picture.
-  constexpr int most_rows = 16;
-  const int rows = std::min(image.height, most_rows);
+  const int rows = std::min(image.height, SampleErrorModel::edge_rows);
   double sum = 0;
   for (int i = 0; i < rows; ++i) {
     const auto y = static_cast<int>(std::int64_t{i} * image.height / rows);

@@ -1,8 +1,7 @@
 // The error of an image whose samples do not tell it: by how much neighbouring pixels differ.
 //
-// An edge that moves a pixel's value by d errs by d^2 / 12 in the mean with one sample per pixel,
-// and shows in the pixel's difference from those beside it; it is taken as d^2 / 8. With n samples
-// it falls by n^-3/2.
+// An edge that moves a pixel's value by d shows in the pixel's difference from those beside it, and
+// errs by SampleErrorModel::edge_share of d^2 with one sample per pixel.
 //
 // Limits: slopes count as edges; what is smaller than a pixel may not show.
 #pragma once

@@ -49,19 +49,19 @@ SamplePattern sample_pattern(int count) {
     for (std::size_t k = 0; k < size; ++k) add(k);
     return pattern;
   }
-  // A half has every second column up to the middle, and their mirror images: halves that had not
-  // the same middle would differ where the picture is but a slope.
+  // A half buffer has every second column up to the middle, and their mirror images: two that had
+  // not the same middle would differ where the picture is but a slope.
   for (const std::size_t parity : {std::size_t{0}, std::size_t{1}}) {
     for (std::size_t k = 0; k < size; ++k)
       if (std::min(k, size - 1 - k) % 2 == parity) add(k);
-    if (parity == 0) pattern.first_half = pattern.points.size();
+    if (parity == 0) pattern.half_a_count = pattern.points.size();
   }
   return pattern;
 }
 
-SamplePattern staggered_pattern(int count) {
+SamplePattern jittered_pattern(int count) {
   SamplePattern pattern = sample_pattern(count);
-  pattern.stagger = 1.0 / count;
+  pattern.jitter = 1.0 / count;
   return pattern;
 }
 

@@ -3,55 +3,39 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <bit>
 #include <numeric>
 #include <utility>
-
-#include "engine/math/block.h"
 
 namespace raytracer {
 namespace {
 
-/// Where samples met detail there is more beside it that they have missed: a pixel's variance
-/// counts as at least this share of its neighbours' greatest, ...
-constexpr float pixels_share = 0.2F;
-/// ... and a pixel's error as at least this share of the mean of those in the parts beside. Of 0 to
-/// 0.6 and 0 to 0.1 those that kept most targets on 19 scenes, and took few samples more.
-constexpr float parts_share = 0.1F;
+using Model = SampleErrorModel;
 
 constexpr double no_guess = -1;
 
 }  // namespace
 
-PixelErrors::PixelErrors(int width, int height, const ErrorScale& scale, WorkerPool& pool)
+PixelErrors::PixelErrors(int width, int height, const ErrorMultiplier& multiplier, WorkerPool& pool)
     : pool_(pool),
       width_(width),
       height_(height),
       columns_(static_cast<std::size_t>((width + block_side - 1) / block_side)),
       rows_(static_cast<std::size_t>((height + block_side - 1) / block_side)),
-      stride_(parts_across * columns_ + 2),
-      scale_(scale.first),
-      least_scale_(scale.least),
+      stride_(subtiles_across * columns_ + 2),
+      multiplier_(multiplier.initial),
+      least_multiplier_(multiplier.least),
       spreads_(width, height),
       samples_(spreads_.error2.size()),
       variances_(samples_.size()),
-      parts_(parts_in_block * columns_ * rows_),
-      guesses_(parts_.size(), no_guess),
-      rates_(parts_.size()),
-      sums_(stride_ * (parts_across * rows_ + 2)),
-      details_(sums_.size()),
-      counts_(sums_.size()),
-      has_detail_(columns_ * rows_),
-      may_err_(columns_ * rows_) {
-  const int part_columns = spreads_.stride / part_side;
-  const int part_rows = spreads_.rows() / part_side;
-  for (int y = 0; y < part_rows; ++y) {
-    float* const row = &counts_[static_cast<std::size_t>(y + 1) * stride_ + 1];
-    const int pixel_rows = std::min(part_side, height_ - part_side * y);
-    std::fill_n(row, part_columns, static_cast<float>(part_side * pixel_rows));
-    const int last_columns = width_ - part_side * (part_columns - 1);
-    row[part_columns - 1] = static_cast<float>(last_columns * pixel_rows);
-  }
+      subtiles_(subtiles_in_block * columns_ * rows_),
+      guesses_(subtiles_.size(), no_guess),
+      rates_(subtiles_.size()),
+      sums_(stride_ * (subtiles_across * rows_ + 2)) {
+  for (std::size_t row = 0; row < rows_; ++row)
+    for_each_subtile(row, [this](std::size_t, std::size_t place, std::size_t first) {
+      sums_[place].pixels = static_cast<float>(std::min(subtile_side, width_ - x_of(first)) *
+                                               std::min(subtile_side, height_ - y_of(first)));
+    });
 }
 
 void PixelErrors::set_all(int samples) {
@@ -66,23 +50,22 @@ void PixelErrors::set(std::size_t pixel, int samples, const PixelSpread& spread)
   spreads_.set(pixel, spread);
 }
 
-void PixelErrors::set_guess(std::size_t part, double error2) {
-  guesses_[part] = error2 > 0 ? error2 : 0;
+void PixelErrors::set_guess(std::size_t subtile, double error2) {
+  guesses_[subtile] = error2 > 0 ? error2 : 0;
 }
 
 void PixelErrors::forget_guesses(std::size_t block) {
-  std::fill_n(&guesses_[parts_in_block * block], parts_in_block, no_guess);
+  std::fill_n(&guesses_[subtiles_in_block * block], subtiles_in_block, no_guess);
 }
 
-void PixelErrors::expect_guesses() {
-  for (std::size_t part = 0; part < parts_.size(); ++part)
-    if (guesses_[part] >= 0) parts_[part] = guesses_[part];
+void PixelErrors::use_guesses() {
+  for (std::size_t subtile = 0; subtile < subtiles_.size(); ++subtile)
+    if (guesses_[subtile] >= 0) subtiles_[subtile] = guesses_[subtile];
 }
 
-void PixelErrors::set_missable(MissableSpheres spheres) {
-  missable_ = std::move(spheres);
-  std::fill(may_err_.begin(), may_err_.end(), 1);
-  expect_parts();
+void PixelErrors::set_subpixel(SubpixelObjects objects) {
+  subpixel_ = std::move(objects);
+  estimate_subtiles();
 }
 
 int PixelErrors::x_of(std::size_t pixel) const {
@@ -105,188 +88,147 @@ Tile PixelErrors::tile_of(std::size_t block) const {
   return {x, y, std::min(x + block_side, width_), std::min(y + block_side, height_)};
 }
 
-std::size_t PixelErrors::part_of(std::size_t pixel) const {
+std::size_t PixelErrors::subtile_of(std::size_t pixel) const {
   const auto x = static_cast<std::size_t>(x_of(pixel));
   const auto y = static_cast<std::size_t>(y_of(pixel));
-  return parts_in_block * block_of(pixel) + y % block_side / part_side * parts_across +
-         x % block_side / part_side;
+  return subtiles_in_block * block_of(pixel) + y % block_side / subtile_side * subtiles_across +
+         x % block_side / subtile_side;
 }
 
 template <typename Visit>
 void PixelErrors::for_each_row(const Visit& visit) const {
-  // To wake the others takes longer than to look at few.
-  constexpr std::size_t few_parts = 4096;
-  if (parts_.size() < few_parts) {
-    for (std::size_t row = 0; row < rows_; ++row) visit(row);
-    return;
-  }
   const std::atomic<bool> never{false};
   pool_.run(rows_, visit, never);
 }
 
-void PixelErrors::find_details(std::size_t row) {
-  const auto stride = static_cast<std::size_t>(spreads_.stride);
+std::vector<char> PixelErrors::find_variances(std::size_t row) const {
+  const auto width = static_cast<std::size_t>(spreads_.stride);
+  const std::size_t y_begin = std::max(block_side * row, std::size_t{1}) - 1;
+  const std::size_t y_end =
+      std::min(block_side * (row + 1) + 1, static_cast<std::size_t>(spreads_.rows()));
+  std::vector<float> greatest(width, 0.0F);
+  for (std::size_t y = y_begin; y < y_end; ++y) {
+    const float* const variance = &spreads_.variance[y * width];
+    for (std::size_t x = 0; x < width; ++x) greatest[x] = std::max(greatest[x], variance[x]);
+  }
+  std::vector<char> has_variance(columns_ + 2, 0);  // with a rim
+  for (std::size_t x = 0; x < width; ++x)
+    if (greatest[x] > 0)
+      has_variance[(x + block_side - 1) / block_side] =
+          has_variance[(x + block_side + 1) / block_side] = 1;
+  return has_variance;
+}
+
+void PixelErrors::spread_variances(std::size_t column, std::size_t row) {
+  const auto width = static_cast<std::size_t>(spreads_.stride);
   const auto rows = static_cast<std::size_t>(spreads_.rows());
-  std::vector<std::uint32_t> bits(stride);  // of all rows: a number is 0 if none is set
+  const std::size_t x_begin = block_side * column;
+  const std::size_t x_end = std::min(x_begin + block_side, width);
+  const std::size_t x_last = std::min(x_end + 1, width);
   for (std::size_t y = block_side * row; y < std::min(block_side * (row + 1), rows); ++y) {
-    const float* const error2 = &spreads_.error2[y * stride];
-    const float* const variance = &spreads_.variance[y * stride];
-    for (std::size_t x = 0; x < stride; ++x)
-      bits[x] |=
-          std::bit_cast<std::uint32_t>(error2[x]) | std::bit_cast<std::uint32_t>(variance[x]);
-  }
-  std::fill_n(&has_detail_[columns_ * row], columns_, 0);
-  for (std::size_t x = 0; x < stride; ++x)
-    if (bits[x] != 0) has_detail_[columns_ * row + x / block_side] = 1;
-}
-
-void PixelErrors::choose_blocks(std::size_t row) {
-  const std::size_t row_begin = row > 0 ? row - 1 : row;
-  const std::size_t row_end = std::min(row + 2, rows_);
-  for (std::size_t column = 0; column < columns_; ++column) {
-    const std::size_t begin = column > 0 ? column - 1 : column;
-    const std::size_t end = std::min(column + 2, columns_);
-    bool may_err = missable_.has_value();
-    for (std::size_t y = row_begin; y < row_end; ++y)
-      for (std::size_t x = begin; x < end; ++x) may_err |= has_detail_[columns_ * y + x] != 0;
-    char& known = may_err_[columns_ * row + column];
-    const bool might_err = known != 0;
-    known = static_cast<char>(may_err);
-    if (may_err || !might_err) continue;
-    for_each_part_of(column, row, [this](std::size_t part, std::size_t place, std::size_t) {
-      rates_[part].of_variance = rates_[part].least = 0;
-      sums_[place] = {};
-      details_[place] = 0;
-    });
-  }
-}
-
-void PixelErrors::spread_variances(std::size_t row) {
-  const char* const may_err = &may_err_[columns_ * row];
-  for (std::size_t begin = 0; begin < columns_; ++begin) {
-    if (may_err[begin] == 0) continue;
-    std::size_t end = begin + 1;
-    while (end < columns_ && may_err[end] != 0) ++end;
-    spread_variances(row, begin, end);
-    begin = end;
-  }
-}
-
-void PixelErrors::spread_variances(std::size_t row, std::size_t column_begin,
-                                   std::size_t column_end) {
-  const auto stride = static_cast<std::size_t>(spreads_.stride);
-  const auto rows = static_cast<std::size_t>(spreads_.rows());
-  const std::size_t x_begin = block_side * column_begin;
-  const std::size_t width = std::min(block_side * column_end, stride) - x_begin;
-  // What is beside these blocks has no variance: blocks beside one that has may err, too.
-  std::vector<float> highest(width + 2, 0.0F);  // of three rows, with a rim
-  for (std::size_t y = block_side * row; y < std::min(block_side * (row + 1), rows); ++y) {
-    const float* const here = &spreads_.variance[y * stride + x_begin];
-    const float* const above = y > 0 ? here - stride : here;
-    const float* const below = y + 1 < rows ? here + stride : here;
-    for (std::size_t x = 0; x < width; ++x)
-      highest[x + 1] = std::max(std::max(above[x], below[x]), here[x]);
-    float* const to = &variances_[y * stride + x_begin];
-    for (std::size_t x = 0; x < width; ++x)
+    const float* const here = &spreads_.variance[y * width];
+    const float* const above = y > 0 ? here - width : here;
+    const float* const below = y + 1 < rows ? here + width : here;
+    std::array<float, block_side + 2> highest{};  // of three rows, with a rim
+    for (std::size_t x = std::max(x_begin, std::size_t{1}) - 1; x < x_last; ++x)
+      highest[x + 1 - x_begin] = std::max(std::max(above[x], below[x]), here[x]);
+    float* const to = &variances_[y * width];
+    for (std::size_t x = x_begin; x < x_end; ++x) {
+      const float* const near = &highest[x - x_begin];
       to[x] = std::max(
-          here[x], pixels_share * std::max(std::max(highest[x], highest[x + 1]), highest[x + 2]));
+          here[x], Model::pixel_neighbour_share * std::max(std::max(near[0], near[1]), near[2]));
+    }
   }
 }
 
-PixelErrors::Sums PixelErrors::sums_of(std::size_t first, InversePower& inverse_power) const {
+void PixelErrors::sum_up(std::size_t first, InversePower& inverse_power, SubtileSums& sums) const {
   // Column by column, which do not wait for each other.
-  std::array<float, part_side> error2{};
-  std::array<float, part_side> detail{};
+  std::array<float, subtile_side> error2{};
+  std::array<float, subtile_side> variance{};
   const int samples = samples_[first];
   bool are_alike = true;
-  for (int y = 0; y < part_side; ++y)
-    for (std::size_t x = 0; x < part_side; ++x) {
+  for (int y = 0; y < subtile_side; ++y)
+    for (std::size_t x = 0; x < subtile_side; ++x) {
       const std::size_t pixel = first + index(0, y) + x;
       error2[x] += spreads_.error2[pixel];
-      detail[x] += variances_[pixel];
+      variance[x] += variances_[pixel];
       are_alike &= samples_[pixel] == samples;
     }
-  Sums sums{.error2 = (error2[0] + error2[1]) + (error2[2] + error2[3]),
-            .detail = (detail[0] + detail[1]) + (detail[2] + detail[3])};
-  if (are_alike) {
-    sums.variance = sums.detail * inverse_power(samples);
-    return sums;
-  }
-  sums.detail = 0;
-  for (int y = 0; y < part_side; ++y)
-    for (int x = 0; x < part_side; ++x) {
+  sums.error2 = (error2[0] + error2[1]) + (error2[2] + error2[3]);
+  sums.variance = (variance[0] + variance[1]) + (variance[2] + variance[3]);
+  sums.of_means = sums.variance * inverse_power(samples);
+  if (are_alike) return;
+  sums.variance = sums.of_means = 0;
+  for (int y = 0; y < subtile_side; ++y)
+    for (int x = 0; x < subtile_side; ++x) {
       const std::size_t pixel = first + index(x, y);
       if (samples_[pixel] == 0) continue;
-      sums.variance += variances_[pixel] * inverse_power(samples_[pixel]);
-      sums.detail += variances_[pixel];
+      sums.of_means += variances_[pixel] * inverse_power(samples_[pixel]);
+      sums.variance += variances_[pixel];
     }
-  return sums;
 }
 
 float PixelErrors::rate_at(std::size_t place) const {
   float error2 = 0;
-  float variance = 0;
+  float of_means = 0;
   for (const std::size_t row : {place - stride_, place, place + stride_})
     for (const std::size_t at : {row - 1, row, row + 1}) {
       error2 += sums_[at].error2;
-      variance += sums_[at].variance;
+      of_means += sums_[at].of_means;
     }
-  return variance > 0 ? error2 / variance : 0;
+  return of_means > 0 ? error2 / of_means : 0;
 }
 
 float PixelErrors::least_at(std::size_t place) const {
-  float detail = 0;
-  float count = 0;
-  for (const std::size_t at :
-       {place - stride_ - 1, place - stride_, place - stride_ + 1, place - 1, place + 1,
-        place + stride_ - 1, place + stride_, place + stride_ + 1}) {
-    detail += details_[at];
-    count += counts_[at];
-  }
-  return count > 0 ? parts_share * detail / count : 0;
+  float coefficient = 0;
+  float pixels = 0;
+  for (const std::size_t row : {place - stride_, place, place + stride_})
+    for (const std::size_t at : {row - 1, row, row + 1}) {
+      if (at == place) continue;
+      coefficient += sums_[at].coefficient;
+      pixels += sums_[at].pixels;
+    }
+  return pixels > 0 ? Model::subtile_neighbour_share * coefficient / pixels : 0;
 }
 
-void PixelErrors::expect() {
-  if (!missable_) for_each_row([this](std::size_t row) { find_details(row); });
+void PixelErrors::estimate() {
   for_each_row([this](std::size_t row) {
-    choose_blocks(row);
-    spread_variances(row);
+    const std::vector<char> has_variance = find_variances(row);
+    for (std::size_t column = 0; column < columns_; ++column)
+      if (has_variance[column + 1] != 0) spread_variances(column, row);
     InversePower inverse_power;
-    for_each_part_in(row, [&](std::size_t, std::size_t place, std::size_t first) {
-      sums_[place] = sums_of(first, inverse_power);
+    for_each_subtile(row, [&](std::size_t subtile, std::size_t place, std::size_t first) {
+      if (has_variance[subtile / subtiles_in_block - columns_ * row + 1] != 0)
+        sum_up(first, inverse_power, sums_[place]);
+      else
+        sums_[place] = {.pixels = sums_[place].pixels};
     });
   });
   for_each_row([this](std::size_t row) {
-    for_each_part_in(row, [this](std::size_t part, std::size_t place, std::size_t) {
-      rates_[part].of_variance = rate_at(place);
-      details_[place] = rates_[part].of_variance * sums_[place].detail;
+    for_each_subtile(row, [this](std::size_t subtile, std::size_t place, std::size_t) {
+      rates_[subtile].of_variance = sums_[place].variance > 0 ? rate_at(place) : 0;
+      sums_[place].coefficient = rates_[subtile].of_variance * sums_[place].variance;
     });
   });
-  for_each_row([this](std::size_t row) {
-    for_each_part_in(row, [this](std::size_t part, std::size_t place, std::size_t) {
-      rates_[part].least = least_at(place);
-    });
-  });
-  expect_parts();
+  estimate_subtiles();
 }
 
-void PixelErrors::expect_parts() {
+void PixelErrors::estimate_subtiles() {
   for_each_row([this](std::size_t row) {
-    const std::size_t parts_in_row = parts_in_block * columns_;
-    std::fill_n(&parts_[parts_in_row * row], parts_in_row, 0.0);
-    for_each_error_in(
-        row, [this](std::size_t part, std::size_t, double error2) { parts_[part] += error2; });
+    const std::size_t subtiles_in_row = subtiles_in_block * columns_;
+    std::fill_n(&subtiles_[subtiles_in_row * row], subtiles_in_row, 0.0);
+    for_each_subtile(row, [this](std::size_t subtile, std::size_t place, std::size_t) {
+      rates_[subtile].least = least_at(place);
+    });
+    for_each_error_in(row, [this](std::size_t subtile, std::size_t, double error2) {
+      subtiles_[subtile] += error2;
+    });
   });
-  expect_guesses();
+  use_guesses();
 }
 
 void PixelErrors::calibrate(std::span<const std::uint32_t> pixels, std::span<const float> before,
                             double change2) {
-  // Pixels refined where halves happened to differ seem to change less than they expected: no
-  // sudden fall is believed.
-  constexpr double pixels_of_doubt = 100;  // a refinement of fewer says little
-  constexpr double most = 4;
-  constexpr double least_fall = 0.6;
   const std::vector<float> after = unscaled(pixels);
   double sum = 0;
   double squares = 0;
@@ -298,15 +240,16 @@ void PixelErrors::calibrate(std::span<const std::uint32_t> pixels, std::span<con
   if (!(squares > 0)) return;
   const double weight = sum * sum / squares;  // as many pixels of equal errors would say as much
   const double seen =
-      (change2 * weight / sum + scale_ * pixels_of_doubt) / (weight + pixels_of_doubt);
-  const double before_it = scale_;
-  scale_ = std::clamp(std::max(seen, least_fall * scale_), least_scale_, most);
-  if (missable_) {
-    expect_parts();
+      (change2 * weight / sum + multiplier_ * Model::prior_pixels) / (weight + Model::prior_pixels);
+  const double before_it = multiplier_;
+  multiplier_ = std::clamp(std::max(seen, Model::least_multiplier_change * multiplier_),
+                           least_multiplier_, Model::most_multiplier);
+  if (subpixel_) {
+    estimate_subtiles();
     return;
   }
-  for (double& error2 : parts_) error2 *= scale_ / before_it;
-  expect_guesses();
+  for (double& error2 : subtiles_) error2 *= multiplier_ / before_it;
+  use_guesses();
 }
 
 std::vector<float> PixelErrors::unscaled(std::span<const std::uint32_t> pixels) const {
@@ -318,7 +261,7 @@ std::vector<float> PixelErrors::unscaled(std::span<const std::uint32_t> pixels) 
 }
 
 float PixelErrors::unscaled(std::size_t pixel, InversePower& inverse_power) const {
-  const Rate& rate = rates_[part_of(pixel)];
+  const Rate& rate = rates_[subtile_of(pixel)];
   return std::max(rate.of_variance * variances_[pixel], rate.least) *
          inverse_power(samples_[pixel]);
 }
@@ -329,13 +272,13 @@ double PixelErrors::of_pixel(std::size_t pixel) const {
 }
 
 double PixelErrors::scaled(float unscaled, std::size_t pixel, int samples) const {
-  const double seen = scale_ * static_cast<double>(unscaled);
-  if (!missable_ || samples < 1) return seen;
-  return std::max(seen, missable_->error2(pixel, samples));
+  const double seen = multiplier_ * static_cast<double>(unscaled);
+  if (!subpixel_ || samples < 1) return seen;
+  return std::max(seen, subpixel_->error2(pixel, samples));
 }
 
 double PixelErrors::expected_error2() const {
-  return std::accumulate(parts_.begin(), parts_.end(), 0.0);
+  return std::accumulate(subtiles_.begin(), subtiles_.end(), 0.0);
 }
 
 }  // namespace raytracer

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
+#include <ranges>
 
 #include "engine/plan/sampling.h"
 #include "engine/sample/error_rules.h"
@@ -15,240 +15,188 @@
 namespace raytracer {
 namespace {
 
-constexpr int least_growth = 2;
-constexpr int most_growth = 16;
+using Model = RefinementModel;
 
-/// Where so many samples told of an error, it is taken to fall as n^-2: what is smooth falls faster
-/// than edges, and estimates come down the more is known. Of 648 contracts (27 scenes, 6 sizes, 4
-/// targets) all were kept with 0.8 to 1 of the samples; where fewer samples are believed, too, 4
-/// were not.
-constexpr int telling_samples = 16;
+/// Numbers of samples as they are wanted, by their logarithm in units of a class.
+constexpr int log_count = (Model::most_samples_log2 + 1) * Model::classes_per_octave;
 
-/// Numbers of samples: 4, 16, 32, 48, 64, 96 ...: from 16 on they fill packets of any width, from
-/// 32 on two in an octave.
-constexpr int rung_count = 46;
-
-constexpr int samples_of_rung(int rung) {
-  if (rung < 2) return rung == 0 ? 4 : 16;
-  return rung % 2 == 0 ? 32 << (rung - 2) / 2 : 48 << (rung - 3) / 2;
+int log_of(int samples) {
+  return static_cast<int>(std::floor(Model::classes_per_octave * std::log2(samples)));
 }
 
-/// Numbers of samples as they are wanted, by steps of their logarithm.
-constexpr int steps_per_octave = 16;
-constexpr int step_count = 30 * steps_per_octave;
-
-int step_of(int samples) {
-  return static_cast<int>(std::floor(steps_per_octave * std::log2(samples)));
+/// The same of the samples that an error coefficient asks for, plus what all have in common: of its
+/// power 2/5 = 1 / (1 + edge_fall). A float's bits are its logarithm, straight between powers of
+/// two, which is off by a twelfth of an octave at most.
+int log_of_coefficient(float coefficient) {
+  static_assert(1 + SampleErrorModel::edge_fall == 5.0 / 2);
+  constexpr int float_mantissa = std::numeric_limits<float>::digits - 1;
+  constexpr int dropped = float_mantissa - std::countr_zero(unsigned{Model::classes_per_octave});
+  return (std::bit_cast<std::int32_t>(coefficient) >> dropped) * 2 / 5;
 }
+constexpr int most_log_of_coefficient =
+    2 * std::numeric_limits<float>::max_exponent * Model::classes_per_octave * 2 / 5;
 
-/// The step of the samples that a detail asks for, its power 2/5, plus a level that all have in
-/// common. Its logarithm is that of a float's bits, straight between powers of two, which is off by
-/// a twelfth of an octave at most.
-int step_of_detail(float detail) {
-  constexpr int bits_per_octave = 23;
-  constexpr int bits_per_step = bits_per_octave - 4;  // 2^4 steps
-  static_assert(steps_per_octave == 1 << (bits_per_octave - bits_per_step));
-  return (std::bit_cast<std::int32_t>(detail) >> bits_per_step) * 2 / 5;
-}
-
-/// What every number of samples that can be wanted comes to.
-class Ladder {
+/// What every number of samples that can be wanted comes to: a step of 4, 16, 32, 48, 64, 96 ...
+class SampleLadder {
  public:
-  std::array<int, step_count> samples{};     ///< of the highest rung of at most as many
-  std::array<double, step_count> factors{};  ///< of one sample's squared error
+  std::array<int, log_count> samples{};     ///< of the highest step of at most as many
+  std::array<double, log_count> factors{};  ///< of an error coefficient: the squared error
 
-  explicit Ladder(int most_samples) {
-    const int highest = most_samples - most_samples % 4;
-    int step = 0;
-    for (int rung = 0; rung < rung_count && samples_of_rung(rung) < highest; ++rung) {
-      const bool is_last = rung + 1 == rung_count || samples_of_rung(rung + 1) > highest;
-      const int end = step_of(is_last ? highest : samples_of_rung(rung + 1));
-      fill(step, end, samples_of_rung(rung));
-      step = end;
-    }
-    fill(step, step_count, highest);
-  }
-
- private:
-  void fill(int begin, int end, int count) {
-    const double factor = 1 / error_power(count);
-    for (auto at = static_cast<std::size_t>(begin); at < static_cast<std::size_t>(end); ++at) {
-      samples[at] = count;
-      factors[at] = factor;
-    }
-  }
-};
-
-/// Pixels that have as many samples, and whose details ask for as many more.
-struct Kind {
-  int samples = 0;
-  int step = 0;
-  double count = 0;
-  double error2 = 0;  ///< their sum
-  double detail = 0;
-  int next = 0;  ///< the samples that they get
-};
-
-/// The kinds of an image's pixels, found by a table with a row for each number of samples.
-class Kinds {
- public:
-  explicit Kinds(std::span<const RoughPixel> pixels) {
-    const std::vector<Wish> wishes = wishes_of(pixels);
-    const auto width = static_cast<std::size_t>(step_end_ - step_begin_);
-    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> table(rows_.size() * width, none);
-    kind_of_.reserve(pixels.size());
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      const Wish& wish = wishes[i];
-      std::uint32_t& place =
-          table[wish.row * width + static_cast<std::size_t>(wish.step - step_begin_)];
-      if (place == none) {
-        place = static_cast<std::uint32_t>(kinds_.size());
-        kinds_.push_back({.samples = pixels[i].samples, .step = wish.step});
+  explicit SampleLadder(int most_samples) {
+    const int highest = most_samples - most_samples % Model::first_step;
+    int count = std::min(Model::first_step, highest);
+    for (int at = 0, i = 0; at < log_count; ++i) {
+      const int next = count < highest ? std::min(samples_of(i + 1), highest) : highest;
+      const int end = count < highest ? log_of(next) : log_count;
+      for (; at < end; ++at) {
+        samples[static_cast<std::size_t>(at)] = count;
+        factors[static_cast<std::size_t>(at)] = 1 / error_power(count);
       }
-      Kind& kind = kinds_[place];
-      kind.count += 1;
-      kind.error2 += static_cast<double>(pixels[i].error2);
-      kind.detail += static_cast<double>(wish.detail);
-      kind_of_.push_back(place);
+      count = next;
     }
   }
-
-  std::vector<Kind>& all() { return kinds_; }
-  /// That of the pixel so many places from the first.
-  const Kind& of(std::size_t place) const { return kinds_[kind_of_[place]]; }
-  int step_begin() const { return step_begin_; }
-  int step_end() const { return step_end_; }
 
  private:
-  /// What tells a pixel's kind.
-  struct Wish {
-    float detail;
-    int step;
-    std::uint32_t row;
-  };
-
-  std::vector<Wish> wishes_of(std::span<const RoughPixel> pixels) {
-    std::vector<Wish> wishes;
-    wishes.reserve(pixels.size());
-    InversePower inverse_power;
-    step_begin_ = std::numeric_limits<int>::max();
-    std::uint32_t row = 0;
-    for (const RoughPixel& pixel : pixels) {
-      const float detail = pixel.error2 / inverse_power(pixel.samples);
-      const int step = step_of_detail(detail);
-      step_begin_ = std::min(step_begin_, step);
-      step_end_ = std::max(step_end_, step + 1);
-      if (row == rows_.size() || rows_[row] != pixel.samples) row = row_of(pixel.samples);
-      wishes.push_back({detail, step, row});
-    }
-    return wishes;
+  static constexpr int samples_of(int step) {
+    static_assert(Model::steps_per_octave == 2);
+    if (step < 2) return step == 0 ? Model::first_step : Model::second_step;
+    return (step % 2 == 0 ? 2 : 3) * Model::second_step << (step - 2) / 2;
   }
-
-  std::uint32_t row_of(int samples) {
-    const auto row = std::find(rows_.begin(), rows_.end(), samples) - rows_.begin();
-    if (row == std::ssize(rows_)) rows_.push_back(samples);
-    return static_cast<std::uint32_t>(row);
-  }
-
-  std::vector<Kind> kinds_;
-  std::vector<std::uint32_t> kind_of_;  ///< each pixel's place among them
-  std::vector<int> rows_;               ///< their samples
-  int step_begin_ = 0;
-  int step_end_ = 0;
 };
 
-/// Of a level common to all: whether it is enough for the goal, and affordable.
-class Levels {
- public:
-  Levels(std::span<const Kind> kinds, const RefinementGoal& goal)
-      : kinds_(kinds), goal_(goal), ladder_(goal.most_samples) {}
+/// Pixels that have as many samples, and whose error coefficients ask for as many more.
+struct ErrorClass {
+  int samples = 0;
+  int log = 0;  ///< of their coefficients
+  double count = 0;
+  double error2 = 0;       ///< their sum
+  double coefficient = 0;  ///< likewise
+  int next = 0;            ///< the samples that they get
+};
 
-  /// The samples that a kind's pixels get next, or 0.
-  int samples_at(int level, const Kind& kind) const {
-    const int samples = std::min(ladder_.samples[rung_at(level, kind)], most_growth * kind.samples);
-    return samples >= least_growth * kind.samples ? samples : 0;
+/// The error classes of an image's pixels, in a table with a row for each number of samples.
+class ErrorClasses {
+ public:
+  explicit ErrorClasses(std::span<const PixelError> pixels) {
+    class_of_.reserve(pixels.size());
+    InversePower inverse_power;
+    std::size_t row = 0;
+    for (const PixelError& pixel : pixels) {
+      if (rows_.empty() || rows_[row] != pixel.samples) row = row_of(pixel.samples);
+      const float coefficient = pixel.error2 / inverse_power(pixel.samples);
+      const int log = log_of_coefficient(coefficient);
+      std::uint32_t& place = table_[row * most_log_of_coefficient + static_cast<std::size_t>(log)];
+      if (place == none) {
+        place = static_cast<std::uint32_t>(classes_.size());
+        classes_.push_back({.samples = pixel.samples, .log = log});
+      }
+      ErrorClass& its = classes_[place];
+      its.count += 1;
+      its.error2 += static_cast<double>(pixel.error2);
+      its.coefficient += static_cast<double>(coefficient);
+      class_of_.push_back(place);
+    }
+  }
+
+  std::vector<ErrorClass>& all() { return classes_; }
+  /// That of the pixel so many places from the first.
+  const ErrorClass& of(std::size_t place) const { return classes_[class_of_[place]]; }
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  std::size_t row_of(int samples) {
+    const auto row = std::find(rows_.begin(), rows_.end(), samples) - rows_.begin();
+    if (row == std::ssize(rows_)) {
+      rows_.push_back(samples);
+      table_.resize(rows_.size() * most_log_of_coefficient, none);
+    }
+    return static_cast<std::size_t>(row);
+  }
+
+  std::vector<ErrorClass> classes_;
+  std::vector<std::uint32_t> class_of_;  ///< each pixel's place among them
+  std::vector<int> rows_;                ///< their samples
+  std::vector<std::uint32_t> table_;
+};
+
+/// What a factor common to all pixels' samples, given by its logarithm, comes to.
+class Allocation {
+ public:
+  Allocation(std::span<const ErrorClass> classes, const RefinementGoal& goal)
+      : classes_(classes), goal_(goal), ladder_(goal.most_samples) {}
+
+  /// The samples that the pixels of a class get next, or 0.
+  int samples_at(int log_factor, const ErrorClass& of) const {
+    const int samples =
+        std::min(ladder_.samples[place_of(log_factor, of)], Model::most_growth * of.samples);
+    return samples >= Model::least_growth * of.samples ? samples : 0;
   }
 
   /// Whether it would bring the sum to the goal, however many times the samples grow.
-  bool is_enough(int level) const {
+  bool is_enough(int log_factor) const {
     double sum = 0;
-    for (const Kind& kind : kinds_) {
-      const std::size_t at = rung_at(level, kind);
-      const bool is_refined = ladder_.samples[at] >= least_growth * kind.samples;
-      sum += is_refined ? error2_at(at, kind) : kind.error2;
+    for (const ErrorClass& each : classes_) {
+      const std::size_t at = place_of(log_factor, each);
+      const bool is_refined = ladder_.samples[at] >= Model::least_growth * each.samples;
+      sum += is_refined ? error2_at(at, each) : each.error2;
     }
     return sum <= goal_.error2;
   }
 
-  bool is_affordable(int level) const {
+  bool is_affordable(int log_factor) const {
     double samples = 0;
-    for (const Kind& kind : kinds_) samples += kind.count * samples_at(level, kind);
+    for (const ErrorClass& each : classes_) samples += each.count * samples_at(log_factor, each);
     return samples <= goal_.samples;
   }
 
  private:
-  static std::size_t rung_at(int level, const Kind& kind) {
-    return static_cast<std::size_t>(std::clamp(kind.step + level, 0, step_count - 1));
+  static std::size_t place_of(int log_factor, const ErrorClass& of) {
+    return static_cast<std::size_t>(std::clamp(of.log + log_factor, 0, log_count - 1));
   }
 
-  /// What a kind's errors come to by the samples of a step.
-  double error2_at(std::size_t step, const Kind& kind) const {
-    const double error2 = kind.detail * ladder_.factors[step];
-    if (kind.samples < telling_samples) return error2;
-    return error2 * std::sqrt(static_cast<double>(kind.samples) / ladder_.samples[step]);
+  double error2_at(std::size_t place, const ErrorClass& of) const {
+    const double error2 = of.coefficient * ladder_.factors[place];
+    if (of.samples < Model::smooth_fall_samples) return error2;
+    static_assert(SampleErrorModel::smooth_fall - SampleErrorModel::edge_fall == 0.5);
+    return error2 * std::sqrt(static_cast<double>(of.samples) / ladder_.samples[place]);
   }
 
-  std::span<const Kind> kinds_;
+  std::span<const ErrorClass> classes_;
   RefinementGoal goal_;
-  Ladder ladder_;
+  SampleLadder ladder_;
 };
-
-/// The first in [begin, end) of which `is_true`, which all after it are, too; `end` if none is.
-template <typename Condition>
-int first_true(int begin, int end, const Condition& is_true) {
-  while (begin < end) {
-    const int middle = begin + (end - begin) / 2;
-    if (is_true(middle))
-      end = middle;
-    else
-      begin = middle + 1;
-  }
-  return end;
-}
 
 }  // namespace
 
 int most_samples(const Scene& scene, const Limits& limits) {
-  constexpr double share_of_last = 0.5;
+  constexpr double share_of_last = 1 - 1.0 / Model::least_growth;
   const double by_work = share_of_last * static_cast<double>(limits.work) / count_rays(scene, 1);
   return static_cast<int>(std::clamp(std::min(by_work, static_cast<double>(limits.samples)), 1.0,
-                                     static_cast<double>(1 << 26)));
+                                     static_cast<double>(1 << Model::most_samples_log2)));
 }
 
-int first_compared_samples(const Census& census, int most_samples) {
-  constexpr int fewest_in_halves = 4;
-  if (most_samples < fewest_in_halves) return 1;
-  const int probing = probing_samples(census);
-  return probing <= most_samples ? probing : fewest_in_halves;
+int choose_pilot_samples(const SceneStatistics& statistics, int most_samples) {
+  if (most_samples < Model::first_step) return 1;
+  const int pilot = pilot_samples(statistics);
+  return pilot <= most_samples ? pilot : Model::first_step;
 }
 
-std::vector<PixelSamples> next_samples(std::span<const RoughPixel> pixels,
-                                       const RefinementGoal& goal) {
+std::vector<PixelSamples> choose_samples(std::span<const PixelError> pixels,
+                                         const RefinementGoal& goal) {
+  ErrorClasses classes(pixels);
+  const Allocation allocation(classes.all(), goal);
+  // What is enough stays so as the factor grows, and what is affordable as it falls.
+  constexpr int lowest = -most_log_of_coefficient;
+  const int enough = *std::ranges::partition_point(
+      std::views::iota(lowest, log_count), [&](int log) { return !allocation.is_enough(log); });
+  const int too_dear = *std::ranges::partition_point(
+      std::views::iota(lowest, enough + 1), [&](int log) { return allocation.is_affordable(log); });
+  const int log_factor = std::min(enough, too_dear - 1);
+  for (ErrorClass& each : classes.all()) each.next = allocation.samples_at(log_factor, each);
   std::vector<PixelSamples> refined;
-  if (pixels.empty()) return refined;
-  Kinds kinds(pixels);
-  const int lowest = -kinds.step_end();
-  const int highest = step_count - kinds.step_begin();
-  const Levels levels(kinds.all(), goal);
-  const int enough =
-      first_true(lowest, highest, [&](int level) { return levels.is_enough(level); });
-  const int too_dear =
-      first_true(lowest, enough + 1, [&](int level) { return !levels.is_affordable(level); });
-  const int level = std::min(enough, too_dear - 1);
-  for (Kind& kind : kinds.all()) kind.next = levels.samples_at(level, kind);
   for (std::size_t i = 0; i < pixels.size(); ++i)
-    if (const int samples = kinds.of(i).next; samples > 0)
+    if (const int samples = classes.of(i).next; samples > 0)
       refined.push_back({pixels[i].pixel, samples});
   return refined;
 }

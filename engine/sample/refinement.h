@@ -1,20 +1,20 @@
 // Which pixels of an image get more samples, and how many.
 //
 // The sum of squared errors is brought to a bound by the fewest samples if all pixels' errors per
-// sample are equal (Lagrange): where errors fall as n^-3/2, n grows as detail^2/5, detail being the
-// squared error of one sample, and a common level of the errors per sample tells every pixel its
-// number. What that brings is planned by a faster fall where enough samples told of an error.
+// sample are equal (Lagrange): where a pixel's errors fall as c n^-3/2, c being its error
+// coefficient, n grows as c^2/5, and one factor common to all pixels tells each its number. What
+// that brings is planned by a faster fall where enough samples told of an error.
 //
-// New samples replace the old ones, as even spread is worth more than their sum: a pixel that is
-// refined gets at least twice as many, and at most sixteen times, because the error that asks for
-// them is an estimate. Pixels alike in both samples and detail are decided together.
+// New samples replace the old ones, as even spread is worth more than their sum. Pixels alike in
+// both samples and error coefficient, an error class, are decided together.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "engine/plan/census.h"
+#include "engine/errors/error_model.h"
+#include "engine/plan/scene_statistics.h"
 #include "engine/scene/limits.h"
 #include "engine/scene/scene.h"
 
@@ -24,12 +24,12 @@ namespace raytracer {
 /// them, which are at most as many; at least 1.
 int most_samples(const Scene& scene, const Limits& limits);
 
-/// The samples per pixel that all pixels get before any is chosen, of at most so many: as many as
-/// probing_samples() says, or fewer in two halves, or a single one.
-int first_compared_samples(const Census& census, int most_samples);
+/// The samples per pixel of the pilot pass, after which pixels are chosen, of at most so many: as
+/// many as pilot_samples() says, or fewer in half buffers, or a single one.
+int choose_pilot_samples(const SceneStatistics& statistics, int most_samples);
 
 /// A pixel that more samples would do good.
-struct RoughPixel {
+struct PixelError {
   std::uint32_t pixel;
   int samples;   ///< that it has, at least 4
   float error2;  ///< above 0
@@ -50,7 +50,7 @@ struct RefinementGoal {
 
 /// Those of the pixels that are to be refined, in their order. None if the goal is reached, or
 /// nothing can be done for it.
-std::vector<PixelSamples> next_samples(std::span<const RoughPixel> pixels,
-                                       const RefinementGoal& goal);
+std::vector<PixelSamples> choose_samples(std::span<const PixelError> pixels,
+                                         const RefinementGoal& goal);
 
 }  // namespace raytracer

@@ -50,25 +50,29 @@ class Bytes {
     std::visit([this](const auto& alternative) { this->add(alternative); }, value);
   }
 
-  void add(const Camera& c) { add_all(c.origin, c.look_at, c.up, c.fov, c.width, c.height); }
-  void add(const Material& m) { add_all(m.color, m.ka, m.kd, m.ks, m.shininess, m.reflectivity); }
-  void add(const Sphere& s) { add_all(s.center, s.radius); }
-  void add(const Spheres& s) { add_all(s.centers, s.radii); }
-  void add(const SphereSquare& s) { add_all(s.center, s.radius, s.n, s.axes); }
-  void add(const Plane& p) { add_all(p.point, p.normal); }
-  void add(const Mesh& m) { add_all(m.vertices, m.triangles); }
-  void add(const Object& o) { add_all(o.shape, o.material); }
-  void add(const DistantLight& l) { add(l.direction); }
-  void add(const PointLight& l) { add(l.position); }
-  void add(const Light& l) { add_all(l.source, l.color, l.intensity); }
-  void add(const RenderSettings& r) {
-    add_all(r.samples.value_or(1), r.target_rmse, r.budget_ms, r.precision, r.max_depth,
-            r.transfer);
+  void add(const Material& m) {
+    const auto add_effects = [&]<class... Effect>(Types<Effect...>) {
+      (add_fields(static_cast<const Effect&>(m)), ...);
+    };
+    add_effects(MaterialEffects{});
   }
+  void add(const Object& o) { add_all(o.shape, o.material); }
+  void add(const Light& l) {
+    add(l.source);
+    add_fields(l);
+  }
+  template <typename Structure>
+  requires requires { Structure::fields; }
+  void add(const Structure& structure) { add_fields(structure); }
 
   template <typename... T>
   void add_all(const T&... values) {
     (add(values), ...);
+  }
+
+  template <typename Structure>
+  void add_fields(const Structure& structure) {
+    for_each_field(Structure::fields, [&](const auto& row) { add(structure.*row.member); });
   }
 
   std::string take() && { return std::move(bytes_); }
@@ -89,13 +93,16 @@ class Bytes {
 
 std::string canonical_content(const Scene& s) {
   Bytes bytes;
-  bytes.add_all(s.background, s.ambient, s.shadows, s.lights, s.materials, s.objects);
+  bytes.add_fields(s);
+  bytes.add_all(s.lights, s.materials, s.objects);
   return std::move(bytes).take();
 }
 
 std::string canonical_view(const Scene& s) {
   Bytes bytes;
-  bytes.add_all(s.camera, s.render);
+  RenderSettings render = s.render;
+  render.samples = render.samples.value_or(1);
+  bytes.add_all(s.camera, render);
   return std::move(bytes).take();
 }
 

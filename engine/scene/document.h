@@ -28,7 +28,7 @@ struct Document {
     JsonKind kind = JsonKind::null;
     std::uint32_t end = 0;  ///< the index behind this value and all that it contains
     union {
-      double number = 0;  ///< not a number where the text has one beyond all doubles
+      double number = 0;  ///< of true 1; not a number where the text has one beyond all doubles
       Span string;        ///< a piece of `source`, or behind its end of `text`
       Span numbers;       ///< of an array: a piece of `numbers` instead of nodes, if not empty
     };
@@ -58,6 +58,7 @@ class JsonValue {
 
   JsonKind kind() const { return document_ == nullptr ? JsonKind::number : node().kind; }
   double number() const { return document_ == nullptr ? number_ : node().number; }
+  bool boolean() const { return node().number != 0; }
   std::string_view string() const { return document_->string(node().string); }
 
   /// The elements of an array of numbers; nothing if it has others, or they are kept as nodes.

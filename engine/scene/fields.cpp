@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 
+#include "engine/scene/camera.h"
 #include "engine/scene/nearest_key.h"
 
 namespace raytracer {
@@ -34,6 +36,10 @@ bool expect(const Field& field, JsonKind kind, std::string_view wanted) {
   return false;
 }
 
+std::optional<double> number_within(const Field& field, const ValueRange& range) {
+  return read(field, NumberRule{range}, ObjectReader(field));
+}
+
 /// Exactly three numbers within `range`.
 std::optional<Vec3> read_triple(const Field& field, const ValueRange& range,
                                 std::string_view wanted) {
@@ -43,7 +49,7 @@ std::optional<Vec3> read_triple(const Field& field, const ValueRange& range,
   std::array<std::optional<double>, 3> numbers;
   std::size_t count = 0;
   read_elements(field, [&](const Field& element) {
-    if (count < numbers.size()) numbers[count] = read_number(element, range);
+    if (count < numbers.size()) numbers[count] = number_within(element, range);
     ++count;
   });
   if (count != numbers.size()) {
@@ -52,6 +58,26 @@ std::optional<Vec3> read_triple(const Field& field, const ValueRange& range,
   }
   if (!numbers[0] || !numbers[1] || !numbers[2]) return {};
   return Vec3{*numbers[0], *numbers[1], *numbers[2]};
+}
+
+/// Nothing also for what is beyond all doubles, as was noted when it was parsed.
+std::optional<double> any_double(const Field& field, std::string_view wanted) {
+  if (!expect(field, JsonKind::number, wanted)) return {};
+  const double value = field.value.number();
+  if (std::isnan(value)) return {};
+  return value;
+}
+
+std::optional<double> integer_within(const Field& field, const ValueRange& range) {
+  const std::optional<double> value = any_double(field, "an integer");
+  if (!value) return {};
+  if (*value != std::floor(*value)) {
+    field.refuse(fmt::format("{} must be an integer", *value));
+    return {};
+  }
+  if (range.contains(*value)) return value;
+  field.refuse(fmt::format("{} is out of range: must be an integer {}", *value, range.describe()));
+  return {};
 }
 
 int hex_digit(char c) {
@@ -63,12 +89,6 @@ int hex_digit(char c) {
 
 }  // namespace
 
-std::string ValueRange::describe() const {
-  if (std::isinf(least)) return fmt::format("at most {}", most);
-  if (std::isinf(most)) return fmt::format("{} {}", least_excluded ? "above" : "at least", least);
-  return fmt::format("{} {} to {}", least_excluded ? "above" : "from", least, most);
-}
-
 std::span<const double> numbers_within(const JsonValue& value, const ValueRange& range) {
   const std::span<const double> numbers = value.numbers();
   const bool is_valid = std::all_of(numbers.begin(), numbers.end(),
@@ -76,30 +96,37 @@ std::span<const double> numbers_within(const JsonValue& value, const ValueRange&
   return is_valid ? numbers : std::span<const double>{};
 }
 
-std::optional<double> read_number(const Field& field, const ValueRange& range) {
-  if (!expect(field, JsonKind::number, "a number")) return {};
-  const double value = field.value.number();
-  if (std::isnan(value)) return {};  // beyond all doubles, as was noted when it was parsed
-  if (range.contains(value)) return value;
-  field.refuse(fmt::format("{} is out of range: must be {}", value, range.describe()));
+std::optional<double> read(const Field& field, const NumberRule& rule, const ObjectReader&) {
+  const std::optional<double> value = any_double(field, "a number");
+  if (!value || rule.range.contains(*value)) return value;
+  field.refuse(fmt::format("{} is out of range: must be {}", *value, rule.range.describe()));
   return {};
 }
 
-std::optional<std::int64_t> read_integer(const Field& field, std::int64_t least,
-                                         std::int64_t most) {
-  if (!expect(field, JsonKind::number, "an integer")) return {};
-  const double value = field.value.number();
-  if (std::isnan(value)) return {};
-  if (value != std::floor(value)) {
-    field.refuse(fmt::format("{} must be an integer", value));
-    return {};
-  }
-  const ValueRange range{.least = static_cast<double>(least), .most = static_cast<double>(most)};
-  if (!range.contains(value)) {
-    field.refuse(fmt::format("{} is out of range: must be an integer {}", value, range.describe()));
-    return {};
-  }
-  return static_cast<std::int64_t>(value);
+std::optional<std::int64_t> read(const Field& field, const IntegerRule& rule, const ObjectReader&) {
+  const std::optional<double> value = integer_within(
+      field, {.least = static_cast<double>(rule.least), .most = static_cast<double>(rule.most)});
+  if (!value) return {};
+  return static_cast<std::int64_t>(*value);
+}
+
+std::optional<int> read(const Field& field, const CountRule& rule, const ObjectReader&) {
+  const std::optional<double> value =
+      integer_within(field, {.least = static_cast<double>(rule.least)});
+  if (!value) return {};
+  return static_cast<int>(std::min<double>(*value, std::numeric_limits<int>::max()));
+}
+
+std::optional<bool> read(const Field& field, const FlagRule&, const ObjectReader&) {
+  if (!expect(field, JsonKind::boolean, "true or false")) return {};
+  return field.value.boolean();
+}
+
+std::optional<double> read(const Field& field, const FieldOfViewRule&, const ObjectReader&) {
+  const std::optional<double> angle = any_double(field, "a number");
+  if (!angle || is_field_of_view(*angle)) return angle;
+  field.refuse(fmt::format("{} is out of range: {}", *angle, fov_rule));
+  return {};
 }
 
 std::optional<std::string_view> read_string(const Field& field) {
@@ -107,18 +134,26 @@ std::optional<std::string_view> read_string(const Field& field) {
   return field.value.string();
 }
 
-std::optional<Vec3> read_point(const Field& field) {
+std::optional<Vec3> read(const Field& field, const PointRule&, const ObjectReader&) {
   return read_triple(field, any_number, "three numbers");
 }
 
-std::optional<Vec3> read_direction(const Field& field) {
-  const std::optional<Vec3> direction = read_point(field);
+std::optional<Vec3> read(const Field& field, const OtherPointRule& rule, const ObjectReader& of) {
+  const std::optional<Vec3> point = read(field, PointRule{}, of);
+  const auto other = of.peek(rule.other, [&](const Field& f) { return read(f, PointRule{}, of); });
+  if (!point || point != other) return point;
+  field.refuse(fmt::format("must differ from {}: {}", rule.other, rule.reason));
+  return {};
+}
+
+std::optional<Vec3> read(const Field& field, const DirectionRule&, const ObjectReader&) {
+  const std::optional<Vec3> direction = read_triple(field, any_number, "three numbers");
   if (direction != Vec3{}) return direction;
   field.refuse("the zero vector has no direction");
   return {};
 }
 
-std::optional<Rgb> read_color(const Field& field) {
+std::optional<Rgb> read(const Field& field, const ColorRule&, const ObjectReader&) {
   constexpr std::string_view wanted = "three numbers from 0 to 1 or \"#rrggbb\"";
   if (field.value.kind() != JsonKind::string) return read_triple(field, unit_interval, wanted);
   const std::string_view text = field.value.string();
@@ -150,7 +185,7 @@ std::optional<std::size_t> read_choice(const Field& field,
 
 bool expect_array(const Field& field) { return expect(field, JsonKind::array, "an array"); }
 
-ObjectReader::ObjectReader(const Field& field, std::initializer_list<std::string_view> known)
+ObjectReader::ObjectReader(const Field& field, std::span<const std::string_view> known)
     : field_(field), is_object_(expect(field, JsonKind::object, "an object")) {
   if (!is_object_) return;
   std::set<std::string_view> unknown;  // each once, though it stands twice
@@ -159,10 +194,18 @@ ObjectReader::ObjectReader(const Field& field, std::initializer_list<std::string
     if (!unknown.insert(key).second) return;
     const Path path = field.path.child(key);
     Field{value, path, field.errors}.refuse_by([&] {
-      return fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key,
-                         nearest_key(key, std::span(known.begin(), known.size())));
+      return fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key, nearest_key(key, known));
     });
   });
+}
+
+std::optional<std::size_t> ObjectReader::element_count(std::string_view key) const {
+  const auto value = is_object_ ? field_.value.member(key) : std::nullopt;
+  if (!value || value->kind() != JsonKind::array) return {};
+  std::size_t count = value->numbers().size();
+  if (count > 0) return count;
+  value->for_each_element([&](JsonValue) { ++count; });
+  return count;
 }
 
 }  // namespace raytracer

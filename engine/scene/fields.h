@@ -6,14 +6,16 @@
 
 #include <fmt/format.h>
 
-#include <initializer_list>
-#include <limits>
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "engine/fields/field_table.h"
 #include "engine/math/vec.h"
 #include "engine/scene/document.h"
 #include "engine/scene/error_list.h"
@@ -39,45 +41,9 @@ struct Field {
   }
 };
 
-/// An interval of doubles, with the words for it.
-struct ValueRange {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
-  bool least_excluded = false;
-
-  bool contains(double value) const {
-    return (least_excluded ? value > least : value >= least) && value <= most;
-  }
-  std::string describe() const;
-};
-
-inline constexpr ValueRange any_number{};
-inline constexpr ValueRange not_negative{.least = 0};
-inline constexpr ValueRange positive{.least = 0, .least_excluded = true};
-inline constexpr ValueRange unit_interval{.least = 0, .most = 1};
-
 /// The elements of an array of numbers, if all are in `range`; otherwise nothing, and no error:
 /// large scenes are made of these, and one that fails is looked at again number by number.
 std::span<const double> numbers_within(const JsonValue& value, const ValueRange& range);
-
-std::optional<double> read_number(const Field& field, const ValueRange& range = any_number);
-
-/// A number without a fraction, 3 and 3.0 alike, from `least` to `most`.
-std::optional<std::int64_t> read_integer(const Field& field, std::int64_t least, std::int64_t most);
-
-std::optional<std::string_view> read_string(const Field& field);
-
-/// Three numbers.
-std::optional<Vec3> read_point(const Field& field);
-
-/// Three numbers, not all of them 0.
-std::optional<Vec3> read_direction(const Field& field);
-
-/// Three numbers in [0, 1], or "#rrggbb".
-std::optional<Rgb> read_color(const Field& field);
-
-/// The index of the string among `words`.
-std::optional<std::size_t> read_choice(const Field& field, std::span<const std::string_view> words);
 
 /// True for an array; notes an error otherwise.
 bool expect_array(const Field& field);
@@ -96,7 +62,7 @@ void read_elements(const Field& field, Read read) {
 /// that is not among `known`, with the nearest that is.
 class ObjectReader {
  public:
-  ObjectReader(const Field& field, std::initializer_list<std::string_view> known);
+  ObjectReader(const Field& field, std::span<const std::string_view> known);
   /// Of whatever keys, and of a value that has none if it is no object.
   explicit ObjectReader(const Field& field)
       : field_(field), is_object_(field.value.kind() == JsonKind::object) {}
@@ -114,6 +80,19 @@ class ObjectReader {
       field_.errors.add(ErrorKind::invalid, field_.path.child(key),
                         fmt::format("\"{}\" is required", key));
   }
+
+  /// What read(Field) makes of the member `key`, its errors unheard.
+  template <typename Read>
+  auto peek(std::string_view key, const Read& read) const -> decltype(read(std::declval<Field>())) {
+    const auto value = is_object_ ? field_.value.member(key) : std::nullopt;
+    if (!value) return {};
+    ErrorList unheard;
+    const Path path = field_.path.child(key);
+    return read(Field{*value, path, unheard});
+  }
+
+  /// How many elements the array at `key` has; nothing if there is no array there.
+  std::optional<std::size_t> element_count(std::string_view key) const;
 
  private:
   template <typename T, typename Value>
@@ -138,5 +117,51 @@ class ObjectReader {
   const Field& field_;
   bool is_object_;
 };
+
+// One function for each rule of engine/fields/field_rules.h. `of` is the object that the field is
+// in.
+std::optional<double> read(const Field& field, const NumberRule& rule, const ObjectReader& of);
+std::optional<std::int64_t> read(const Field& field, const IntegerRule& rule,
+                                 const ObjectReader& of);
+std::optional<int> read(const Field& field, const CountRule& rule, const ObjectReader& of);
+std::optional<bool> read(const Field& field, const FlagRule& rule, const ObjectReader& of);
+std::optional<double> read(const Field& field, const FieldOfViewRule& rule, const ObjectReader& of);
+std::optional<Vec3> read(const Field& field, const PointRule& rule, const ObjectReader& of);
+std::optional<Vec3> read(const Field& field, const OtherPointRule& rule, const ObjectReader& of);
+std::optional<Vec3> read(const Field& field, const DirectionRule& rule, const ObjectReader& of);
+std::optional<Rgb> read(const Field& field, const ColorRule& rule, const ObjectReader& of);
+std::optional<std::vector<Vec3>> read(const Field& field, const PointsRule& rule,
+                                      const ObjectReader& of);
+std::optional<std::vector<Vec3>> read(const Field& field, const OtherPointPerItemRule& rule,
+                                      const ObjectReader& of);
+std::optional<std::vector<double>> read(const Field& field, const NumberPerItemRule& rule,
+                                        const ObjectReader& of);
+std::optional<std::vector<Rgb>> read(const Field& field, const ColorPerItemRule& rule,
+                                     const ObjectReader& of);
+std::optional<std::vector<std::array<std::uint32_t, 3>>> read(const Field& field,
+                                                              const TriplesRule& rule,
+                                                              const ObjectReader& of);
+
+/// The index of the string among `words`.
+std::optional<std::size_t> read_choice(const Field& field, std::span<const std::string_view> words);
+template <std::size_t count>
+std::optional<std::size_t> read(const Field& field, const ChoiceRule<count>& rule,
+                                const ObjectReader&) {
+  return read_choice(field, rule.words);
+}
+
+std::optional<std::string_view> read_string(const Field& field);
+
+/// Sets the members of `owner` whose fields are there and right.
+template <typename Owner, typename... Fields>
+void read_fields(const ObjectReader& object, const std::tuple<Fields...>& table, Owner& owner) {
+  for_each_field(table, [&](const auto& row) {
+    const auto read_row = [&](const Field& field) { return read(field, row.rule, object); };
+    if (row.is_required)
+      object.required(row.key, owner.*row.member, read_row);
+    else
+      object.optional(row.key, owner.*row.member, read_row);
+  });
+}
 
 }  // namespace raytracer

@@ -1,6 +1,7 @@
 #include "engine/scene/materials.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <tuple>
 
@@ -11,27 +12,17 @@ namespace {
 
 /// The material as far as it is right: what is wrong was noted, and the scene is refused anyway.
 Material read_material(const Field& field) {
-  const ObjectReader object(field, {"color", "ka", "kd", "ks", "shininess", "reflectivity"});
-  const auto read_share = [](const Field& f) { return read_number(f, unit_interval); };
   Material material;
-  object.optional("color", material.color, read_color);
-  object.optional("ka", material.ka, read_share);
-  object.optional("kd", material.kd, read_share);
-  object.optional("ks", material.ks, read_share);
-  object.optional("shininess", material.shininess,
-                  [](const Field& f) { return read_number(f, not_negative); });
-  object.optional("reflectivity", material.reflectivity, read_share);
+  const auto read_all = [&]<class... Effect>(Types<Effect...>) {
+    static constexpr auto fields = std::tuple_cat(Effect::fields...);
+    const ObjectReader object(field, keys_of(fields, std::array<std::string_view, 0>{}));
+    read_fields(object, fields, material);
+  };
+  read_all(MaterialEffects{});
   return material;
 }
 
 }  // namespace
-
-bool MaterialReader::Less::operator()(const Material& a, const Material& b) const {
-  const auto tie = [](const Material& m) {
-    return std::tie(m.color.x, m.color.y, m.color.z, m.ka, m.kd, m.ks, m.shininess, m.reflectivity);
-  };
-  return tie(a) < tie(b);
-}
 
 void MaterialReader::read_named(const Field& field) {
   if (field.value.kind() != JsonKind::object) {

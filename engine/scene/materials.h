@@ -31,15 +31,12 @@ class MaterialReader {
     Material material;
     std::optional<MaterialIndex> index;  ///< once used
   };
-  struct Less {
-    bool operator()(const Material& a, const Material& b) const;
-  };
 
   MaterialIndex use(const Material& material);
 
   std::unordered_map<std::string_view, Named> named_;
   std::vector<std::string_view> names_;
-  std::map<Material, MaterialIndex, Less> indices_;
+  std::map<Material, MaterialIndex> indices_;
   std::vector<Material> used_;
 };
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/scene/camera_rules.h"
+#include "engine/scene/camera.h"
 
 namespace raytracer {
 namespace {

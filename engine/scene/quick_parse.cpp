@@ -161,6 +161,7 @@ class QuickParser {
     if (!std::string_view(at_, rest).starts_with(word)) return false;
     at_ += word.size();
     append_node(kind);
+    document_.nodes.back().number = word == "true" ? 1 : 0;
     return true;
   }
 

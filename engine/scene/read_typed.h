@@ -1,23 +1,20 @@
 // Values that say themselves what they are: {"type": "sphere", ...}.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
-#include <utility>
 
+#include "engine/fields/types.h"
 #include "engine/scene/fields.h"
 
 namespace raytracer {
 
-/// A table from a "type" to the function that reads the rest.
-template <typename T, std::size_t count>
-using TypedReaders = std::array<std::pair<std::string_view, T (*)(const Field&)>, count>;
-
-/// Reads an object by the table's row for its "type"; nothing if there is no such row.
-template <typename T, std::size_t count>
-std::optional<T> read_typed(const Field& field, const TypedReaders<T, count>& readers) {
+/// Reads an object as that of the documents whose `type` it says; nothing if there is none.
+/// `also` are keys that all of them may have.
+template <typename Variant, typename... Document, std::size_t also_count>
+std::optional<Variant> read_typed(const Field& field, Types<Document...>,
+                                  const std::array<std::string_view, also_count>& also) {
   if (field.value.kind() != JsonKind::object) {
     const ObjectReader complain(field, {});
     return {};
@@ -28,12 +25,21 @@ std::optional<T> read_typed(const Field& field, const TypedReaders<T, count>& re
     field.errors.add(ErrorKind::invalid, path, "\"type\" is required");
     return {};
   }
-  std::array<std::string_view, count> words;
-  std::transform(readers.begin(), readers.end(), words.begin(),
-                 [](const auto& row) { return row.first; });
+  static constexpr std::array<std::string_view, sizeof...(Document)> words{Document::type...};
   const std::optional<std::size_t> type = read_choice({*value, path, field.errors}, words);
   if (!type) return {};
-  return readers[*type].second(field);
+  std::optional<Variant> read;
+  const auto read_as = [&]<typename Type>(std::type_identity<Type>) {
+    if (words[*type] != Type::type) return;
+    std::array<std::string_view, also_count + 1> others{"type"};
+    std::copy(also.begin(), also.end(), others.begin() + 1);
+    const ObjectReader object(field, keys_of(Type::fields, others));
+    Type document;
+    read_fields(object, Type::fields, document);
+    read = std::move(document);
+  };
+  (read_as(std::type_identity<Document>{}), ...);
+  return read;
 }
 
 }  // namespace raytracer

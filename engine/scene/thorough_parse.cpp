@@ -73,7 +73,11 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
       : text_(text), huge_numbers_(huge_numbers), document_(document) {}
 
   bool null() override { return leaf(JsonKind::null); }
-  bool boolean(bool) override { return leaf(JsonKind::boolean); }
+  bool boolean(bool value) override {
+    leaf(JsonKind::boolean);
+    document_.nodes.back().number = value ? 1 : 0;
+    return true;
+  }
   bool number_integer(std::int64_t value) override { return number(static_cast<double>(value)); }
   bool number_unsigned(std::uint64_t value) override { return number(static_cast<double>(value)); }
   bool number_float(double value, const std::string&) override { return number(value); }

@@ -26,13 +26,13 @@ json first_sphere(const Vec3& center, double radius) {
 const double disc_radius_px =
     0.4 / std::sqrt(1 - 0.4 * 0.4) * width / (2 * std::tan(std::numbers::pi / 3));
 
-TEST(Disc, OfTheFirstSphereHasTheRadiusOfTheFormulaByItsArea) {
+TEST(Disc, of_the_first_sphere_has_the_radius_of_the_formula_by_its_area) {
   EXPECT_NEAR(disc_radius_px, 88.19, 0.01);
   const int lit = count_lit(image_of(first_sphere({0, 0, 1}, 0.4)));
   EXPECT_NEAR(std::sqrt(lit / std::numbers::pi), disc_radius_px, 0.05);
 }
 
-TEST(Disc, OfTheFirstSphereHasTheRadiusOfTheFormulaByItsExtents) {
+TEST(Disc, of_the_first_sphere_has_the_radius_of_the_formula_by_its_extents) {
   const Image image = image_of(first_sphere({0, 0, 1}, 0.4));
   int left = width, right = -1, top = height, bottom = -1;
   for (int y = 0; y < height; ++y) {
@@ -51,7 +51,7 @@ TEST(Disc, OfTheFirstSphereHasTheRadiusOfTheFormulaByItsExtents) {
   EXPECT_EQ(top + bottom, height - 1);
 }
 
-TEST(Disc, OfTheFirstSphereHasEveryPixelWhoseCentreLiesWithin) {
+TEST(Disc, of_the_first_sphere_has_every_pixel_whose_centre_lies_within) {
   const Image image = image_of(first_sphere({0, 0, 1}, 0.4));
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -62,7 +62,7 @@ TEST(Disc, OfTheFirstSphereHasEveryPixelWhoseCentreLiesWithin) {
   }
 }
 
-TEST(Disc, LiesToTheRightForAPositiveXAndAboveForAPositiveY) {
+TEST(Disc, lies_to_the_right_for_a_positive_x_and_above_for_a_positive_y) {
   // The point (0.2, 0.1, 1) is 0.2 * 350 / sqrt(3) right of and half of that above the middle.
   const Image image = image_of(first_sphere({0.2, 0.1, 1}, 0.01));
   const double scale = width / (2 * std::sqrt(3.0));

@@ -11,7 +11,7 @@ json mirror(double reflectivity) {
   return {{"ka", 1}, {"kd", 0}, {"ks", 0}, {"reflectivity", reflectivity}};
 }
 
-TEST(Reflection, OfTheBackgroundNeedsADepthOfOne) {
+TEST(Reflection, of_the_background_needs_a_depth_of_one) {
   json text = document(camera_json(), {plane_json({0, 0, 5}, {0, 0, 1}, mirror(0.5))});
   text["background"] = {0.2, 0.4, 0.8};
   text["render"]["max_depth"] = 0;
@@ -22,7 +22,7 @@ TEST(Reflection, OfTheBackgroundNeedsADepthOfOne) {
   }
 }
 
-TEST(Reflection, BetweenFacingMirrorsIsAGeometricSeries) {
+TEST(Reflection, between_facing_mirrors_is_a_geometric_series) {
   json text = document(camera_json(), {plane_json({0, 0, 5}, {0, 0, 1}, mirror(0.5)),
                                        plane_json({0, 0, -3}, {0, 0, 1}, mirror(0.5))});
   text["shadows"] = "ambient";
@@ -36,7 +36,7 @@ TEST(Reflection, BetweenFacingMirrorsIsAGeometricSeries) {
   }
 }
 
-TEST(Reflection, OfAPerfectMirrorPairEndsAtMaxDepth) {
+TEST(Reflection, of_a_perfect_mirror_pair_ends_at_max_depth) {
   json text = document(camera_json(), {plane_json({0, 0, 5}, {0, 0, 1}, mirror(1)),
                                        plane_json({0, 0, -3}, {0, 0, 1}, mirror(1))});
   text["shadows"] = "ambient";
@@ -47,7 +47,7 @@ TEST(Reflection, OfAPerfectMirrorPairEndsAtMaxDepth) {
   }
 }
 
-TEST(Reflection, LeavesAtTheAngleOfIncidence) {
+TEST(Reflection, leaves_at_the_angle_of_incidence) {
   // The ray along +z meets a mirror of normal (1, 0, -1) and leaves along +x.
   json text = document(camera_json(), {plane_json({0, 0, 5}, {1, 0, -1}, mirror(1)),
                                        sphere_json({4, 0, 5}, 0.1, mirror(0))});
@@ -60,7 +60,7 @@ TEST(Reflection, LeavesAtTheAngleOfIncidence) {
   expect_gray(text, 0);
 }
 
-TEST(Reflection, InsideASphereComesBackToItsCentre) {
+TEST(Reflection, inside_a_sphere_comes_back_to_its_centre) {
   json text = document(camera_json(), {sphere_json({0, 0, 0}, 2, mirror(0.5))});
   text["shadows"] = "ambient";
   text["ambient"] = 0.4;
@@ -68,14 +68,14 @@ TEST(Reflection, InsideASphereComesBackToItsCentre) {
   expect_gray(text, 0.4 * 1.75);
 }
 
-TEST(Reflection, IsNotTintedByTheMirrorsColor) {
+TEST(Reflection, is_not_tinted_by_the_mirrors_color) {
   json text = document(camera_json(), {plane_json({0, 0, 5}, {0, 0, 1}, mirror(0.5))});
   text["objects"][0]["material"]["color"] = {1, 0, 0};
   text["background"] = {0.5, 0.5, 0.5};
   expect_gray(text, 0.25);
 }
 
-TEST(Reflection, SeesTheLitSideOfWhatIsBehindTheCamera) {
+TEST(Reflection, sees_the_lit_side_of_what_is_behind_the_camera) {
   json text = document(camera_json(),
                        {plane_json({0, 0, 5}, {0, 0, 1}, mirror(0.5)),
                         sphere_json({0, 0, -5}, 1, diffuse_material())},

@@ -33,18 +33,18 @@ json half_covered(double left, double right, double intensity, int samples) {
   return text;
 }
 
-TEST(Pixel, IsClampedBeforeItIsAveraged) {
+TEST(Pixel, is_clamped_before_it_is_averaged) {
   expect_gray(half_covered(0.5, 0.5, 10, 16), 0.5);
   expect_gray(half_covered(0.25, 0.25, 1e300, 16), 0.25);
 }
 
-TEST(Pixel, IsEncodedAfterItIsAveraged) {
+TEST(Pixel, is_encoded_after_it_is_averaged) {
   json text = half_covered(0.5, 0.5, 1, 16);
   text["render"]["transfer"] = "srgb";
   expect_gray(text, 0.7353569830524495);
 }
 
-TEST(Pixel, OfOneSampleIsItsCentre) {
+TEST(Pixel, of_one_sample_is_its_centre) {
   EXPECT_EQ(only_color(half_covered(0.499, 0.499, 1, 1)).x, 0);
   expect_gray(half_covered(0.501, 0.501, 1, 1), 1);
   expect_gray(half_covered(0, 1.01, 1, 1), 1);
@@ -52,7 +52,7 @@ TEST(Pixel, OfOneSampleIsItsCentre) {
 }
 
 /// Sums of many equal singles lose what is below the last digit of the sum: here once 8e-4.
-TEST(Pixel, OfManySamplesIsTheirMean) {
+TEST(Pixel, of_many_samples_is_their_mean) {
   const Vec3 color{0.53, 0.8, 0.92};
   json text = document(camera_json(16, 8, 0.6, {0, 0, -5}, {}),
                        {sphere_json({2, 0, 0}, 2, constant_material(color))});
@@ -65,7 +65,7 @@ TEST(Pixel, OfManySamplesIsTheirMean) {
     EXPECT_LT(distance(color_at(image, x, 4), color), 1e-6) << x;
 }
 
-TEST(Pixel, OnAnEdgeApproachesItsExactCoverage) {
+TEST(Pixel, on_an_edge_approaches_its_exact_coverage) {
   for (const auto& [left, right] : {std::pair{0.3, 0.4}, {0.1, 0.9}, {0.73, 0.21}, {0.02, 0.07}}) {
     const double coverage = (left + right) / 2;
     EXPECT_NEAR(only_color(half_covered(left, right, 1, 1024)).x, coverage, 0.003);
@@ -74,7 +74,7 @@ TEST(Pixel, OnAnEdgeApproachesItsExactCoverage) {
 }
 
 /// With random samples the root of the mean would be 0.054.
-TEST(Pixel, OnAnEdgeErrsLittleByFewSamples) {
+TEST(Pixel, on_an_edge_errs_little_by_few_samples) {
   constexpr int steps = 12;
   double squares = 0;
   for (int i = 0; i < steps; ++i)
@@ -88,7 +88,7 @@ TEST(Pixel, OnAnEdgeErrsLittleByFewSamples) {
   EXPECT_LT(std::sqrt(squares / (steps * steps)), 0.013);
 }
 
-TEST(Contract, OfAccuracyEndsAtItsTargetOrSaysThatItDidNot) {
+TEST(Contract, of_accuracy_ends_at_its_target_or_says_that_it_did_not) {
   json text = half_covered(0.3, 0.4, 1, 1);
   text["render"] = {{"target_rmse", 0.01}};
   const Scene scene = scene_of(text);
@@ -105,7 +105,7 @@ TEST(Contract, OfAccuracyEndsAtItsTargetOrSaysThatItDidNot) {
   EXPECT_LE(limited.samples_per_pixel, 2);
 }
 
-TEST(Contract, OfTimeEndsInTime) {
+TEST(Contract, of_time_ends_in_time) {
   json text = half_covered(0.3, 0.4, 1, 1);
   text["render"] = {{"budget_ms", 60}};
   WorkerPool pool(2);
@@ -139,7 +139,7 @@ json two_balls_on_a_plane() {
                   {distant_json({-1, -2, 1})});
 }
 
-TEST(Render, SaysItsError) {
+TEST(Render, says_its_error) {
   json text = two_balls_on_a_plane();
   WorkerPool pool(2);
   const auto with = [&](int samples) {
@@ -170,7 +170,7 @@ const json hidden_triangle =
     mesh_json({{1.5, 0.5, -1}, {1.6, 0.5, -1}, {1.5, 0.6, -1}}, {{0, 1, 2}});
 
 /// An edge of 0.2 % is an edge.
-TEST(Contract, OfLittleContrastSeesIt) {
+TEST(Contract, of_little_contrast_sees_it) {
   json text = document(
       camera_json(200, 150, 0.9, {0, 3, -9}, {0, 0, 0}),
       {sphere_json({-1.5, 1, 0}, 1.5, constant_material({0.5, 0.5, 0.5})),
@@ -190,7 +190,7 @@ TEST(Contract, OfLittleContrastSeesIt) {
 
 /// A far square's lattice beats with that of the samples: its error was estimated at 0.9 of itself
 /// here, and the target missed by a tenth.
-TEST(Contract, OfAccuracyIsKeptWhereALatticeIsFinerThanPixels) {
+TEST(Contract, of_accuracy_is_kept_where_a_lattice_is_finer_than_pixels) {
   json text = json::parse(R"({
     "camera": {"origin": [0, 8, -20], "look_at": [0, -1, 0], "fov": 1, "width": 88, "height": 63},
     "background": [0.53, 0.8, 0.92], "ambient": 0.1, "shadows": "black",
@@ -212,7 +212,7 @@ TEST(Contract, OfAccuracyIsKeptWhereALatticeIsFinerThanPixels) {
 
 /// Stars of hundredths of a pixel. What missing one costs was estimated for the 16 pixels about it,
 /// which got as many samples each, and the target was missed by a quarter.
-TEST(Contract, OfAccuracyIsKeptWhereStarsAreSmallerThanPixels) {
+TEST(Contract, of_accuracy_is_kept_where_stars_are_smaller_than_pixels) {
   std::ifstream file(SCENES_DIRECTORY "/earth-and-pebble.json");
   json text = json::parse(file);
   for (const auto& [width, height] : {std::pair{44, 31}, {52, 37}, {61, 43}}) {
@@ -227,7 +227,7 @@ TEST(Contract, OfAccuracyIsKeptWhereStarsAreSmallerThanPixels) {
 
 /// With fewer samples than can be compared there is one estimate for one image, and no target that
 /// is said to be reached.
-TEST(Contract, OfFewSamplesDoesNotPretend) {
+TEST(Contract, of_few_samples_does_not_pretend) {
   json text = two_balls_on_a_plane();
   WorkerPool pool(2);
   for (const int most : {1, 2, 3, 4, 7}) {
@@ -249,7 +249,7 @@ TEST(Contract, OfFewSamplesDoesNotPretend) {
   }
 }
 
-TEST(Contract, OfNoTimeIsACoarsePictureAndSaysItsError) {
+TEST(Contract, of_no_time_is_a_coarse_picture_and_says_its_error) {
   json text = two_balls_on_a_plane();
   WorkerPool pool(2);
   RenderProgress progress;
@@ -267,7 +267,7 @@ TEST(Contract, OfNoTimeIsACoarsePictureAndSaysItsError) {
   EXPECT_LT(*coarse.estimated_error, 2 * error);
 }
 
-TEST(Render, ThatIsStoppedSaysSo) {
+TEST(Render, that_is_stopped_says_so) {
   WorkerPool pool(2);
   RenderProgress progress;
   progress.stop = true;
@@ -275,7 +275,7 @@ TEST(Render, ThatIsStoppedSaysSo) {
             Stop::cancelled);
 }
 
-TEST(Render, ReportsItsProgressUpToOne) {
+TEST(Render, reports_its_progress_up_to_one) {
   json text = half_covered(0.3, 0.4, 1, 4);
   text["camera"]["width"] = 100;
   WorkerPool pool(2);
@@ -287,7 +287,7 @@ TEST(Render, ReportsItsProgressUpToOne) {
   EXPECT_EQ(rendering.samples_per_pixel, 4);
 }
 
-TEST(Render, ByAContractIsNotDoneBeforeItsProgressSaysSo) {
+TEST(Render, by_a_contract_is_not_done_before_its_progress_says_so) {
   json text =
       document(camera_json(100, 100), {sphere_json({0, 0, 5}, 1)}, {distant_json({0, 0, 1})});
   text["render"] = {{"target_rmse", 1e-6}};

@@ -2,12 +2,11 @@
 //
 // The one pixel's ray goes along +z and meets a plane at (0, 0, 5): N = V = (0, 0, -1).
 
-#include "engine/kernel/shading.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "engine/materials/blinn_phong/blinn_phong.h"
 #include "tests/analytic/expect_color.h"
 
 namespace raytracer::test {
@@ -26,7 +25,7 @@ json wall(double ka, double kd, double ks, double shininess) {
                      {"shininess", shininess}});
 }
 
-TEST(Shading, AddsAmbientDiffuseAndHighlightEachTimesTheColor) {
+TEST(Shading, adds_ambient_diffuse_and_highlight_each_times_the_color) {
   // L = (0.6, 0, -0.8): N.L = 0.8; H = unit(0.6, 0, -1.8): (H.N)^2 = 0.9, so (H.N)^10 = 0.9^5.
   const Vec3 light_color{1, 0.8, 0.6};
   json text = document(camera_json(), {wall(0.5, 0.4, 0.3, 10)},
@@ -36,21 +35,21 @@ TEST(Shading, AddsAmbientDiffuseAndHighlightEachTimesTheColor) {
                          color * light_color * ((0.4 * 0.8 + 0.3 * std::pow(0.9, 5)) * 0.9));
 }
 
-TEST(Shading, HighlightOfShininessZeroIsKsEverywhere) {
+TEST(Shading, highlight_of_shininess_zero_is_ks_everywhere) {
   expect_color(document(camera_json(), {wall(0, 0, 0.5, 0)}, {distant_json({-0.6, 0, 0.8})}),
                color * 0.5);
 }
 
-TEST(Shading, HighlightOfAHugeShininessIsNoNaN) {
+TEST(Shading, highlight_of_a_huge_shininess_is_no_nan) {
   expect_color(document(camera_json(), {wall(0, 0, 0.5, 1e300)}, {distant_json({0, 0, 1})}),
                color * 0.5);
   expect_color(document(camera_json(), {wall(0, 0, 0.5, 1e300)}, {distant_json({-0.6, 0, 0.8})}),
                {0, 0, 0});
 }
 
-TEST(Shading, ZeroToTheZeroIsOne) {
-  Material material{.color = color, .ka = 0, .kd = 0, .ks = 0.5, .shininess = 0};
-  const Illumination light{{1, 0, 0}, 1, {1, 1, 1}};
+TEST(Shading, zero_to_the_zero_is_one) {
+  BlinnPhong material{.color = color, .ka = 0, .kd = 0, .ks = 0.5, .shininess = 0};
+  const ArrivingLight light{{1, 0, 0}, 1, {1, 1, 1}};
   const Vec3 normal{0, 1, 0};  // H.N = 0
   EXPECT_EQ(direct_light(material, light, normal, {1, 0, 0}), color * 0.5);
   EXPECT_EQ(direct_light(material, light, normal, {1, -0.5, 0}), color * 0.5);  // H.N < 0
@@ -58,7 +57,7 @@ TEST(Shading, ZeroToTheZeroIsOne) {
   EXPECT_EQ(direct_light(material, light, normal, {1, 0, 0}), Vec3{});
 }
 
-TEST(Shading, PointLightFallsWithTheSquareOfItsDistance) {
+TEST(Shading, point_light_falls_with_the_square_of_its_distance) {
   for (const double distance_to_light : {0.01, 0.5, 1.0, 2.0, 4.5}) {
     const double intensity = 2 * distance_to_light * distance_to_light;
     expect_color(document(camera_json(), {wall(0, 1, 0, 1)},
@@ -67,20 +66,20 @@ TEST(Shading, PointLightFallsWithTheSquareOfItsDistance) {
   }
 }
 
-TEST(Shading, PointLightIsWeightedByItsAngle) {
+TEST(Shading, point_light_is_weighted_by_its_angle) {
   // From (3, 0, 1) the distance to (0, 0, 5) is 5 and N.L = 4 / 5.
   expect_color(document(camera_json(), {wall(0, 1, 0, 1)}, {point_json({3, 0, 1}, 100)}),
                color * (100 / (4 * pi * 25) * 0.8));
 }
 
-TEST(Shading, DistantLightDoesNotDependOnTheLengthOfItsDirection) {
+TEST(Shading, distant_light_does_not_depend_on_the_length_of_its_direction) {
   for (const double length_of_direction : {1e-300, 1e-3, 7.0, 1e300})
     expect_color(document(camera_json(), {wall(0, 1, 0, 1)},
                           {distant_json(length_of_direction * Vec3{-0.6, 0, 0.8})}),
                  color * 0.8);
 }
 
-TEST(Shading, AmbientCountsOnceForEachVisibleLightUnderBlackShadowsOnly) {
+TEST(Shading, ambient_counts_once_for_each_visible_light_under_black_shadows_only) {
   json text =
       document(camera_json(), {wall(1, 0, 0, 1)},
                {distant_json({0, 0, 1}), distant_json({1, 0, 1}), distant_json({0, 0, -1})});
@@ -91,7 +90,7 @@ TEST(Shading, AmbientCountsOnceForEachVisibleLightUnderBlackShadowsOnly) {
   expect_color(text, color * 0.2);
 }
 
-TEST(Shading, OfASphereUsesItsNormal) {
+TEST(Shading, of_a_sphere_uses_its_normal) {
   // The ray along +z at x = 0 meets the sphere around (0.6, 0, 5), r = 1, at z = 5 - 0.8 with
   // N = (-0.6, 0, -0.8).
   const json text = document(camera_json(), {sphere_json({0.6, 0, 5}, 1, diffuse_material())},
@@ -99,7 +98,7 @@ TEST(Shading, OfASphereUsesItsNormal) {
   expect_color(text, {0.8, 0.8, 0.8});
 }
 
-TEST(Shading, OfAMeshIsTheSameFromBothSides) {
+TEST(Shading, of_a_mesh_is_the_same_from_both_sides) {
   for (const auto& order : {std::array{0, 1, 2}, std::array{0, 2, 1}})
     expect_color(
         document(camera_json(),
@@ -122,25 +121,25 @@ json shadow_scene(const char* shadows, bool is_shadowed, const json& light) {
 constexpr double ambient_part = 0.5 * 0.2;
 constexpr double direct_part = 0.5 * 0.8;
 
-TEST(Shadow, BlackTakesTheAmbientPartToo) {
+TEST(Shadow, black_takes_the_ambient_part_too) {
   const json light = distant_json({-0.6, 0, 0.8});
   expect_gray(shadow_scene("black", false, light), ambient_part + direct_part);
   expect_gray(shadow_scene("black", true, light), 0);
 }
 
-TEST(Shadow, AmbientLeavesTheAmbientPart) {
+TEST(Shadow, ambient_leaves_the_ambient_part) {
   const json light = distant_json({-0.6, 0, 0.8});
   expect_gray(shadow_scene("ambient", false, light), ambient_part + direct_part);
   expect_gray(shadow_scene("ambient", true, light), ambient_part);
 }
 
-TEST(Shadow, OffLeavesAll) {
+TEST(Shadow, off_leaves_all) {
   const json light = distant_json({-0.6, 0, 0.8});
   expect_gray(shadow_scene("off", false, light), ambient_part + direct_part);
   expect_gray(shadow_scene("off", true, light), ambient_part + direct_part);
 }
 
-TEST(Shadow, OfAPointLightIsCastByWhatIsNearerThanTheLightOnly) {
+TEST(Shadow, of_a_point_light_is_cast_by_what_is_nearer_than_the_light_only) {
   const auto light_at = [](double distance_to_light) {
     return point_json(Vec3{0, 0, 5} + distance_to_light * Vec3{0.6, 0, -0.8},
                       4 * pi * distance_to_light * distance_to_light);
@@ -152,7 +151,7 @@ TEST(Shadow, OfAPointLightIsCastByWhatIsNearerThanTheLightOnly) {
   expect_gray(shadow_scene("ambient", false, light_at(5)), ambient_part + direct_part);
 }
 
-TEST(Shadow, IsCastByEveryKindOfObject) {
+TEST(Shadow, is_cast_by_every_kind_of_object) {
   const Vec3 middle = Vec3{0, 0, 5} + 2.5 * Vec3{0.6, 0, -0.8};
   for (const json& object :
        {sphere_json(middle, 0.5), square_json(middle + Vec3{0.3, 0, 0.3}, 0.3, 2),
@@ -169,7 +168,7 @@ TEST(Shadow, IsCastByEveryKindOfObject) {
   }
 }
 
-TEST(Shadow, OfASquareIsCastByALightAlongEachAxis) {
+TEST(Shadow, of_a_square_is_cast_by_a_light_along_each_axis) {
   // A coordinate of the way to the light is 0, of either sign: towards the eye, past the square.
   for (const double zero : {0.0, -0.0}) {
     for (const char* axes : {"xz", "xy", "yz"}) {
@@ -192,7 +191,7 @@ TEST(Shadow, OfASquareIsCastByALightAlongEachAxis) {
   }
 }
 
-TEST(Shadow, IsNotCastByWhatTheLightLiesIn) {
+TEST(Shadow, is_not_cast_by_what_the_light_lies_in) {
   // "Nearer than the light": a light in the ceiling or on a lamp's surface lights the room.
   json text = document(camera_json(64, 48, 1.4, {0.1, 1, -3}, {0, 0, 0}),
                        {plane_json({0, 0, 0}, {0, 1, 0}, diffuse_material()),
@@ -205,7 +204,7 @@ TEST(Shadow, IsNotCastByWhatTheLightLiesIn) {
   EXPECT_EQ(count_different(image_of(text), image_of(without_shadows)), 0);
 }
 
-TEST(Light, ExactlyAtASurfaceLightsNothingThereAndMakesNoNaN) {
+TEST(Light, exactly_at_a_surface_lights_nothing_there_and_makes_no_nan) {
   const Image image =
       image_of(document(camera_json(9, 9), {wall(1, 1, 1, 1)}, {point_json({0, 0, 5}, 100)}));
   for (const float value : image.values) EXPECT_EQ(value, 0);

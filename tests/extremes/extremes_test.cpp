@@ -24,7 +24,7 @@ Scene smaller(Scene scene) {
 
 class Extremes : public testing::TestWithParam<Extreme> {};
 
-TEST_P(Extremes, AreTheExactPicture) {
+TEST_P(Extremes, are_the_exact_picture) {
   const Scene scene = smaller(GetParam().scene);
   WorkerPool pool(2);
   const Plan plan = make_plan(scene, this_machine(1));
@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Extremes, testing::ValuesIn(all_extremes()),
                            return name;
                          });
 
-TEST(Extremes, SomeOfThemAreWrongInSingle) {
+TEST(Extremes, some_of_them_are_wrong_in_single) {
   WorkerPool pool(2);
   int wrong = 0;
   for (const Extreme& extreme : all_extremes()) {
@@ -56,7 +56,7 @@ TEST(Extremes, SomeOfThemAreWrongInSingle) {
   EXPECT_EQ(wrong, 2);
 }
 
-TEST(Extremes, MostOfThemAreRenderedInSingle) {
+TEST(Extremes, most_of_them_are_rendered_in_single) {
   std::size_t in_single = 0;
   const std::vector<Extreme> extremes = all_extremes();
   for (const Extreme& extreme : extremes)

@@ -80,13 +80,13 @@ class Oracle::Search {
     best_ = {kind, object_, part, from_.point + direction_ * t, normal, radius, t};
   }
 
-  void show_sphere(const QuadVec& center, Quad radius, std::size_t part) {
+  void intersect_sphere(const QuadVec& center, Quad radius, std::size_t part) {
     const QuadVec f = from_.point - center;
     const Quad b = -dot(f, direction_);
     if (leaves(part)) {
       // A sphere does not hide itself; from inside its other side is met.
       if (from_.kind == Kind::sphere_outside) return;
-      meet_sphere(center, radius, part, 2 * b, true);
+      take_sphere(center, radius, part, 2 * b, true);
       return;
     }
     const QuadVec across = f + direction_ * b;
@@ -95,21 +95,21 @@ class Oracle::Search {
     const Quad half = square_root(room);
     const Quad c = dot(f, f) - radius * radius;
     if (c > 0) {
-      if (b > 0) meet_sphere(center, radius, part, c / (b + half), false);
+      if (b > 0) take_sphere(center, radius, part, c / (b + half), false);
       return;
     }
     const Quad t = b >= 0 ? b + half : c / (b - half);
-    meet_sphere(center, radius, part, t, true);
+    take_sphere(center, radius, part, t, true);
   }
 
-  void meet_sphere(const QuadVec& center, Quad radius, std::size_t part, Quad t, bool inside) {
+  void take_sphere(const QuadVec& center, Quad radius, std::size_t part, Quad t, bool inside) {
     if (!counts(t)) return;
     const QuadVec outward = unit(from_.point + direction_ * t - center);
     take(inside ? Kind::sphere_inside : Kind::sphere_outside, part, t,
          inside ? outward * Quad(-1) : outward, radius);
   }
 
-  void show_plane(const QuadVec& point, const QuadVec& normal, std::size_t part) {
+  void intersect_plane(const QuadVec& point, const QuadVec& normal, std::size_t part) {
     if (leaves(part)) return;
     const Quad slope = dot(normal, direction_);
     if (slope == 0) return;
@@ -117,25 +117,27 @@ class Oracle::Search {
     if (counts(t)) take(Kind::flat, part, t, slope > 0 ? normal * Quad(-1) : normal, 0);
   }
 
-  void show(const Sphere& s) { show_sphere(relative(s.center, eye()), s.radius, 0); }
+  void show(const Sphere& s) { intersect_sphere(relative(s.center, eye()), s.radius, 0); }
 
   void show(const Spheres& s) {
     for (std::size_t i = 0; i < s.centers.size(); ++i)
-      show_sphere(relative(s.centers[i], eye()), s.radius(i), i);
+      intersect_sphere(relative(s.centers[i], eye()), s.radius(i), i);
   }
 
-  void show(const Plane& p) { show_plane(relative(p.point, eye()), unit(QuadVec(p.normal)), 0); }
+  void show(const Plane& p) {
+    intersect_plane(relative(p.point, eye()), unit(QuadVec(p.normal)), 0);
+  }
 
   void show(const Mesh& m) {
     for (std::size_t i = 0; i < m.triangles.size(); ++i) {
       std::array<QuadVec, 3> corners;
       for (std::size_t k = 0; k < 3; ++k)
         corners[k] = relative(m.vertices[m.triangles[i][k]], eye());
-      show_triangle(corners, i);
+      intersect_triangle(corners, i);
     }
   }
 
-  void show_triangle(const std::array<QuadVec, 3>& corners, std::size_t part) {
+  void intersect_triangle(const std::array<QuadVec, 3>& corners, std::size_t part) {
     const QuadVec normal = unit(cross(corners[1] - corners[0], corners[2] - corners[0]));
     if (dot(normal, normal) == 0) return;
     bool left = true;
@@ -148,7 +150,7 @@ class Oracle::Search {
       left = left && side >= -noise;
       right = right && side <= noise;
     }
-    if (left || right) show_plane(corners[0], normal, part);
+    if (left || right) intersect_plane(corners[0], normal, part);
   }
 
   void show(const SphereSquare& s) {
@@ -165,7 +167,7 @@ class Oracle::Search {
       QuadVec center = middle;
       component(center, first) += r * static_cast<Quad>(2 * i + 1 - side);
       component(center, second) += r * static_cast<Quad>(2 * k + 1 - side);
-      show_sphere(center, r, static_cast<std::size_t>(i * side + k));
+      intersect_sphere(center, r, static_cast<std::size_t>(i * side + k));
     };
     if (side <= 8) {
       for (std::int64_t i = 0; i < side; ++i)

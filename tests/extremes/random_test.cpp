@@ -37,8 +37,13 @@ Scene random_scene(std::uint64_t seed, const Magnitudes& size) {
   };
   const auto any_radius = [&] { return std::abs(random.magnitude(-size.radius, size.radius)); };
   Scene scene;
-  scene.materials = {{.ks = 0.2, .shininess = std::abs(random.magnitude(-2, 4))},
-                     {.color = {0.9, 0.5, 0.2}, .reflectivity = random.between(0, 0.5)}};
+  Material matt;
+  matt.ks = 0.2;
+  matt.shininess = std::abs(random.magnitude(-2, 4));
+  Material mirror;
+  mirror.color = {0.9, 0.5, 0.2};
+  mirror.reflectivity = random.between(0, 0.5);
+  scene.materials = {matt, mirror};
   scene.background = {0.2, 0.3, 0.4};
   const auto add = [&](auto shape) {
     scene.objects.push_back({std::move(shape), random.below(4) == 0 ? 1U : 0U});
@@ -115,14 +120,14 @@ Outcome expect_exact_pictures(int count, const Magnitudes& size) {
   return sum;
 }
 
-TEST(RandomScenes, OverSixteenOrdersOfMagnitudeAreTheExactPictures) {
+TEST(RandomScenes, over_sixteen_orders_of_magnitude_are_the_exact_pictures) {
   const int count = scene_count();
   ASSERT_GT(count, 0) << "RAYTRACER_RANDOM_SCENES must be a number above 0";
   const Outcome sum = expect_exact_pictures(count, {8, 4, 4});
   EXPECT_GT(sum.seen, 50 * count);
 }
 
-TEST(RandomScenes, OfOrdinarySizesAreTheExactPicturesInSingle) {
+TEST(RandomScenes, of_ordinary_sizes_are_the_exact_pictures_in_single) {
   constexpr int count = 100;
   const Outcome sum = expect_exact_pictures(count, {1, 0.5, 1});
   EXPECT_GT(sum.in_single, count / 2);

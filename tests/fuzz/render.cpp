@@ -69,7 +69,7 @@ void add_object(Bytes& bytes, Scene& scene) {
       object.shape = Sphere{bytes.point(), bytes.positive()};
       break;
     case 1: {
-      Spheres set{{}, {bytes.positive()}};
+      Spheres set{{}, {bytes.positive()}, {}};
       for (int i = bytes.below(40); i >= 0; --i) set.centers.push_back(bytes.point());
       object.shape = std::move(set);
       break;
@@ -105,11 +105,14 @@ Scene make_scene(Bytes& bytes) {
   scene.camera.height = 7;
   scene.ambient = bytes.share();
   scene.shadows = static_cast<Shadows>(bytes.below(3));
-  for (int i = 0; i < 2; ++i)
-    scene.materials.push_back({.color = {bytes.share(), 1, 0.5},
-                               .ks = bytes.share(),
-                               .shininess = std::abs(bytes.number()),
-                               .reflectivity = i * bytes.share()});
+  for (int i = 0; i < 2; ++i) {
+    Material material;
+    material.color = {bytes.share(), 1, 0.5};
+    material.ks = bytes.share();
+    material.shininess = std::abs(bytes.number());
+    material.reflectivity = i * bytes.share();
+    scene.materials.push_back(material);
+  }
   scene.render.max_depth = bytes.below(6);
   for (int i = bytes.below(3); i >= 0; --i) {
     const double intensity = std::abs(bytes.number());

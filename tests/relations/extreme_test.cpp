@@ -29,7 +29,7 @@ void expect_values_in_range(const Image& image) {
   }
 }
 
-TEST_P(Extreme, ScenesHaveNoValueOutOfRange) {
+TEST_P(Extreme, scenes_have_no_value_out_of_range) {
   for (int round = 0; round < 6; ++round) {
     std::vector<json> objects;
     std::vector<json> lights;
@@ -58,7 +58,7 @@ TEST_P(Extreme, ScenesHaveNoValueOutOfRange) {
   }
 }
 
-TEST_P(Extreme, LoneSphereLitFromTheCameraHasNoShadowOnItsDisc) {
+TEST_P(Extreme, lone_sphere_lit_from_the_camera_has_no_shadow_on_its_disc) {
   for (int round = 0; round < 12; ++round) {
     const Vec3 center = far_point();
     const double radius = any_radius();
@@ -93,7 +93,7 @@ TEST_P(Extreme, LoneSphereLitFromTheCameraHasNoShadowOnItsDisc) {
   }
 }
 
-TEST_P(Extreme, ScenesLitFromTheCameraAloneHaveNoVisibleShadows) {
+TEST_P(Extreme, scenes_lit_from_the_camera_alone_have_no_visible_shadows) {
   for (int round = 0; round < 6; ++round) {
     // Sizes over eight orders of magnitude, at distances at which they can be seen.
     const Vec3 eye = far_point();

@@ -10,6 +10,7 @@
 #include "engine/plan/plan.h"
 #include "engine/render/tracer.h"
 #include "engine/sample/pattern.h"
+#include "tests/support/reference_plan.h"
 #include "tests/support/scenes.h"
 
 namespace raytracer::test {
@@ -48,22 +49,22 @@ void expect_no_light_on_the_ground(const json& text) {
 }
 
 /// All of the ball is nearer to the lamp than a thousandth of the way there.
-TEST(LampShadow, OfABallReachesTheHorizon) {
+TEST(LampShadow, of_a_ball_reaches_the_horizon) {
   expect_no_light_on_the_ground(far_ground({2, 1.6, 0}, {sphere_json({0, 2.8, 0}, 1.5)}));
 }
 
-TEST(LampShadow, OfManyBallsReachesTheHorizon) {
+TEST(LampShadow, of_many_balls_reaches_the_horizon) {
   std::vector<json> balls;
   balls.reserve(40);
   for (int i = 0; i < 40; ++i) balls.push_back(sphere_json({0, 2.8, 0}, 1.5 - 0.01 * i));
   expect_no_light_on_the_ground(far_ground({2, 1.6, 0}, balls));
 }
 
-TEST(LampShadow, OfAPlaneReachesTheHorizon) {
+TEST(LampShadow, of_a_plane_reaches_the_horizon) {
   expect_no_light_on_the_ground(far_ground({2, 30, 0}, {plane_json({0, 29.99, 0}, {0, 1, 0})}));
 }
 
-TEST(LampShadow, OfAMeshReachesTheHorizon) {
+TEST(LampShadow, of_a_mesh_reaches_the_horizon) {
   const json wall = {{"type", "mesh"},
                      {"vertices", {{0, 0, -4}, {0, 4, -4}, {0, 4, 4}, {0, 0, 4}}},
                      {"triangles", {{0, 1, 2}, {0, 2, 3}}}};
@@ -76,7 +77,7 @@ TEST(LampShadow, OfAMeshReachesTheHorizon) {
 
 /// Balls on a floor under a lamp as far away as a sun: what is near to each other is not so to the
 /// lamp. Single finds its shadows, too.
-TEST(LampShadow, OfAFarLampIsThatOfTheReference) {
+TEST(LampShadow, of_a_far_lamp_is_that_of_the_reference) {
   std::mt19937 random(4);  // the same numbers everywhere
   const auto from_to = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(random()) / 4294967295.0);
@@ -93,10 +94,9 @@ TEST(LampShadow, OfAFarLampIsThatOfTheReference) {
       const json text = document(camera_json(150, 100, 0.8, {0, 4, -12}, {0, 0, 0}), objects,
                                  {point_json({far, far, 0}, 12 * far * far)});
       const Scene scene = scene_of(text);
-      Plan plan = make_plan(scene, this_machine(1));
+      const Plan plan = make_plan(scene, this_machine(1));
       EXPECT_EQ(plan.precision.value, Precision::single_precision) << far;
-      plan.kernel.value = Kernel::brute_force;
-      const Tracer tracer = make_tracer(plan, scene, pool);
+      const Tracer tracer = make_tracer(reference_plan(plan), pack_scene(scene, &pool), pool);
       Image exact(150, 100);
       render_tile(tracer, sample_pattern(1), Transfer::linear, {0, 0, 150, 100}, &exact);
       EXPECT_GT(count_lit(exact), 5000) << far;
@@ -108,7 +108,7 @@ TEST(LampShadow, OfAFarLampIsThatOfTheReference) {
 }
 
 /// A lamp in a tilted plane that passes near the eye lights what is before it.
-TEST(LampShadow, OfThePlaneThatTheLampIsInIsNone) {
+TEST(LampShadow, of_the_plane_that_the_lamp_is_in_is_none) {
   const Vec3 normal{1, 2, 3};
   const json text = document(
       camera_json(40, 30, 0.8, normal * 0x1p-12, {18, -4, 6}),
@@ -119,7 +119,7 @@ TEST(LampShadow, OfThePlaneThatTheLampIsInIsNone) {
 }
 
 /// Single that a plan chose by itself it does not warn of, as it does of single that is asked for.
-TEST(LampShadow, NearALampThePlanAgreesWithItself) {
+TEST(LampShadow, near_a_lamp_the_plan_agrees_with_itself) {
   const auto near_the_ground = [](double height, const char* precision) {
     const json text =
         document(camera_json(40, 30, 1, {0, 3, -8}, {0, 0, 0}), {plane_json({0, 0, 0}, {0, 1, 0})},

@@ -22,7 +22,7 @@ json with_lights(json text, const json& lights) {
   return text;
 }
 
-TEST(Light, OfTwiceTheIntensityIsTwiceAsBright) {
+TEST(Light, of_twice_the_intensity_is_twice_as_bright) {
   for (const char* shadows : {"black", "ambient", "off"}) {
     json text = dim_scene();
     text["shadows"] = shadows;
@@ -40,7 +40,7 @@ TEST(Light, OfTwiceTheIntensityIsTwiceAsBright) {
   }
 }
 
-TEST(Light, OfSeveralIsTheSumOfTheImagesUnderEach) {
+TEST(Light, of_several_is_the_sum_of_the_images_under_each) {
   const json text = dim_scene();
   const Image together = image_of(text);
   std::vector<double> sum(together.values.size());
@@ -53,7 +53,7 @@ TEST(Light, OfSeveralIsTheSumOfTheImagesUnderEach) {
     ASSERT_NEAR(static_cast<double>(together.values[i]), sum[i], 1e-6) << i;
 }
 
-TEST(Light, OfTwoHalvedIsTheMeanOfTheImagesUnderEach) {
+TEST(Light, of_two_halved_is_the_mean_of_the_images_under_each) {
   json text = dim_scene();
   text["lights"].erase(2);
   const Image first = image_of(with_lights(text, json::array({text["lights"][0]})));
@@ -68,14 +68,14 @@ TEST(Light, OfTwoHalvedIsTheMeanOfTheImagesUnderEach) {
                 1e-6);
 }
 
-TEST(Light, DoesNotDependOnTheOrderOfLights) {
+TEST(Light, does_not_depend_on_the_order_of_lights) {
   json text = dim_scene();
   const Image image = image_of(text);
   std::reverse(text["lights"].begin(), text["lights"].end());
   EXPECT_LE(distance(image, image_of(text)), 1e-7);
 }
 
-TEST(Light, OfIntensityZeroLeavesItsAmbientPart) {
+TEST(Light, of_intensity_zero_leaves_its_ambient_part) {
   json text = dim_scene();
   for (json& light : text["lights"]) light["intensity"] = 0;
   const Image image = image_of(text);

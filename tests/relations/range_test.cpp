@@ -22,7 +22,7 @@ std::vector<json> small_things(double size) {
 
 class Range : public testing::TestWithParam<std::string> {};
 
-TEST_P(Range, WhatTheFrameCannotCarryIsAsIfItWasNotThere) {
+TEST_P(Range, what_the_frame_cannot_carry_is_as_if_it_was_not_there) {
   json with = varied_scene();
   with["render"] = {{"precision", GetParam()}};
   const json without = with;
@@ -30,7 +30,7 @@ TEST_P(Range, WhatTheFrameCannotCarryIsAsIfItWasNotThere) {
   EXPECT_EQ(image_of(with).values, image_of(without).values);
 }
 
-TEST_P(Range, AMirrorShowsNothingWhereAllSpheresAreLeftOut) {
+TEST_P(Range, a_mirror_shows_nothing_where_all_spheres_are_left_out) {
   json text = document(camera_json(24, 18, 1, {0, 1, -7}, {}),
                        {plane_json({0, -1, 0}, {0, 1, 0}, {{"reflectivity", 0.5}})},
                        {distant_json({-1, -1, 2}), point_json({3, 4, -2}, 8)});
@@ -44,7 +44,7 @@ TEST_P(Range, AMirrorShowsNothingWhereAllSpheresAreLeftOut) {
     ASSERT_NEAR(image.values[i], expected.values[i], 0.5 / 255) << i;
 }
 
-TEST_P(Range, NothingIsSeenWhereAllIsTooSmallForTheFarthestLight) {
+TEST_P(Range, nothing_is_seen_where_all_is_too_small_for_the_farthest_light) {
   json text = document(camera_json(24, 18, 1, {0, 1, -7}, {}), small_things(1e-260),
                        {point_json({-8, 12, 4e177}, 8), distant_json({0, -1, 1})});
   text["background"] = {0.25, 0.5, 1};
@@ -52,7 +52,7 @@ TEST_P(Range, NothingIsSeenWhereAllIsTooSmallForTheFarthestLight) {
   for (const float value : image_of(text).values) ASSERT_GE(value, 0.25F);
 }
 
-TEST_P(Range, SpheresOfASquareTooSmallForTheSquaresOfSinglesAreNotSeen) {
+TEST_P(Range, spheres_of_a_square_too_small_for_the_squares_of_singles_are_not_seen) {
   json text = document(camera_json(24, 18, 3, {1.25, 0.125, -7.375}, {0, 0, -8.375}),
                        {square_json({1, 0, -8.375}, 3.7e-72, 1)}, {distant_json({0, -1, 0})});
   text["background"] = {0.25, 0.5, 1};
@@ -60,7 +60,7 @@ TEST_P(Range, SpheresOfASquareTooSmallForTheSquaresOfSinglesAreNotSeen) {
   for (const float value : image_of(text).values) ASSERT_GE(value, 0.25F);
 }
 
-TEST_P(Range, ATriangleWhoseCornersAreOnePlaceFromAfarIsNotSeen) {
+TEST_P(Range, a_triangle_whose_corners_are_one_place_from_afar_is_not_seen) {
   for (const bool is_inside : {false, true}) {
     json text = document(camera_json(48, 36, 0.6, {1e18, 1e18, 1e18}, {}),
                          {mesh_json({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})},
@@ -75,7 +75,7 @@ TEST_P(Range, ATriangleWhoseCornersAreOnePlaceFromAfarIsNotSeen) {
 INSTANTIATE_TEST_SUITE_P(Precision, Range, testing::Values("auto", "single", "double"),
                          [](const auto& precision) { return precision.param; });
 
-TEST(Range, SingleIsRefusedWhereItHoldsNoSquareOfARadius) {
+TEST(Range, single_is_refused_where_it_holds_no_square_of_a_radius) {
   json text =
       document(camera_json(), {sphere_json({0, 0, 1e-20}, 1e-21), sphere_json({0, 0, 9}, 1)});
   text["render"] = {{"precision", "single"}};
@@ -85,7 +85,7 @@ TEST(Range, SingleIsRefusedWhereItHoldsNoSquareOfARadius) {
 }
 
 // In single the sphere would have no size beside the light's distance.
-TEST(Range, AVeryFarLightShinesAsInDouble) {
+TEST(Range, a_very_far_light_shines_as_in_double) {
   json text = document(camera_json(32, 24, 0.9, {0, 1, -6}, {}), {sphere_json({-1, 0, 0}, 1)},
                        {point_json({0, 1e30, -1e30}, 8e60)});
   text["render"] = {{"precision", "double"}};

@@ -26,7 +26,7 @@ std::vector<json> scenes() {
   return {plain, with_tree, gray};
 }
 
-TEST(Picture, ShowsSomethingOfEverything) {
+TEST(Picture, shows_something_of_everything) {
   // Else the relations below would say nothing.
   const json text = varied_scene();
   const Image image = image_of(text);
@@ -42,7 +42,38 @@ TEST(Picture, ShowsSomethingOfEverything) {
   }
 }
 
-TEST(Picture, IsTheSameScaledByAPowerOfTwo) {
+/// By packets in either precision and, from inside the first, one ray at a time.
+TEST(Picture, of_spheres_with_colors_is_that_of_spheres_with_materials) {
+  Random random(7);
+  json material = {{"ks", 0.4}, {"shininess", 9}, {"reflectivity", 0.3}};
+  json set{{"type", "spheres"}, {"material", material}};
+  std::vector<json> alone;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 center = random.point(-3, 3);
+    const double radius = i == 0 ? 1 : random.between(0.2, 0.7);
+    const Vec3 color = i % 8 == 0 ? Vec3{1, 0.5, 0} : random.point(0, 1);
+    material["color"] = vector_json(color);
+    set["centers"].push_back(vector_json(center));
+    set["radius"].push_back(radius);
+    set["colors"].push_back(vector_json(color));
+    alone.push_back(sphere_json(center, radius, material));
+  }
+  const Vec3 inside = {alone[0]["center"][0], alone[0]["center"][1], alone[0]["center"][2]};
+  for (const Vec3& eye : {Vec3{0, 1, -9}, inside})
+    for (const char* precision : {"single", "double"}) {
+      json text = document(camera_json(64, 48, 1, eye, {0, 0, 5}), {set, sphere_json({9, 0, 9}, 2)},
+                           {distant_json({1, -2, 1}), point_json(eye + Vec3{0.1, 0, 0}, 500)});
+      text["render"] = {{"precision", precision}};
+      const Image image = image_of(text);
+      EXPECT_GT(count_lit(image), 500);
+      std::vector<json> objects = alone;
+      objects.push_back(text["objects"][1]);
+      text["objects"] = objects;
+      expect_same_bytes(image, image_of(text));
+    }
+}
+
+TEST(Picture, is_the_same_scaled_by_a_power_of_two) {
   for (const json& text : scenes()) {
     const Image image = image_of(text);
     for (const int exponent : {1, -1, 10, 100, -100, 400, -400})
@@ -50,7 +81,7 @@ TEST(Picture, IsTheSameScaledByAPowerOfTwo) {
   }
 }
 
-TEST(Picture, IsTheSameScaledByAnyFactorButForPixelsOnEdges) {
+TEST(Picture, is_the_same_scaled_by_any_factor_but_for_pixels_on_edges) {
   // Coordinates are rounded anew, to 1e-16 of their size in double: a sample within 1e-13 of an
   // edge may fall to the other side, which among a few thousand hardly ever happens. In single,
   // where the plan chooses it, colours move by roundings too, but not by half a level.
@@ -66,7 +97,7 @@ TEST(Picture, IsTheSameScaledByAnyFactorButForPixelsOnEdges) {
   }
 }
 
-TEST(Picture, IsTheSameMovedByExactSums) {
+TEST(Picture, is_the_same_moved_by_exact_sums) {
   for (const json& text : scenes()) {
     const Image image = image_of(text);
     for (const Vec3& shift : {Vec3{1024, -512, 4096}, Vec3{-0x1p40, 0x1p41, 3 * 0x1p39}}) {
@@ -76,7 +107,7 @@ TEST(Picture, IsTheSameMovedByExactSums) {
   }
 }
 
-TEST(Picture, OfTheMirroredSceneIsMirrored) {
+TEST(Picture, of_the_mirrored_scene_is_mirrored) {
   const auto negate_x = [](const Vec3& v) { return Vec3{-v.x, v.y, v.z}; };
   for (json text : scenes()) {
     text["render"]["samples"] = 1;  // the places of more samples are not symmetrical
@@ -90,7 +121,7 @@ TEST(Picture, OfTheMirroredSceneIsMirrored) {
   }
 }
 
-TEST(Picture, DoesNotDependOnTheOrderOfObjects) {
+TEST(Picture, does_not_depend_on_the_order_of_objects) {
   for (const json& text : scenes()) {
     const Image image = image_of(text);
     json shuffled = text;
@@ -104,7 +135,7 @@ TEST(Picture, DoesNotDependOnTheOrderOfObjects) {
   }
 }
 
-TEST(Picture, DoesNotDependOnTheOrderWithinASetOfSpheresOrAMesh) {
+TEST(Picture, does_not_depend_on_the_order_within_a_set_of_spheres_or_a_mesh) {
   json text = varied_scene();
   const Image image = image_of(text);
   json& set = text["objects"][5];
@@ -115,7 +146,7 @@ TEST(Picture, DoesNotDependOnTheOrderWithinASetOfSpheresOrAMesh) {
   expect_same_bytes(image, image_of(text));
 }
 
-TEST(Picture, OfASetIsThatOfItsSpheres) {
+TEST(Picture, of_a_set_is_that_of_its_spheres) {
   json text = varied_scene();
   const Image image = image_of(text);
   const json set = text["objects"][5];
@@ -126,7 +157,7 @@ TEST(Picture, OfASetIsThatOfItsSpheres) {
   expect_same_bytes(image, image_of(text));
 }
 
-TEST(Picture, OfASquareIsThatOfItsSpheres) {
+TEST(Picture, of_a_square_is_that_of_its_spheres) {
   // Offsets (2i + 1 - 2n) r are exact here, so every pixel is the same, reflections included.
   for (const char* axes : {"xz", "xy", "yz"}) {
     json text = varied_scene();
@@ -161,7 +192,7 @@ TEST(Picture, OfASquareIsThatOfItsSpheres) {
   }
 }
 
-TEST(Picture, DoesNotDependOnTheNumberOfThreads) {
+TEST(Picture, does_not_depend_on_the_number_of_threads) {
   for (const json& text : scenes()) {
     const Image image = image_of(text, 1);
     for (const std::size_t threads : {2U, 3U, 7U})
@@ -171,7 +202,7 @@ TEST(Picture, DoesNotDependOnTheNumberOfThreads) {
 }
 
 /// So many spheres that every structure is built in several pieces, and under a contract.
-TEST(Picture, OfThousandsOfSpheresDoesNotDependOnTheNumberOfThreads) {
+TEST(Picture, of_thousands_of_spheres_does_not_depend_on_the_number_of_threads) {
   json text = varied_scene();
   json centers = json::array();
   for (int i = 0; i < 6000; ++i)
@@ -185,7 +216,7 @@ TEST(Picture, OfThousandsOfSpheresDoesNotDependOnTheNumberOfThreads) {
   }
 }
 
-TEST(Picture, OfSeveralCallersAtOnceIsThatOfEachAlone) {
+TEST(Picture, of_several_callers_at_once_is_that_of_each_alone) {
   const std::vector<json> all = scenes();
   WorkerPool pool(3);
   std::vector<Image> together(all.size());
@@ -200,7 +231,7 @@ TEST(Picture, OfSeveralCallersAtOnceIsThatOfEachAlone) {
   for (std::size_t i = 0; i < all.size(); ++i) expect_same_bytes(together[i], image_of(all[i], 1));
 }
 
-TEST(Picture, IsTheSameUnderAFieldOfViewTwoPiWider) {
+TEST(Picture, is_the_same_under_a_field_of_view_two_pi_wider) {
   // alpha + 2 pi is rounded: directions change by 1e-15, so a sample within that of an edge may
   // change sides, and no value changes by a visible amount otherwise.
   for (json text : scenes()) {
@@ -212,7 +243,7 @@ TEST(Picture, IsTheSameUnderAFieldOfViewTwoPiWider) {
   }
 }
 
-TEST(Picture, DoesNotDependOnNamesNorUnusedMaterials) {
+TEST(Picture, does_not_depend_on_names_nor_unused_materials) {
   json text = varied_scene();
   const Image image = image_of(text);
   text["name"] = "x";

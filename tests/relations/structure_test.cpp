@@ -2,47 +2,39 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
-
+#include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
 #include "engine/render/tracer.h"
 #include "tests/relations/varied_scene.h"
+#include "tests/support/reference_plan.h"
 
 namespace raytracer::test {
 namespace {
 
-/// The reference kernel's image with a structure of type S.
-template <typename S>
-Image reference_image(const Scene& scene) {
+/// The reference's image, by such a finder.
+Image reference_image(const Scene& scene, Finder finder) {
   WorkerPool pool(1);
-  auto packed = std::make_unique<const PackedScene>(pack_scene(scene, make_frame(scene), pool));
-  const PackedScene& kept = *packed;
-  const auto structure = [&] {
-    if constexpr (std::is_same_v<S, Bvh>)
-      return Bvh::build(kept, pool);
-    else
-      return BruteForce(kept);
-  }();
-  const Tracer tracer = ReferenceTracer{std::move(packed), structure};
-  Image image(kept.view.width, kept.view.height);
+  const Plan plan = reference_plan(make_plan(scene, this_machine(1)), finder);
+  const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
+  Image image(scene.camera.width, scene.camera.height);
   for (const Tile& tile : split_into_tiles(image.width, image.height, 32))
     render_tile(tracer, sample_pattern(scene.render.samples.value_or(1)), Transfer::linear, tile,
                 &image);
   return image;
 }
 
-/// Renders by brute force, the definition, by the tree, and as the engine chooses.
+/// Renders one by one, the definition, by trees, and as the engine chooses.
 void expect_equal_images(json text) {
   text["render"]["precision"] = "double";
   const Scene scene = scene_of(text);
-  const Image by_force = reference_image<BruteForce>(scene);
-  EXPECT_EQ(count_different(by_force, reference_image<Bvh>(scene)), 0);
+  const Image one_by_one = reference_image(scene, Finder::one_by_one);
+  EXPECT_EQ(count_different(one_by_one, reference_image(scene, Finder::tree)), 0);
   // Other kernels round differently: on an edge, hardly ever, to the other side.
-  EXPECT_LE(count_different(by_force, image_of(scene), 1e-6), 2);
-  EXPECT_GT(count_lit(by_force), 10);
+  EXPECT_LE(count_different(one_by_one, image_of(scene), 1e-6), 2);
+  EXPECT_GT(count_lit(one_by_one), 10);
 }
 
-TEST(Structure, MakesNoDifferenceInTheVariedScene) {
+TEST(Structure, makes_no_difference_in_the_varied_scene) {
   for (const char* shadows : {"black", "ambient", "off"}) {
     json text = varied_scene();
     text["shadows"] = shadows;
@@ -52,7 +44,7 @@ TEST(Structure, MakesNoDifferenceInTheVariedScene) {
   }
 }
 
-TEST(Structure, MakesNoDifferenceAmongManySpheresAndTriangles) {
+TEST(Structure, makes_no_difference_among_many_spheres_and_triangles) {
   Random random(50);
   for (int round = 0; round < 4; ++round) {
     std::vector<json> objects;
@@ -70,7 +62,7 @@ TEST(Structure, MakesNoDifferenceAmongManySpheresAndTriangles) {
   }
 }
 
-TEST(Structure, MakesNoDifferenceInAGridOfTouchingSpheresSeenAlongItsAxes) {
+TEST(Structure, makes_no_difference_in_a_grid_of_touching_spheres_seen_along_its_axes) {
   json centers = json::array();
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
@@ -86,7 +78,7 @@ TEST(Structure, MakesNoDifferenceInAGridOfTouchingSpheresSeenAlongItsAxes) {
                  {distant_json({0, -1, 0}), point_json(eye, 100)}));
 }
 
-TEST(Structure, TilesCoverTheImageOnce) {
+TEST(Structure, tiles_cover_the_image_once) {
   for (const auto& [width, height] : {std::pair{1, 1}, {32, 32}, {33, 31}, {700, 500}}) {
     std::vector<int> covered(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     for (const Tile& tile : split_into_tiles(width, height, 32))

@@ -58,18 +58,18 @@ json single(const json& sphere) {
   return {{"type", "spheres"}, {"centers", {sphere["center"]}}, {"radius", sphere["radius"]}};
 }
 
-TEST(Tie, OfTwoSpheresGoesToTheFirstInTheDocument) {
+TEST(Tie, of_two_spheres_goes_to_the_first_in_the_document) {
   const json sphere = sphere_json({0.3, 0.1, 0.7}, 1.7);
   expect_first_wins(sphere, sphere, from_the_camera);
   expect_first_wins(sphere, single(sphere), from_the_camera);
 }
 
-TEST(Tie, OfTwoSquaresGoesToTheFirstInTheDocument) {
+TEST(Tie, of_two_squares_goes_to_the_first_in_the_document) {
   const json square = square_json({0.3, 0.1, 0.7}, 0.7, 2);
   expect_first_wins(square, square, from_the_camera);
 }
 
-TEST(Tie, OfASquareAndItsSpheresGoesToTheFirstInTheDocument) {
+TEST(Tie, of_a_square_and_its_spheres_goes_to_the_first_in_the_document) {
   json centers = json::array();
   for (const double x : {-1.5, -0.5, 0.5, 1.5})
     for (const double z : {-1.5, -0.5, 0.5, 1.5}) centers.push_back({x, 0.25, z});
@@ -78,17 +78,17 @@ TEST(Tie, OfASquareAndItsSpheresGoesToTheFirstInTheDocument) {
                     from_the_camera);
 }
 
-TEST(Tie, OfTwoPlanesGoesToTheFirstInTheDocument) {
+TEST(Tie, of_two_planes_goes_to_the_first_in_the_document) {
   const json plane = plane_json({0, 0, 3}, {0.1, 0.2, -1});
   expect_first_wins(plane, plane, from_the_camera);
 }
 
-TEST(Tie, OfTwoMeshesGoesToTheFirstInTheDocument) {
+TEST(Tie, of_two_meshes_goes_to_the_first_in_the_document) {
   const json mesh = mesh_json({{-3, -3.1, 0.2}, {3, -3.3, 0.9}, {0.1, 4, 0.7}}, {{0, 1, 2}});
   expect_first_wins(mesh, mesh, from_the_camera);
 }
 
-TEST(Tie, OfAPlaneAndAMeshInItGoesToTheFirstInTheDocument) {
+TEST(Tie, of_a_plane_and_a_mesh_in_it_goes_to_the_first_in_the_document) {
   // The mesh must not cover the image, or else the plane beside it would be seen: all of it does.
   for (const double z : {0.0, 0.7}) {
     expect_first_wins(plane_json({0, 0, z}, {0, 0, 1}),
@@ -108,7 +108,7 @@ void expect_like_alone(const json& object, const json& coincident) {
   }
 }
 
-TEST(CoincidentSurfaces, DoNotShadowEachOther) {
+TEST(CoincidentSurfaces, do_not_shadow_each_other) {
   const json sphere = sphere_json({0.3, 0.1, 0.7}, 1.7);
   expect_like_alone(sphere, sphere);
   expect_like_alone(sphere, single(sphere));
@@ -123,7 +123,7 @@ TEST(CoincidentSurfaces, DoNotShadowEachOther) {
                     mesh_json({{-3.3, -0.7, -3.1}, {3, -0.7, -2.9}, {0.1, -0.7, 4}}, {{0, 1, 2}}));
 }
 
-TEST(Mesh, OfAFloorInManyTrianglesIsLitLikeAPlane) {
+TEST(Mesh, of_a_floor_in_many_triangles_is_lit_like_a_plane) {
   std::vector<Vec3> vertices;
   std::vector<std::array<int, 3>> triangles;
   Random random(60);
@@ -168,7 +168,7 @@ json ball_mesh(const Vec3& center, double radius, int rings) {
   return mesh_json(vertices, triangles, diffuse_material());
 }
 
-TEST(Mesh, ThatIsConvexDoesNotShadowItself) {
+TEST(Mesh, that_is_convex_does_not_shadow_itself) {
   // A face of a convex body that is turned towards a light is reached by it.
   for (const int rings : {3, 8, 40}) {
     for (const double radius : {1.0, 1e-3, 1e3}) {
@@ -190,7 +190,7 @@ TEST(Mesh, ThatIsConvexDoesNotShadowItself) {
   }
 }
 
-TEST(ConcentricShells, ShowTheOuterOneAloneHoweverCloseTheyAre) {
+TEST(ConcentricShells, show_the_outer_one_alone_however_close_they_are) {
   const json camera = camera_json(64, 48, 1, {0.25, 1, -5}, {0, 0, 0});
   for (const double inner : {0.5, 0.999, 1 - 1e-6, 1 - 1e-12, 1 - 1e-13}) {
     for (const Vec3& center : {Vec3{0, 0, 0}, Vec3{0.3, 0.1, 0.7}}) {
@@ -205,7 +205,7 @@ TEST(ConcentricShells, ShowTheOuterOneAloneHoweverCloseTheyAre) {
   }
 }
 
-TEST(ConcentricShells, AreLitBetweenThem) {
+TEST(ConcentricShells, are_lit_between_them) {
   // The camera and the light are between the two: all that is seen is lit, and one or the other.
   for (const double gap : {0.5, 1e-3, 1e-6}) {
     const Vec3 eye{0, 1 + gap / 2, 0};
@@ -220,7 +220,7 @@ TEST(ConcentricShells, AreLitBetweenThem) {
   }
 }
 
-TEST(Sphere, ThatTouchesAPlaneShadowsItsDiscOnly) {
+TEST(Sphere, that_touches_a_plane_shadows_its_disc_only) {
   // From above the shadow of the sphere (0, r, 0) is the disc of radius r: at (x, 0, 0).
   for (const double r : {1.0, 0.1, 1e-6}) {
     for (const double share : {0.0001, 0.5, 0.99, 1.01, 1.5}) {
@@ -237,7 +237,7 @@ TEST(Sphere, ThatTouchesAPlaneShadowsItsDiscOnly) {
   }
 }
 
-TEST(Camera, InsideASphereSeesItEverywhere) {
+TEST(Camera, inside_a_sphere_sees_it_everywhere) {
   for (const double offset : {0.0, 0.5, 0.999, 1 - 1e-9, 1 - 0x1p-53}) {
     const Vec3 eye{0, 0, -offset};
     const Image image = image_of(on_magenta(camera_json(64, 48, 2.5, eye, {0.1, 0, 5}),
@@ -247,7 +247,7 @@ TEST(Camera, InsideASphereSeesItEverywhere) {
   }
 }
 
-TEST(Camera, OnASphereSeesItOnTheInnerSideOnly) {
+TEST(Camera, on_a_sphere_sees_it_on_the_inner_side_only) {
   const std::vector<json> objects{sphere_json({0, 0, 0}, 1, constant_material(red))};
   const json light = point_json({0, 0, 0.25}, 1);
   const Vec3 eye{0, 0, -1};
@@ -259,7 +259,7 @@ TEST(Camera, OnASphereSeesItOnTheInnerSideOnly) {
   EXPECT_EQ(count_color(outwards, magenta), 64 * 48);
 }
 
-TEST(Camera, OnAPlaneDoesNotSeeIt) {
+TEST(Camera, on_a_plane_does_not_see_it) {
   for (const Vec3& look_at : {Vec3{0, 0, 1}, Vec3{0, -1, 1}, Vec3{0, 1, 1}}) {
     const Image image = image_of(on_magenta(
         camera_json(64, 48, 2, {0, 0, 0}, look_at),
@@ -268,7 +268,7 @@ TEST(Camera, OnAPlaneDoesNotSeeIt) {
   }
 }
 
-TEST(Camera, JustAboveAPlaneSeesItBelowTheHorizon) {
+TEST(Camera, just_above_a_plane_sees_it_below_the_horizon) {
   for (const double height : {1.0, 1e-6, 1e-12, 1e-100, 1e-300}) {
     const Image image = image_of(on_magenta(
         camera_json(64, 48, 2, {0, height, 0}, {0, height, 1}),
@@ -278,7 +278,7 @@ TEST(Camera, JustAboveAPlaneSeesItBelowTheHorizon) {
   }
 }
 
-TEST(Camera, JustAboveAHugeSphereSeesItBelowTheHorizonAndFullyLit) {
+TEST(Camera, just_above_a_huge_sphere_sees_it_below_the_horizon_and_fully_lit) {
   for (const double radius : {1e3, 6.4e6, 1e9, 1e12}) {
     const double height = std::max(1.7, radius * 1e-14);
     const Image image = image_of(on_magenta(
@@ -291,7 +291,7 @@ TEST(Camera, JustAboveAHugeSphereSeesItBelowTheHorizonAndFullyLit) {
   }
 }
 
-TEST(Camera, InsideASphereOfASquareSeesItEverywhere) {
+TEST(Camera, inside_a_sphere_of_a_square_sees_it_everywhere) {
   const Image image =
       image_of(on_magenta(camera_json(64, 48, 2, {0.5, 0.1, 0.5}, {3, 0.5, 2}),
                           {square_json({0, 0, 0}, 0.5, 3, "xz", constant_material(red))},

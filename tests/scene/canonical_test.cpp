@@ -21,7 +21,7 @@ constexpr const char* plain = R"({
   "objects": [{"type": "sphere", "center": [0, 0, 5], "radius": 1, "material": "red"}],
   "lights": [{"type": "distant", "direction": [0, -1, 0]}]})";
 
-TEST(CanonicalBytes, DoNotDependOnHowTheDocumentIsWritten) {
+TEST(CanonicalBytes, do_not_depend_on_how_the_document_is_written) {
   const std::string spelled_out = bytes_of(R"({"name":"x","description":"y","$schema":"z",
     "render":{"max_depth":5.0,"samples":1,"precision":"auto","transfer":"linear"},
     "lights":[{"intensity":1e0,"color":"#FFFFFF","direction":[0,-1.0,-0.0],"type":"distant"}],
@@ -33,7 +33,7 @@ TEST(CanonicalBytes, DoNotDependOnHowTheDocumentIsWritten) {
   EXPECT_EQ(bytes_of(plain), spelled_out);
 }
 
-TEST(CanonicalBytes, DoNotDependOnMaterialsNamesOrOrder) {
+TEST(CanonicalBytes, do_not_depend_on_materials_names_or_order) {
   json first = json::parse(plain);
   first["materials"] = {{"a", {{"kd", 0.1}}}, {"b", {{"kd", 0.2}}}};
   first["objects"] = {sphere_json({0, 0, 5}, 1, "a"), sphere_json({0, 0, 6}, 1, "b")};
@@ -43,7 +43,7 @@ TEST(CanonicalBytes, DoNotDependOnMaterialsNamesOrOrder) {
   EXPECT_EQ(bytes_of(first.dump()), bytes_of(second.dump()));
 }
 
-TEST(CanonicalBytes, DifferForEveryValueThatCanChangeAPixel) {
+TEST(CanonicalBytes, differ_for_every_value_that_can_change_a_pixel) {
   std::set<std::string> seen{bytes_of(plain)};
   const auto expect_new = [&](const char* pointer, const json& value) {
     json text = json::parse(plain);
@@ -81,6 +81,12 @@ TEST(CanonicalBytes, DifferForEveryValueThatCanChangeAPixel) {
   expect_new("/objects/0", square_json({0, 0, 5}, 1, 1, "yz", "red"));
   expect_new("/objects/0", mesh_json({{0, 0, 5}, {1, 0, 5}, {0, 1, 5}}, {{0, 1, 2}}, "red"));
   expect_new("/objects/0", mesh_json({{0, 0, 5}, {1, 0, 5}, {0, 1, 5}}, {{0, 2, 1}}, "red"));
+  json spheres{{"type", "spheres"}, {"centers", {{0, 0, 5}, {0, 0, 6}}}, {"radius", 1}};
+  expect_new("/objects/0", spheres);
+  spheres["colors"] = {"#ff0000", "#00ff00"};
+  expect_new("/objects/0", spheres);
+  spheres["colors"] = {"#00ff00", "#ff0000"};
+  expect_new("/objects/0", spheres);
   expect_new("/render/samples", 2);
   expect_new("/render/max_depth", 6);
   expect_new("/render/transfer", "srgb");
@@ -89,7 +95,7 @@ TEST(CanonicalBytes, DifferForEveryValueThatCanChangeAPixel) {
   expect_new("/render/budget_ms", 0.5);
 }
 
-TEST(CanonicalBytes, OfManySpheresWithOneRadiusEqualThoseWithTheRadiusSpelledOut) {
+TEST(CanonicalBytes, of_many_spheres_with_one_radius_equal_those_with_the_radius_spelled_out) {
   json text = json::parse(plain);
   text["objects"][0] = {{"type", "spheres"}, {"centers", {{0, 0, 5}, {0, 0, 6}}}, {"radius", 2}};
   const std::string once = bytes_of(text.dump());
@@ -97,7 +103,7 @@ TEST(CanonicalBytes, OfManySpheresWithOneRadiusEqualThoseWithTheRadiusSpelledOut
   EXPECT_EQ(bytes_of(text.dump()), once);
 }
 
-TEST(NearestKey, IsThatOfTheLeastEditDistanceAndTheFirstOfEquals) {
+TEST(NearestKey, is_that_of_the_least_edit_distance_and_the_first_of_equals) {
   constexpr std::array<std::string_view, 4> words{"radius", "center", "centers", "n"};
   EXPECT_EQ(nearest_key("raduis", words), "radius");
   EXPECT_EQ(nearest_key("radius", words), "radius");
@@ -111,12 +117,12 @@ TEST(NearestKey, IsThatOfTheLeastEditDistanceAndTheFirstOfEquals) {
   EXPECT_EQ(nearest_key("word", std::span<const std::string_view>{}), "");
 }
 
-TEST(NearestKey, ToAVeryLongWordIsFoundAtOnce) {
+TEST(NearestKey, to_a_very_long_word_is_found_at_once) {
   constexpr std::array<std::string_view, 2> words{"radius", "center"};
   EXPECT_NE(nearest_key(std::string(5'000'000, 'c'), words), "");
 }
 
-TEST(Path, EscapesTildeAndSlash) {
+TEST(Path, escapes_tilde_and_slash) {
   const Path root;
   const Path materials = root.child("a~b/c");
   const Path element = materials.child(std::size_t{12});

@@ -19,7 +19,7 @@ std::vector<std::string> sorted_pointers(const std::vector<Error>& errors) {
   return pointers;
 }
 
-TEST(Validation, ReportsAllErrorsOfADocumentTogether) {
+TEST(Validation, reports_all_errors_of_a_document_together) {
   json wrong = full_document();
   wrong["camera"]["fvo"] = 1;
   wrong["objects"][0]["radius"] = -2;
@@ -33,7 +33,7 @@ TEST(Validation, ReportsAllErrorsOfADocumentTogether) {
       << describe(errors);
 }
 
-TEST(Validation, AnUnknownTypeHidesNoErrorInWhatAllTypesHave) {
+TEST(Validation, an_unknown_type_hides_no_error_in_what_all_types_have) {
   json wrong = full_document();
   wrong["objects"][0]["type"] = "cube";
   wrong["objects"][0]["material"] = "rde";
@@ -48,7 +48,7 @@ TEST(Validation, AnUnknownTypeHidesNoErrorInWhatAllTypesHave) {
       << describe(errors);
 }
 
-TEST(Validation, RefusesADocumentThatIsNoObject) {
+TEST(Validation, refuses_a_document_that_is_no_object) {
   for (const char* text : {"5", "null", "[]", "\"scene\"", "true"}) {
     const std::vector<Error> errors = errors_of_text(text);
     ASSERT_EQ(errors.size(), 1U) << text << '\n' << describe(errors);
@@ -58,7 +58,7 @@ TEST(Validation, RefusesADocumentThatIsNoObject) {
   }
 }
 
-TEST(Validation, ListsAThousandErrorsAndCountsTheRest) {
+TEST(Validation, lists_a_thousand_errors_and_counts_the_rest) {
   json wrong = full_document();
   wrong["objects"] = json::array();
   for (int i = 0; i < 1500; ++i) wrong["objects"].push_back(sphere_json({}, -1));
@@ -68,14 +68,14 @@ TEST(Validation, ListsAThousandErrorsAndCountsTheRest) {
   EXPECT_NE(errors[1000].detail.find("500 more"), std::string::npos) << errors[1000].detail;
 }
 
-TEST(Validation, ListsExactlyAThousandErrorsWithoutARemark) {
+TEST(Validation, lists_exactly_a_thousand_errors_without_a_remark) {
   json wrong = full_document();
   wrong["objects"] = json::array();
   for (int i = 0; i < 1000; ++i) wrong["objects"].push_back(sphere_json({}, -1));
   EXPECT_EQ(errors_of(wrong).size(), 1000U);
 }
 
-TEST(Validation, BoundsTheAnswerToALongKeyWithManyErrorsUnderIt) {
+TEST(Validation, bounds_the_answer_to_a_long_key_with_many_errors_under_it) {
   json wrong = full_document();
   const std::string long_key(100'000, 'k');
   for (int i = 0; i < 1000; ++i) wrong["materials"][long_key]["x" + std::to_string(i)] = 1;

@@ -22,7 +22,7 @@ inline json full_document() {
     "objects": [
       {"type": "sphere", "center": [-2.5, 0, 0], "radius": 2, "material": "red"},
       {"type": "spheres", "centers": [[0, 0, 0], [1, 0, 0]], "radius": [0.1, 0.2],
-       "material": "red"},
+       "colors": [[1, 0.5, 0], "#00ff00"], "material": "red"},
       {"type": "sphere_square", "center": [0, -3, 0], "radius": 0.5, "n": 14, "axes": "xz",
        "material": "red"},
       {"type": "plane", "point": [0, -4, 0], "normal": [0, 1, 0]},

@@ -23,14 +23,14 @@ json with_samples(int width, int height, int samples) {
   return text;
 }
 
-TEST(Limit, OfPixelsIsTheProductAndInclusive) {
+TEST(Limit, of_pixels_is_the_product_and_inclusive) {
   const Limits limits{.pixels = 100};
   EXPECT_TRUE(errors_of(document(camera_json(10, 10)), limits).empty());
   expect_limit(errors_of(document(camera_json(101, 1)), limits), "/camera", "--max-pixels");
   expect_limit(errors_of(document(camera_json(11, 10)), limits), "/camera", "--max-pixels");
 }
 
-TEST(Limit, OfPixelsHoldsWhereTheirProductLeavesAnInt) {
+TEST(Limit, of_pixels_holds_where_their_product_leaves_an_int) {
   json text = document(camera_json(1, 1));
   for (const double side : {65536.0, 2147483648.0, 4294967297.0, 1e15}) {
     text["camera"]["width"] = text["camera"]["height"] = side;
@@ -40,13 +40,13 @@ TEST(Limit, OfPixelsHoldsWhereTheirProductLeavesAnInt) {
   }
 }
 
-TEST(Limit, OfSamplesIsInclusive) {
+TEST(Limit, of_samples_is_inclusive) {
   const Limits limits{.samples = 16};
   EXPECT_TRUE(errors_of(with_samples(2, 2, 16), limits).empty());
   expect_limit(errors_of(with_samples(2, 2, 17), limits), "/render/samples", "--max-samples");
 }
 
-TEST(Limit, OfObjectsCountsEachSphereOfASetAndEachTriangle) {
+TEST(Limit, of_objects_counts_each_sphere_of_a_set_and_each_triangle) {
   const std::vector<json> objects = {
       json{{"type", "spheres"}, {"centers", {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}}, {"radius", 1}},
       mesh_json({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {2, 1, 0}}), sphere_json({}, 1),
@@ -56,18 +56,18 @@ TEST(Limit, OfObjectsCountsEachSphereOfASetAndEachTriangle) {
   expect_limit(errors_of(text, {.objects = 7}), "/objects", "--max-objects");
 }
 
-TEST(Limit, OfLightsIsInclusive) {
+TEST(Limit, of_lights_is_inclusive) {
   const json text = document(camera_json(), {}, {distant_json({0, 0, 1}), distant_json({0, 1, 0})});
   EXPECT_TRUE(errors_of(text, {.lights = 2}).empty());
   expect_limit(errors_of(text, {.lights = 1}), "/lights", "--max-lights");
 }
 
-TEST(Limit, OfWorkIsPixelsTimesSamples) {
+TEST(Limit, of_work_is_pixels_times_samples) {
   EXPECT_TRUE(errors_of(with_samples(10, 10, 5), {.work = 500}).empty());
   expect_limit(errors_of(with_samples(10, 10, 5), {.work = 499}), "/render", "--max-work");
 }
 
-TEST(Limit, OfWorkCountsReflectionsWhereSomethingReflects) {
+TEST(Limit, of_work_counts_reflections_where_something_reflects) {
   json text = with_samples(10, 10, 1);
   text["render"]["max_depth"] = 4;
   EXPECT_TRUE(errors_of(text, {.work = 100}).empty());
@@ -76,7 +76,7 @@ TEST(Limit, OfWorkCountsReflectionsWhereSomethingReflects) {
   expect_limit(errors_of(text, {.work = 499}), "/render", "--max-work");
 }
 
-TEST(Limit, ExceededStandsBesideTheDocumentsErrors) {
+TEST(Limit, exceeded_stands_beside_the_documents_errors) {
   json text = with_samples(100, 100, 1);
   text["ambient"] = -1;
   const std::vector<Error> errors = errors_of(text, {.pixels = 100});
@@ -85,7 +85,7 @@ TEST(Limit, ExceededStandsBesideTheDocumentsErrors) {
   EXPECT_EQ(errors[1].kind, ErrorKind::limit);
 }
 
-TEST(Limit, RowsNameTheirFlags) {
+TEST(Limit, rows_name_their_flags) {
   EXPECT_STREQ(row_of(&Limits::pixels).flag, "--max-pixels");
   EXPECT_STREQ(row_of(&Limits::objects).flag, "--max-objects");
   EXPECT_STREQ(row_of(&Limits::lights).flag, "--max-lights");
@@ -94,7 +94,7 @@ TEST(Limit, RowsNameTheirFlags) {
   EXPECT_STREQ(row_of(&Limits::body).flag, "--max-body");
 }
 
-TEST(Override, OfTheSizeIsAppliedBeforeTheLimits) {
+TEST(Override, of_the_size_is_applied_before_the_limits) {
   const json large = document(camera_json(100, 100));
   const json small = document(camera_json(10, 10));
   Overrides to_small;
@@ -105,7 +105,7 @@ TEST(Override, OfTheSizeIsAppliedBeforeTheLimits) {
   expect_limit(errors_of(small, {.pixels = 100}, to_large), "/camera", "--max-pixels");
 }
 
-TEST(Override, OfSamplesIsAppliedBeforeTheLimits) {
+TEST(Override, of_samples_is_applied_before_the_limits) {
   Overrides overrides;
   overrides.samples = 4;
   EXPECT_TRUE(errors_of(with_samples(2, 2, 64), {.samples = 16}, overrides).empty());
@@ -114,7 +114,7 @@ TEST(Override, OfSamplesIsAppliedBeforeTheLimits) {
                "--max-samples");
 }
 
-TEST(Override, StandsOverTheDocumentsValue) {
+TEST(Override, stands_over_the_documents_value) {
   Overrides overrides;
   overrides.width = 3;
   overrides.height = 4;
@@ -137,7 +137,7 @@ TEST(Override, StandsOverTheDocumentsValue) {
   EXPECT_EQ(scene.camera.fov, 0.5);
 }
 
-TEST(Override, OfSamplesDropsTheDocumentsContracts) {
+TEST(Override, of_samples_drops_the_documents_contracts) {
   json text = document();
   text["render"] = {{"target_rmse", 0.01}, {"budget_ms", 50}};
   Overrides overrides;
@@ -148,7 +148,7 @@ TEST(Override, OfSamplesDropsTheDocumentsContracts) {
   EXPECT_FALSE(scene.render.budget_ms);
 }
 
-TEST(Override, OfAContractDropsTheDocumentsSamples) {
+TEST(Override, of_a_contract_drops_the_documents_samples) {
   Overrides target;
   target.target_rmse = 0.5;
   Overrides budget;
@@ -161,7 +161,7 @@ TEST(Override, OfAContractDropsTheDocumentsSamples) {
   EXPECT_EQ(by_budget.render.budget_ms, 7);
 }
 
-TEST(Override, OfOneContractKeepsTheDocumentsOther) {
+TEST(Override, of_one_contract_keeps_the_documents_other) {
   json text = document();
   text["render"] = {{"target_rmse", 0.01}, {"budget_ms", 50}};
   Overrides target;
@@ -182,7 +182,7 @@ void PrintTo(const WrongOverride& row, std::ostream* out) { *out << row.name; }
 
 class OverrideOutOfRange : public testing::TestWithParam<WrongOverride> {};
 
-TEST_P(OverrideOutOfRange, IsRefusedLikeTheDocuments) {
+TEST_P(OverrideOutOfRange, is_refused_like_the_documents) {
   Overrides overrides;
   GetParam().set(overrides);
   const std::vector<Error> errors = errors_of(document(), {}, overrides);
@@ -230,7 +230,7 @@ INSTANTIATE_TEST_SUITE_P(
                       }}),
     [](const auto& row) { return row.param.name; });
 
-TEST(Override, DoesNotHealAnInvalidDocument) {
+TEST(Override, does_not_heal_an_invalid_document) {
   json text = document();
   text["camera"]["width"] = 0;
   Overrides overrides;

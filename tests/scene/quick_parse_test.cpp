@@ -95,12 +95,12 @@ std::vector<std::string> documents() {
   return texts;
 }
 
-TEST(QuickParse, AcceptsValidDocuments) {
+TEST(QuickParse, accepts_valid_documents) {
   ASSERT_GT(documents().size(), 20U) << "where are the scenes?";
   for (const std::string& text : documents()) EXPECT_TRUE(is_accepted(text)) << text;
 }
 
-TEST(QuickParse, LeavesErrorsToTheThoroughParser) {
+TEST(QuickParse, leaves_errors_to_the_thorough_parser) {
   for (const std::string text : {R"({"a": 1, "a": 1})",
                                  R"({"a": 1, "\u0061": 1})",
                                  R"({"x": [{"b": 1, "c": [], "b": 2}]})",
@@ -161,7 +161,7 @@ TEST(QuickParse, LeavesErrorsToTheThoroughParser) {
   EXPECT_FALSE(parse_quickly(many_keys + "}"));
 }
 
-TEST(QuickParse, ReadsNumbersAsTheThoroughParser) {
+TEST(QuickParse, reads_numbers_as_the_thorough_parser) {
   std::vector<std::string> numbers{"0",
                                    "-0",
                                    "0.0",
@@ -209,7 +209,7 @@ TEST(QuickParse, ReadsNumbersAsTheThoroughParser) {
   }
 }
 
-TEST(QuickParse, AgreesAboutMutations) {
+TEST(QuickParse, agrees_about_mutations) {
   static constexpr std::array<const char*, 40> pieces{"",
                                                       "\"",
                                                       "\\",

@@ -23,7 +23,7 @@ void PrintTo(const Right& row, std::ostream* out) { *out << row.name; }
 
 class RightValue : public testing::TestWithParam<Right> {};
 
-TEST_P(RightValue, IsAccepted) {
+TEST_P(RightValue, is_accepted) {
   const std::vector<Error> errors = errors_of(changed(GetParam().pointer, GetParam().value));
   EXPECT_TRUE(errors.empty()) << describe(errors);
 }

@@ -26,7 +26,7 @@ void PrintTo(const Wrong& row, std::ostream* out) { *out << row.name; }
 
 class WrongValue : public testing::TestWithParam<Wrong> {};
 
-TEST_P(WrongValue, IsRefusedWithItsPointerAndNothingElse) {
+TEST_P(WrongValue, is_refused_with_its_pointer_and_nothing_else) {
   const Wrong& row = GetParam();
   const std::vector<Error> errors = errors_of(changed(row.pointer, row.value));
   ASSERT_EQ(errors.size(), row.errors.size()) << describe(errors);
@@ -45,6 +45,7 @@ Wrong at(const char* name, const char* pointer, json value, const char* detail) 
 const char* const number = "must be a number";
 const char* const range = "out of range";
 const char* const integer = "integer";
+const char* const one_each = " for 2 centers: give one number, or one for each";
 
 const std::vector<Wrong> wrong_camera{
     at("CameraMissing", "/camera", missing, "\"camera\" is required"),
@@ -185,13 +186,26 @@ const std::vector<Wrong> wrong_objects{
      {{0, 0, "0"}, {1, 0, 0}},
      {{"/objects/1/centers/0/2", number}}},
     at("RadiiMissing", "/objects/1/radius", missing, "\"radius\" is required"),
-    at("RadiiTooFew", "/objects/1/radius", {0.1}, "one for each center"),
-    at("RadiiTooMany", "/objects/1/radius", {0.1, 0.2, 0.3}, "one for each center"),
-    at("RadiiNone", "/objects/1/radius", json::array(), "one for each center"),
+    at("RadiiTooFew", "/objects/1/radius", {0.1}, one_each),
+    at("RadiiTooMany", "/objects/1/radius", {0.1, 0.2, 0.3}, one_each),
+    at("RadiiNone", "/objects/1/radius", json::array(), one_each),
     {"RadiiWithZero", "/objects/1/radius", {0.1, 0}, {{"/objects/1/radius/1", "above 0"}}},
     {"RadiiWithText", "/objects/1/radius", {"0.1", 0.2}, {{"/objects/1/radius/0", number}}},
     at("RadiusOfAllNegative", "/objects/1/radius", -1, "above 0"),
     at("RadiusOfAllText", "/objects/1/radius", "0.1", number),
+    at("ColorsTooFew", "/objects/1/colors", {"#102030"}, "for 2 centers: give one for each"),
+    at("ColorsTooMany", "/objects/1/colors", {"#102030", "#102030", "#102030"},
+       "3 colors for 2 centers: give one for each"),
+    at("ColorsNone", "/objects/1/colors", json::array(), "0 colors for 2 centers"),
+    at("ColorsOfAll", "/objects/1/colors", "#102030", "must be an array"),
+    {"ColorsWithTooMuch",
+     "/objects/1/colors",
+     {{1, 1, 1}, {0, 1.5, 0}},
+     {{"/objects/1/colors/1/1", "from 0 to 1"}}},
+    {"ColorsWithText",
+     "/objects/1/colors",
+     {"red", "#00ff00"},
+     {{"/objects/1/colors/0", "#rrggbb"}}},
     at("SquareCenterMissing", "/objects/2/center", missing, "\"center\" is required"),
     at("SquareRadiusZero", "/objects/2/radius", 0, "above 0"),
     at("SquareNMissing", "/objects/2/n", missing, "\"n\" is required"),
@@ -256,7 +270,7 @@ const std::vector<Wrong> wrong_render{
     at("PrecisionNumber", "/render/precision", 64, "must be a string"),
     at("MaxDepthNegative", "/render/max_depth", -1, range),
     at("MaxDepthFraction", "/render/max_depth", 0.5, integer),
-    at("MaxDepthText", "/render/max_depth", "5", number),
+    at("MaxDepthText", "/render/max_depth", "5", integer),
     at("TransferUnknown", "/render/transfer", "gamma", "\"linear\""),
 };
 

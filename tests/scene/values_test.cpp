@@ -12,7 +12,7 @@ namespace {
 constexpr const char* minimal = R"({"camera": {"origin": [0, 0, 0], "look_at": [0, 0, 5],
                                                "fov": 1, "width": 7, "height": 5}})";
 
-TEST(Defaults, OfAMinimalDocumentAreTheDocumentedOnes) {
+TEST(Defaults, of_a_minimal_document_are_the_documented_ones) {
   const Scene scene = scene_of_text(minimal);
   EXPECT_EQ(scene.camera.up, (Vec3{0, 1, 0}));
   EXPECT_EQ(scene.background, (Rgb{0, 0, 0}));
@@ -29,7 +29,7 @@ TEST(Defaults, OfAMinimalDocumentAreTheDocumentedOnes) {
   EXPECT_EQ(scene.render.transfer, Transfer::linear);
 }
 
-TEST(Defaults, OfAMaterialAreTheDocumentedOnes) {
+TEST(Defaults, of_a_material_are_the_documented_ones) {
   for (const json& object : {json{{"type", "sphere"}, {"center", {0, 0, 5}}, {"radius", 1}},
                              sphere_json({0, 0, 5}, 1, json::object())}) {
     const Scene scene = scene_of(document(camera_json(), {object}));
@@ -44,7 +44,7 @@ TEST(Defaults, OfAMaterialAreTheDocumentedOnes) {
   }
 }
 
-TEST(Defaults, OfALightAreWhiteAndOne) {
+TEST(Defaults, of_a_light_are_white_and_one) {
   const Scene scene = scene_of(document(camera_json(), {},
                                         {{{"type", "distant"}, {"direction", {0, -1, 0}}},
                                          {{"type", "point"}, {"position", {0, 1, 0}}}}));
@@ -54,7 +54,7 @@ TEST(Defaults, OfALightAreWhiteAndOne) {
   }
 }
 
-TEST(Defaults, OfASquareIsTheAxesXz) {
+TEST(Defaults, of_a_square_is_the_axes_xz) {
   json square = square_json({1, 2, 3}, 0.5, 7);
   square.erase("axes");
   const Scene scene = scene_of(document(camera_json(), {square}));
@@ -65,7 +65,7 @@ TEST(Defaults, OfASquareIsTheAxesXz) {
   EXPECT_EQ(shape.center, (Vec3{1, 2, 3}));
 }
 
-TEST(Values, OfTheCameraAndSurroundingsAreTakenOver) {
+TEST(Values, of_the_camera_and_surroundings_are_taken_over) {
   const Scene scene = scene_of_text(R"({
     "camera": {"origin": [1, 2, 3], "look_at": [4, 5, 6], "up": [0, 0, 2], "fov": 1.25,
                "width": 70, "height": 50},
@@ -86,7 +86,7 @@ TEST(Values, OfTheCameraAndSurroundingsAreTakenOver) {
   EXPECT_EQ(scene.render.transfer, Transfer::srgb);
 }
 
-TEST(Values, OfLightsAreTakenOver) {
+TEST(Values, of_lights_are_taken_over) {
   const Scene scene = scene_of(document(camera_json(), {},
                                         {distant_json({1, -2, 3}, 0.9, {0.5, 0.25, 1}),
                                          point_json({7, 8, 9}, 1500, {0.1, 0.2, 0.3})}));
@@ -99,7 +99,7 @@ TEST(Values, OfLightsAreTakenOver) {
   EXPECT_EQ(scene.lights[1].color, (Rgb{0.1, 0.2, 0.3}));
 }
 
-TEST(Values, OfObjectsAreTakenOverInTheDocumentsOrder) {
+TEST(Values, of_objects_are_taken_over_in_the_documents_order) {
   const Scene scene = scene_of(document(
       camera_json(),
       {mesh_json({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {3, 2, 1}}),
@@ -123,7 +123,7 @@ TEST(Values, OfObjectsAreTakenOverInTheDocumentsOrder) {
   EXPECT_EQ(std::get<Sphere>(scene.objects[4].shape).radius, 7);
 }
 
-TEST(Values, OneRadiusServesAllSpheres) {
+TEST(Values, one_radius_serves_all_spheres) {
   const Scene scene = scene_of(
       document(camera_json(),
                {json{{"type", "spheres"}, {"centers", {{1, 0, 0}, {2, 0, 0}}}, {"radius", 0.5}}}));
@@ -132,7 +132,17 @@ TEST(Values, OneRadiusServesAllSpheres) {
   EXPECT_EQ(spheres.radius(1), 0.5);
 }
 
-TEST(Values, AMaterialIsFoundByNameWhereverItStandsInTheDocument) {
+TEST(Values, of_colors_are_those_of_the_spheres_in_order) {
+  json spheres{{"type", "spheres"}, {"centers", {{1, 0, 0}, {2, 0, 0}}}, {"radius", 0.5}};
+  EXPECT_TRUE(std::get<Spheres>(scene_of(document(camera_json(), {spheres})).objects[0].shape)
+                  .colors.empty());
+  spheres["colors"] = {{0.25, 0.5, 1}, "#00ff00"};
+  const Scene scene = scene_of(document(camera_json(), {spheres}));
+  EXPECT_EQ(std::get<Spheres>(scene.objects[0].shape).colors,
+            (std::vector<Rgb>{{0.25, 0.5, 1}, {0, 1, 0}}));
+}
+
+TEST(Values, a_material_is_found_by_name_wherever_it_stands_in_the_document) {
   const Scene scene = scene_of_text(R"({
     "objects": [{"type": "sphere", "center": [0, 0, 5], "radius": 1, "material": "a"},
                 {"type": "sphere", "center": [0, 0, 9], "radius": 1, "material": {"kd": 0.5}},
@@ -148,13 +158,13 @@ TEST(Values, AMaterialIsFoundByNameWhereverItStandsInTheDocument) {
   EXPECT_EQ(material(2).ks, 0.125);
 }
 
-TEST(Values, OfColoursInHexAreBytesOver255) {
+TEST(Values, of_colours_in_hex_are_bytes_over255) {
   json text = json::parse(minimal);
   text["background"] = "#1080Ff";
   EXPECT_EQ(scene_of(text).background, (Rgb{16 / 255.0, 128 / 255.0, 1}));
 }
 
-TEST(Values, IntegersMayBeWrittenAsFloats) {
+TEST(Values, integers_may_be_written_as_floats) {
   for (const char* width : {"700", "700.0", "7e2", "70.0e1", "7000e-1"}) {
     const std::string text = std::string(R"({"camera": {"origin": [0, 0, 0], "look_at": [0, 0, 5],
         "fov": 1, "height": 5, "width": )") +
@@ -163,7 +173,7 @@ TEST(Values, IntegersMayBeWrittenAsFloats) {
   }
 }
 
-TEST(Values, NumbersAreReadToTheLastBit) {
+TEST(Values, numbers_are_read_to_the_last_bit) {
   json text = json::parse(minimal);
   text["ambient"] = 0.1 + 0.2;
   text["camera"]["origin"] = {5e-324, 1.7976931348623157e308, -0.30000000000000004};
@@ -172,7 +182,7 @@ TEST(Values, NumbersAreReadToTheLastBit) {
   EXPECT_EQ(scene.camera.origin, (Vec3{5e-324, 1.7976931348623157e308, -0.30000000000000004}));
 }
 
-TEST(Values, AMaxDepthBeyondAnIntIsValid) {
+TEST(Values, a_max_depth_beyond_an_int_is_valid) {
   json text = json::parse(minimal);
   text["render"]["max_depth"] = 1e15;
   EXPECT_EQ(scene_of(text).render.max_depth, std::numeric_limits<int>::max());

@@ -1,16 +1,21 @@
 // Which folder may include which: the arrows of the house, and no other.
 //
-// math -> scene -> plan -> pack -> accel -> kernel -> sample -> render -> forecast -> tradeoff ->
-// engine.h -> server. The stopwatches and the pool of threads stand below all of them; image stands
-// beside and knows scenes only. The client and the page speak HTTP and know nothing of either;
-// client/manual joins both programs' tables of options.
+// math -> fields -> finders -> packets -> lights, materials, objects -> scene -> pack -> plan ->
+// reference, kernel -> sample -> render -> forecast -> tradeoff -> engine.h -> server. Memory, the
+// stopwatches, the pool of threads and words stand below all of them; image stands beside and knows
+// scenes only. The "-inl.h" of all folders are the kernels' SIMD code, a layer of its own on top of
+// what kernels see. The client and the page speak HTTP and know nothing of either; client/manual
+// joins both programs' tables of options.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/structure/source_tree.h"
@@ -22,25 +27,53 @@ using Folders = std::set<std::string>;
 
 /// The folders of the engine, each of which may include those before it.
 const std::vector<std::string> engine_order{
-    "engine/memory", "engine/measure", "engine/parallel", "engine/math",    "engine/scene",
-    "engine/image",  "engine/plan",    "engine/pack",     "engine/accel",   "engine/kernel",
-    "engine/sample", "engine/render",  "engine/forecast", "engine/tradeoff"};
+    "engine/memory",    "engine/measure",   "engine/parallel", "engine/text",    "engine/math",
+    "engine/errors",    "engine/fields",    "engine/finders",  "engine/packets", "engine/lights",
+    "engine/materials", "engine/objects",   "engine/scene",    "engine/image",   "engine/pack",
+    "engine/plan",      "engine/reference", "engine/kernel",   "engine/sample",  "engine/render",
+    "engine/forecast",  "engine/tradeoff"};
 
-/// Structures and kernels see packed arrays, never the scene. What they and the stages before the
-/// plan make is the same at any time, so they measure none.
+/// Finders know no kinds, and kernels see packed arrays, never the scene. What they and the stages
+/// before the plan make is the same at any time, so they measure none.
 const std::map<std::string, Folders> further_refusals{
     {"engine/parallel", {"engine/measure"}},
-    {"engine/math", {"engine/measure", "engine/parallel"}},
-    {"engine/scene", {"engine/measure", "engine/parallel"}},
-    {"engine/image", {"engine/measure"}},
-    {"engine/plan", {"engine/image"}},
-    {"engine/pack", {"engine/measure", "engine/image"}},
-    {"engine/accel", {"engine/measure", "engine/scene", "engine/image"}},
-    {"engine/kernel", {"engine/measure", "engine/scene"}},
+    {"engine/text", {"engine/measure", "engine/parallel"}},
+    {"engine/math", {"engine/measure", "engine/parallel", "engine/text"}},
+    {"engine/fields", {"engine/measure", "engine/parallel"}},
+    {"engine/finders", {"engine/measure", "engine/fields"}},
+    {"engine/packets", {"engine/measure", "engine/fields"}},
+    {"engine/lights", {"engine/measure", "engine/parallel", "engine/finders", "engine/packets"}},
+    {"engine/materials", {"engine/measure", "engine/parallel", "engine/finders", "engine/packets"}},
+    {"engine/objects", {"engine/measure", "engine/materials"}},
+    {"engine/scene", {"engine/measure", "engine/parallel", "engine/finders", "engine/packets"}},
+    {"engine/image",
+     {"engine/measure", "engine/finders", "engine/packets", "engine/lights", "engine/materials",
+      "engine/objects"}},
+    {"engine/pack", {"engine/measure", "engine/finders", "engine/packets", "engine/image"}},
+    {"engine/plan", {"engine/measure", "engine/finders", "engine/packets", "engine/image"}},
+    {"engine/reference", {"engine/measure", "engine/scene", "engine/image"}},
+    {"engine/kernel", {"engine/measure", "engine/scene", "engine/reference"}},
 };
 
-bool may_include(const std::string& layer, const std::string& target) {
-  if (layer == target) return true;
+/// Of what a folder refuses, the headers that it takes: what a scene needs is not the scene, and
+/// the names of finders are none.
+const std::set<std::pair<std::string, std::string>> exceptions{
+    {"engine/kernel", "engine/scene/features.h"}, {"engine/plan", "engine/finders/finder.h"}};
+
+/// What the SIMD code may include of ordinary headers; that of finders and packets only the first.
+const Folders simd_foundation{"engine/math", "engine/errors", "engine/finders", "engine/packets"};
+const Folders simd_sees{"engine/image", "engine/lights", "engine/materials", "engine/objects",
+                        "engine/kernel"};
+
+/// "engine/kernel/simd/x.h" belongs to "engine/kernel".
+std::string layer_of(const std::string& path) {
+  const std::size_t first = path.find('/');
+  return path.substr(0, path.find('/', first + 1));
+}
+
+bool may_include(const std::string& layer, const std::string& include) {
+  const std::string target = layer_of(include);
+  if (layer == target || exceptions.contains({layer, include})) return true;
   const auto refused = further_refusals.find(layer);
   if (refused != further_refusals.end() && refused->second.contains(target)) return false;
   const auto place = [](const std::string& folder) {
@@ -49,26 +82,78 @@ bool may_include(const std::string& layer, const std::string& target) {
   return place(target) < place(layer);
 }
 
-/// "engine/kernel/simd/x.h" belongs to "engine/kernel".
-std::string layer_of(const std::string& path) {
-  const std::size_t first = path.find('/');
-  return path.substr(0, path.find('/', first + 1));
-}
+bool is_simd(const std::string& path) { return path.ends_with("-inl.h"); }
 
 TEST(Layers, engine_folders_include_only_what_is_below_them) {
   int count = 0;
   for (const SourceFile& file : source_files({"engine"})) {
     const std::string layer = layer_of(file.path);
-    if (folder_of(file.path) == "engine") continue;  // engine.h and the build's identity
+    // engine.h and the build's identity; SIMD code has a rule of its own
+    if (folder_of(file.path) == "engine" || is_simd(file.path)) continue;
     ASSERT_EQ(std::count(engine_order.begin(), engine_order.end(), layer), 1)
         << file.path << ": say in layers_test.cpp where " << layer << " stands";
     for (const std::string& include : file.own_includes()) {
-      const std::string target = layer_of(include);
-      EXPECT_TRUE(may_include(layer, target)) << file.path << " includes " << include;
+      if (is_simd(include)) continue;
+      EXPECT_TRUE(may_include(layer, include)) << file.path << " includes " << include;
       ++count;
     }
   }
   EXPECT_GT(count, 100) << "where is the engine?";
+}
+
+TEST(Layers, simd_code_includes_what_kernels_see) {
+  int count = 0;
+  for (const SourceFile& file : source_files({"engine"})) {
+    if (!is_simd(file.path)) continue;
+    const bool is_foundation = simd_foundation.contains(layer_of(file.path));
+    for (const std::string& include : file.own_includes()) {
+      const std::string target = layer_of(include);
+      EXPECT_TRUE(simd_foundation.contains(target) ||
+                  (!is_foundation && (is_simd(include) || simd_sees.contains(target))))
+          << file.path << " includes " << include;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 50) << "where is the SIMD code?";
+}
+
+/// Which compile it once for each instruction set.
+TEST(Layers, simd_code_is_included_by_sources_of_the_kernels_only) {
+  for (const SourceFile& file : source_files({"engine", "server", "client", "tests"}))
+    for (const std::string& include : file.own_includes()) {
+      if (!is_simd(include) || is_simd(file.path)) continue;
+      EXPECT_TRUE(file.path.starts_with("engine/kernel/simd/") && file.path.ends_with(".cpp"))
+          << file.path << " includes " << include;
+    }
+}
+
+/// Include guards would hide it.
+TEST(Layers, no_header_includes_itself_by_way_of_others) {
+  std::map<std::string, std::vector<std::string>> includes;
+  for (const SourceFile& file : source_files({"engine", "server", "client"}))
+    includes[file.path] = file.own_includes();
+  std::set<std::string> finished;
+  std::set<std::string> open;
+  const std::function<void(const std::string&)> visit = [&](const std::string& path) {
+    if (finished.contains(path)) return;
+    open.insert(path);
+    for (const std::string& include : includes[path]) {
+      EXPECT_FALSE(open.contains(include)) << path << " includes " << include;
+      if (!open.contains(include)) visit(include);
+    }
+    open.erase(path);
+    finished.insert(path);
+  };
+  const auto files = includes;
+  for (const auto& [path, of_it] : files) visit(path);
+}
+
+TEST(Layers, kinds_finders_and_kernels_never_name_the_scene) {
+  static const std::regex scene(R"(\bScene\b)");
+  for (const SourceFile& file :
+       source_files({"engine/math", "engine/fields", "engine/finders", "engine/packets",
+                     "engine/lights", "engine/materials", "engine/objects", "engine/kernel"}))
+    EXPECT_FALSE(std::regex_search(file.code(), scene)) << file.path;
 }
 
 TEST(Layers, engine_knows_nothing_of_its_users) {

@@ -38,6 +38,12 @@ bool SourceFile::includes_library(std::string_view header) const {
   return false;
 }
 
+std::string SourceFile::code() const {
+  static const std::regex not_code(R"re(//[^\n]*|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)')re");
+  static const std::regex directive(R"re(^[ \t]*#[^\n]*)re", std::regex::multiline);
+  return std::regex_replace(std::regex_replace(text, not_code, ""), directive, "");
+}
+
 std::vector<SourceFile> source_files(const std::vector<std::string>& folders) {
   const fs::path root = RAYTRACER_SOURCE_DIR;
   std::vector<SourceFile> files;

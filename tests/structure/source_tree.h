@@ -17,6 +17,9 @@ struct SourceFile {
   /// Whether it includes <header> or "header" of a library, such as "httplib.h", or a header in
   /// the folder `header` if that ends with a slash.
   bool includes_library(std::string_view header) const;
+  /// The text of C++ without comments, directives and what is in quotes; its lines stay. Not for
+  /// raw strings.
+  std::string code() const;
 };
 
 /// The source files (C++, CMake, shell, page) in folders of the root, ordered by path; never those

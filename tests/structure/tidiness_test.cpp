@@ -56,10 +56,10 @@ TEST(Tidiness, file_says_what_it_is) {
 }
 
 /// Two types of one name and namespace are one to the linker, which keeps either's functions: no
-/// compiler sees it.
+/// compiler sees it. A specialization is a type of its own.
 TEST(Tidiness, headers_define_each_type_once) {
   static const std::regex definition(
-      R"(\n(?:struct|class|enum class) (?:alignas\(\w+\) )?(\w+(?:::\w+)*)[^;{]*\{)");
+      R"(\n(?:struct|class|enum class) (?:alignas\(\w+\) )?(\w+(?:::\w+)*(?:<[^;{]*>)?)[^;{]*\{)");
   static const std::regex name_space(R"(\nnamespace ([\w:]+) \{)");
   std::map<std::string, std::string> defined_in;
   for (const SourceFile& file : source_files({"engine", "server", "client"})) {

@@ -5,15 +5,15 @@
 #include <numbers>
 #include <random>
 
-#include "engine/kernel/query.h"
 #include "engine/pack/packed_scene.h"
+#include "engine/reference/query.h"
 
 namespace raytracer::test {
 
 /// A ray from a point on no surface.
 inline Ray ray_from(const Vec3& origin, const Vec3& direction) {
-  Ray ray{Departure{}, unit(direction)};
-  ray.from.anchor = origin;
+  Ray ray{SurfacePoint{}, unit(direction)};
+  ray.origin.anchor = origin;
   return ray;
 }
 
@@ -22,8 +22,8 @@ inline Ray ray_towards(const Vec3& origin, const Vec3& target) {
 }
 
 /// A ray that leaves the surface that a query has found.
-inline Ray ray_leaving(const Departure& surface, const Vec3& direction) {
-  return {surface, unit(direction)};
+inline Ray ray_leaving(const SurfacePoint& point, const Vec3& direction) {
+  return {point, unit(direction)};
 }
 
 /// The same numbers on every machine and run.

@@ -10,19 +10,19 @@
 namespace raytracer::test {
 namespace {
 
-TEST(ConservativeSum, AddsLessWhereManyHaveAnError) {
+TEST(ConservativeSum, adds_less_where_many_have_an_error) {
   EXPECT_DOUBLE_EQ(conservative_sum(std::vector<double>{1}), 1 + 2 * std::sqrt(2));
   EXPECT_DOUBLE_EQ(conservative_sum(std::vector<double>(100, 0.01)), 1 + 0.2 * std::sqrt(2));
 }
 
-TEST(ErrorScale, IsLessWhereEdgesCrossPixels) {
-  Census census;
-  census.small_spheres = 1;
-  const ErrorScale of_small = error_scale(census);
-  EXPECT_EQ(of_small.first, 1);
-  census.small_spheres = 0;
-  EXPECT_LT(error_scale(census).first, 1);
-  EXPECT_LT(error_scale(census).least, of_small.least);
+TEST(ErrorMultiplier, is_less_where_edges_cross_pixels) {
+  SceneStatistics statistics;
+  statistics.all.subpixel = 1;
+  const ErrorMultiplier of_small = choose_error_multiplier(statistics);
+  EXPECT_EQ(of_small.initial, 1);
+  statistics.all.subpixel = 0;
+  EXPECT_LT(choose_error_multiplier(statistics).initial, 1);
+  EXPECT_LT(choose_error_multiplier(statistics).least, of_small.least);
 }
 
 }  // namespace

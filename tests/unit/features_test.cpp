@@ -1,5 +1,5 @@
 // What of shading and geometry a scene needs: what no pixel can show does not count.
-#include "engine/plan/features.h"
+#include "engine/scene/features.h"
 
 #include <gtest/gtest.h>
 
@@ -12,25 +12,28 @@ Scene lit_sphere() {
   Scene scene;
   scene.camera = {.origin = {0, 0, -5}, .look_at = {}, .fov = 1, .width = 8, .height = 8};
   scene.lights = {{DistantLight{{0, -1, 1}}}};
-  scene.materials = {Material{}, Material{.shininess = 3.5, .reflectivity = 0.9}};
+  Material mirror;
+  mirror.shininess = 3.5;
+  mirror.reflectivity = 0.9;
+  scene.materials = {Material{}, mirror};
   scene.objects = {{Sphere{{0, 0, 0}, 1}, 0}};
   return scene;
 }
 
-TEST(Features, CountPrimitivesByKind) {
+TEST(Features, count_primitives_by_kind) {
   Scene scene = lit_sphere();
-  scene.objects.push_back({Spheres{{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {0.1}}, 0});
+  scene.objects.push_back({Spheres{{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {0.1}, {}}, 0});
   scene.objects.push_back({SphereSquare{{0, -3, 0}, 1, 1000, Axes::xz}, 0});
   scene.objects.push_back({Plane{{0, -9, 0}, {0, 1, 0}}, 0});
   scene.objects.push_back({Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, 0});
   const Features features = find_features(scene);
-  EXPECT_EQ(features.spheres, 4U);
-  EXPECT_EQ(features.squares, 1U);
-  EXPECT_EQ(features.planes, 1U);
-  EXPECT_EQ(features.triangles, 2U);
+  EXPECT_EQ(features.primitives[kind_index<SphereKind>], 4U);
+  EXPECT_EQ(features.primitives[kind_index<LatticeKind>], 1U);
+  EXPECT_EQ(features.primitives[kind_index<PlaneKind>], 1U);
+  EXPECT_EQ(features.primitives[kind_index<TriangleKind>], 2U);
 }
 
-TEST(Features, LeaveOutAMaterialThatNothingWears) {
+TEST(Features, leave_out_a_material_that_nothing_wears) {
   const Features features = find_features(lit_sphere());
   EXPECT_EQ(features.materials, 1U);
   EXPECT_FALSE(features.reflects);
@@ -39,15 +42,15 @@ TEST(Features, LeaveOutAMaterialThatNothingWears) {
   EXPECT_EQ(features.uniform_shininess, 50) << "the mirror's 3.5 is nobody's";
 }
 
-TEST(Features, LeaveOutTheMaterialOfAnEmptySet) {
+TEST(Features, leave_out_the_material_of_an_empty_set) {
   Scene scene = lit_sphere();
-  scene.objects.push_back({Spheres{{}, {1}}, 1});
+  scene.objects.push_back({Spheres{{}, {1}, {}}, 1});
   scene.objects.push_back({Mesh{}, 1});
   EXPECT_FALSE(find_features(scene).reflects);
   EXPECT_EQ(find_features(scene).materials, 1U);
 }
 
-TEST(Features, CountAMirrorThatIsWorn) {
+TEST(Features, count_a_mirror_that_is_worn) {
   Scene scene = lit_sphere();
   scene.objects[0].material = 1;
   const Features features = find_features(scene);
@@ -57,14 +60,14 @@ TEST(Features, CountAMirrorThatIsWorn) {
   EXPECT_EQ(features.uniform_shininess, -1) << "3.5 is no integer";
 }
 
-TEST(Features, LeaveOutMirrorsWhenNoRayMayBeReflected) {
+TEST(Features, leave_out_mirrors_when_no_ray_may_be_reflected) {
   Scene scene = lit_sphere();
   scene.objects[0].material = 1;
   scene.render.max_depth = 0;
   EXPECT_FALSE(find_features(scene).reflects);
 }
 
-TEST(Features, LeaveOutHighlightsWhereNothingShowsThem) {
+TEST(Features, leave_out_highlights_where_nothing_shows_them) {
   Scene without_ks = lit_sphere();
   without_ks.materials[0].ks = 0;
   EXPECT_FALSE(find_features(without_ks).has_specular);
@@ -81,7 +84,7 @@ TEST(Features, LeaveOutHighlightsWhereNothingShowsThem) {
   EXPECT_FALSE(find_features(black).has_specular);
 }
 
-TEST(Features, AskOnlyTheSpecularForOneExponent) {
+TEST(Features, ask_only_the_specular_for_one_exponent) {
   Scene scene = lit_sphere();
   scene.objects.push_back({Sphere{{3, 0, 0}, 1}, 1});
   EXPECT_EQ(find_features(scene).uniform_shininess, -1);
@@ -89,19 +92,20 @@ TEST(Features, AskOnlyTheSpecularForOneExponent) {
   EXPECT_EQ(find_features(scene).uniform_shininess, 50);
 }
 
-TEST(Features, LeaveOutALightThatChangesNoColour) {
+TEST(Features, leave_out_a_light_that_changes_no_colour) {
   Scene scene = lit_sphere();
   scene.lights.push_back({PointLight{{0, 9, 0}}, {1, 1, 1}, 0});
   scene.shadows = Shadows::ambient;
-  EXPECT_EQ(find_features(scene).point_lights, 0U);
+  EXPECT_EQ(find_features(scene).light_count(LightRays::converging), 0U);
   scene.shadows = Shadows::black;
-  EXPECT_EQ(find_features(scene).point_lights, 1U) << "it brings the ambient part";
+  EXPECT_EQ(find_features(scene).light_count(LightRays::converging), 1U)
+      << "it brings the ambient part";
   scene.ambient = 0;
-  EXPECT_EQ(find_features(scene).point_lights, 0U);
+  EXPECT_EQ(find_features(scene).light_count(LightRays::converging), 0U);
   EXPECT_FALSE(find_features(scene).has_ambient);
 }
 
-TEST(Features, CastShadowsOnlyUnderLightsThatHaveSome) {
+TEST(Features, cast_shadows_only_under_lights_that_have_some) {
   Scene scene = lit_sphere();
   EXPECT_TRUE(find_features(scene).casts_shadows);
   scene.shadows = Shadows::off;
@@ -112,10 +116,10 @@ TEST(Features, CastShadowsOnlyUnderLightsThatHaveSome) {
   EXPECT_FALSE(find_features(scene).has_ambient) << "what no light reaches is black";
 }
 
-TEST(Features, OfNothingAreNone) {
+TEST(Features, of_nothing_are_none) {
   const Features features = find_features(Scene{});
   EXPECT_EQ(features.materials, 0U);
-  EXPECT_EQ(features.lights(), 0U);
+  EXPECT_EQ(features.light_count(), 0U);
   EXPECT_FALSE(features.casts_shadows || features.has_ambient || features.has_diffuse ||
                features.has_specular || features.reflects);
 }

@@ -1,7 +1,5 @@
 // Planes and triangles: both sides, no gaps, and no shadow of a surface on itself.
 
-#include "engine/kernel/flat.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -11,55 +9,55 @@
 namespace raytracer::test {
 namespace {
 
-TEST(Plane, IsHitFromBothSidesWithItsNormalTowardsTheRay) {
+TEST(Plane, is_hit_from_both_sides_with_its_normal_towards_the_ray) {
   const PackedPlane plane{{7, 2, -3}, {0, 1, 0}, {}};
-  const auto above = intersect_plane(ray_from({0, 5, 0}, {0, -1, 0}), plane);
+  const auto above = intersect(ray_from({0, 5, 0}, {0, -1, 0}), plane);
   ASSERT_TRUE(above);
   EXPECT_EQ(above->t, 3);
-  EXPECT_EQ(above->normal, (Vec3{0, 1, 0}));
-  const auto below = intersect_plane(ray_from({0, -5, 0}, {0, 1, 0}), plane);
+  EXPECT_EQ(above->point.normal, (Vec3{0, 1, 0}));
+  const auto below = intersect(ray_from({0, -5, 0}, {0, 1, 0}), plane);
   ASSERT_TRUE(below);
   EXPECT_EQ(below->t, 7);
-  EXPECT_EQ(below->normal, (Vec3{0, -1, 0}));
+  EXPECT_EQ(below->point.normal, (Vec3{0, -1, 0}));
 }
 
-TEST(Plane, IsNotHitBehindNorAlongNorFromWithin) {
+TEST(Plane, is_not_hit_behind_nor_along_nor_from_within) {
   const PackedPlane plane{{0, 0, 0}, {0, 1, 0}, {}};
-  EXPECT_FALSE(intersect_plane(ray_from({0, 5, 0}, {0, 1, 0}), plane));
-  EXPECT_FALSE(intersect_plane(ray_from({0, 5, 0}, {1, 0, 0}), plane));
-  EXPECT_FALSE(intersect_plane(ray_from({0, 0, 0}, {1, 0, 0}), plane));
-  EXPECT_FALSE(intersect_plane(ray_from({0, 0, 0}, {1, -1, 0}), plane));
-  EXPECT_FALSE(intersect_plane(ray_from({0, 0, 0}, {1, 1, 0}), plane));
+  EXPECT_FALSE(intersect(ray_from({0, 5, 0}, {0, 1, 0}), plane));
+  EXPECT_FALSE(intersect(ray_from({0, 5, 0}, {1, 0, 0}), plane));
+  EXPECT_FALSE(intersect(ray_from({0, 0, 0}, {1, 0, 0}), plane));
+  EXPECT_FALSE(intersect(ray_from({0, 0, 0}, {1, -1, 0}), plane));
+  EXPECT_FALSE(intersect(ray_from({0, 0, 0}, {1, 1, 0}), plane));
 }
 
-TEST(Triangle, IsHitFromBothSidesWithItsNormalTowardsTheRay) {
+TEST(Triangle, is_hit_from_both_sides_with_its_normal_towards_the_ray) {
   const PackedTriangle triangle = packed_triangle({0, 0, 5}, {4, 0, 5}, {0, 4, 5}, {});
   for (const double side : {-1.0, 1.0}) {
-    const auto found = intersect_triangle(ray_from({1, 1, 5 + side * 3}, {0, 0, -side}), triangle);
+    const auto found = intersect(ray_from({1, 1, 5 + side * 3}, {0, 0, -side}), triangle);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->t, 3);
-    EXPECT_EQ(found->normal, (Vec3{0, 0, side}));
-    EXPECT_FALSE(intersect_triangle(ray_from({1, 1, 5 + side * 3}, {0, 0, side}), triangle));
+    EXPECT_EQ(found->point.normal, (Vec3{0, 0, side}));
+    EXPECT_FALSE(intersect(ray_from({1, 1, 5 + side * 3}, {0, 0, side}), triangle));
   }
 }
 
-TEST(Triangle, IsHitInsideAndNotOutside) {
+TEST(Triangle, is_hit_inside_and_not_outside) {
   const PackedTriangle triangle = packed_triangle({0, 0, 5}, {4, 0, 5}, {0, 4, 5}, {});
   for (int i = -20; i <= 60; ++i) {
     for (int k = -20; k <= 60; ++k) {
       const double x = i * 0.1 + 0.05;  // never on an edge
       const double y = k * 0.1 + 0.02;
       const bool inside = x > 0 && y > 0 && x + y < 4;
-      EXPECT_EQ(intersect_triangle(ray_from({x, y, 0}, {0, 0, 1}), triangle).has_value(), inside)
+      EXPECT_EQ(intersect(ray_from({x, y, 0}, {0, 0, 1}), triangle).has_value(), inside)
           << x << ' ' << y;
     }
   }
 }
 
-TEST(Triangle, InWhosePlaneTheRayRunsIsNotHit) {
+TEST(Triangle, in_whose_plane_the_ray_runs_is_not_hit) {
   const PackedTriangle triangle = packed_triangle({0, 0, 5}, {4, 0, 5}, {0, 4, 5}, {});
-  EXPECT_FALSE(intersect_triangle(ray_from({-1, 1, 5}, {1, 0, 0}), triangle));
-  EXPECT_FALSE(intersect_triangle(ray_from({-1, 0, 5}, {1, 0, 0}), triangle));
+  EXPECT_FALSE(intersect(ray_from({-1, 1, 5}, {1, 0, 0}), triangle));
+  EXPECT_FALSE(intersect(ray_from({-1, 0, 5}, {1, 0, 0}), triangle));
 }
 
 /// A rough sheet over [-1, 1]^2 of side * side * 2 triangles with shared corners.
@@ -100,12 +98,12 @@ struct Sheet {
 
   bool is_hit_by(const Ray& ray) const {
     AnyHit query(ray, 1e30);
-    for (const PackedTriangle& triangle : triangles) query.show(triangle);
+    for (const PackedTriangle& triangle : triangles) query.add(triangle);
     return query.found();
   }
 };
 
-TEST(Mesh, LetsNoRayThroughItsEdgesOrCorners) {
+TEST(Mesh, lets_no_ray_through_its_edges_or_corners) {
   Random random(6);
   const Sheet sheet(6, 0.3, random, [&](double, double) { return random.between(-0.03, 0.03); });
   for (int round = 0; round < 200; ++round) {
@@ -124,7 +122,7 @@ TEST(Mesh, LetsNoRayThroughItsEdgesOrCorners) {
   }
 }
 
-TEST(Mesh, LetsNoAxisParallelRayThroughTheSeamsOfAGrid) {
+TEST(Mesh, lets_no_axis_parallel_ray_through_the_seams_of_a_grid) {
   Random random(7);
   const Sheet sheet(8, 0, random, [](double, double) { return 0.25; });
   for (int i = -63; i <= 63; ++i)
@@ -132,7 +130,7 @@ TEST(Mesh, LetsNoAxisParallelRayThroughTheSeamsOfAGrid) {
       EXPECT_TRUE(sheet.is_hit_by(ray_from({i / 64.0, k / 64.0, 3}, {0, 0, -1}))) << i << ' ' << k;
 }
 
-TEST(Mesh, WhoseTrianglesLieInOnePlaneDoesNotShadowItself) {
+TEST(Mesh, whose_triangles_lie_in_one_plane_does_not_shadow_itself) {
   Random random(8);
   for (const double tilt : {0.0, 0.1, 0.7318, 12.3}) {
     const Sheet sheet(6, 0.45, random,
@@ -141,21 +139,21 @@ TEST(Mesh, WhoseTrianglesLieInOnePlaneDoesNotShadowItself) {
       const Ray ray = ray_towards({0.3, -0.4, i % 2 == 0 ? 30.0 : -30.0},
                                   {random.between(-1, 1), random.between(-1, 1), 0.1});
       NearestHit query(ray);
-      for (const PackedTriangle& triangle : sheet.triangles) query.show(triangle);
+      for (const PackedTriangle& triangle : sheet.triangles) query.add(triangle);
       if (!query.found()) continue;
       Vec3 direction = random.direction();
-      if (dot(direction, query.surface().normal) < 0) direction = -direction;
-      EXPECT_FALSE(sheet.is_hit_by(ray_leaving(query.surface(), direction)));
+      if (dot(direction, query.point().normal) < 0) direction = -direction;
+      EXPECT_FALSE(sheet.is_hit_by(ray_leaving(query.point(), direction)));
       // Nearly along the surface it is hardest.
       const Vec3 grazing =
-          unit(direction - dot(direction, query.surface().normal) * query.surface().normal) +
-          1e-9 * query.surface().normal;
-      EXPECT_FALSE(sheet.is_hit_by(ray_leaving(query.surface(), grazing)));
+          unit(direction - dot(direction, query.point().normal) * query.point().normal) +
+          1e-9 * query.point().normal;
+      EXPECT_FALSE(sheet.is_hit_by(ray_leaving(query.point(), grazing)));
     }
   }
 }
 
-TEST(Mesh, OfASliverDoesNotShadowItself) {
+TEST(Mesh, of_a_sliver_does_not_shadow_itself) {
   Random random(9);
   for (const double width : {1e-3, 1e-6, 1e-9}) {
     const PackedTriangle sliver =
@@ -165,16 +163,16 @@ TEST(Mesh, OfASliverDoesNotShadowItself) {
       const Vec3 on_edge = sliver.vertices[0] * share + sliver.vertices[1] * (1 - share);
       const Ray ray = ray_towards({0.1, 0.2, 9}, on_edge * 0.5 + sliver.vertices[2] * 0.5);
       NearestHit query(ray);
-      query.show(sliver);
+      query.add(sliver);
       if (!query.found()) continue;
       Vec3 direction = random.direction();
-      if (dot(direction, query.surface().normal) < 0) direction = -direction;
-      EXPECT_FALSE(intersect_triangle(ray_leaving(query.surface(), direction), sliver));
+      if (dot(direction, query.point().normal) < 0) direction = -direction;
+      EXPECT_FALSE(intersect(ray_leaving(query.point(), direction), sliver));
     }
   }
 }
 
-TEST(Plane, AndAMeshInItDoNotShadowEachOther) {
+TEST(Plane, and_a_mesh_in_it_do_not_shadow_each_other) {
   Random random(10);
   const auto height = [](double x, double y) { return 0.37 * x - 0.21 * y + 0.1; };
   const Sheet sheet(4, 0.4, random, height);
@@ -182,18 +180,18 @@ TEST(Plane, AndAMeshInItDoNotShadowEachOther) {
   for (int i = 0; i < 2000; ++i) {
     const Ray ray = ray_towards({0.3, -0.4, 30}, {random.between(-2, 2), random.between(-2, 2), 0});
     NearestHit query(ray);
-    for (const PackedTriangle& triangle : sheet.triangles) query.show(triangle);
-    query.show(plane);
+    for (const PackedTriangle& triangle : sheet.triangles) query.add(triangle);
+    query.add(plane);
     ASSERT_TRUE(query.found());
     Vec3 direction = random.direction();
-    if (dot(direction, query.surface().normal) < 0) direction = -direction;
-    const Ray leaving = ray_leaving(query.surface(), direction);
+    if (dot(direction, query.point().normal) < 0) direction = -direction;
+    const Ray leaving = ray_leaving(query.point(), direction);
     EXPECT_FALSE(sheet.is_hit_by(leaving));
-    EXPECT_FALSE(intersect_plane(leaving, plane));
+    EXPECT_FALSE(intersect(leaving, plane));
   }
 }
 
-TEST(Mesh, CastsItsShadowOnWhatIsBehindIt) {
+TEST(Mesh, casts_its_shadow_on_what_is_behind_it) {
   Random random(11);
   const Sheet sheet(6, 0.3, random, [](double x, double y) { return 0.1 * x * y; });
   const PackedPlane floor{{0, 0, -2}, {0, 0, 1}, {1, 0}};
@@ -201,10 +199,10 @@ TEST(Mesh, CastsItsShadowOnWhatIsBehindIt) {
     const Ray ray =
         ray_towards({5, 0, 3}, {random.between(-0.9, 0.9), random.between(-0.9, 0.9), -2});
     NearestHit query(ray);
-    query.show(floor);
+    query.add(floor);
     ASSERT_TRUE(query.found());
-    EXPECT_TRUE(sheet.is_hit_by(ray_leaving(query.surface(), {0, 0, 1})));
-    EXPECT_FALSE(sheet.is_hit_by(ray_leaving(query.surface(), {1, 0, 1e-3})));
+    EXPECT_TRUE(sheet.is_hit_by(ray_leaving(query.point(), {0, 0, 1})));
+    EXPECT_FALSE(sheet.is_hit_by(ray_leaving(query.point(), {1, 0, 1e-3})));
   }
 }
 

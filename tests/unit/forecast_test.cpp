@@ -39,7 +39,7 @@ double rms_difference(const Image& a, const Image& b) {
   return std::sqrt(sum / static_cast<double>(a.values.size()));
 }
 
-TEST(Forecast, MoreSamplesTakeLongerAndErrLess) {
+TEST(Forecast, more_samples_take_longer_and_err_less) {
   Scene scene = row_of_spheres(5);
   const Prediction one = foresee(scene);
   scene.render.samples = 64;
@@ -51,7 +51,7 @@ TEST(Forecast, MoreSamplesTakeLongerAndErrLess) {
   EXPECT_GT(many.error, 0);
 }
 
-TEST(Forecast, MorePixelsTakeLonger) {
+TEST(Forecast, more_pixels_take_longer) {
   Scene scene = row_of_spheres(5);
   const double small_ms = foresee(scene).trace_ms;
   scene.camera.width *= 4;
@@ -59,7 +59,7 @@ TEST(Forecast, MorePixelsTakeLonger) {
   EXPECT_GT(foresee(scene).trace_ms, 4 * small_ms);
 }
 
-TEST(Forecast, MoreThreadsTakeLessTime) {
+TEST(Forecast, more_threads_take_less_time) {
   Scene scene = row_of_spheres(5);
   scene.render.samples = 256;
   const Prediction one = foresee(scene, 1);
@@ -68,7 +68,7 @@ TEST(Forecast, MoreThreadsTakeLessTime) {
   EXPECT_LT(four.trace_ms, one.trace_ms);
 }
 
-TEST(Forecast, ErrorIsNearTheMeasuredOne) {
+TEST(Forecast, error_is_near_the_measured_one) {
   Scene scene = row_of_spheres(5);
   const Prediction one = foresee(scene);
   scene.render.samples = 4;
@@ -85,13 +85,13 @@ TEST(Forecast, ErrorIsNearTheMeasuredOne) {
   EXPECT_LT(four.error, error_of_four * 2);
 }
 
-TEST(Forecast, BackgroundHasNoError) {
+TEST(Forecast, background_has_no_error) {
   const Prediction prediction = foresee(row_of_spheres(0));
   EXPECT_EQ(prediction.error, 0);
   EXPECT_GT(prediction.trace_ms, 0);
 }
 
-TEST(Forecast, ContractsAreForeseenToBeKept) {
+TEST(Forecast, contracts_are_foreseen_to_be_kept) {
   Scene scene = row_of_spheres(5);
   scene.render.target_rmse = 0.002;
   const Prediction accurate = foresee(scene);
@@ -104,26 +104,26 @@ TEST(Forecast, ContractsAreForeseenToBeKept) {
   EXPECT_GT(timely.samples, accurate.samples / 64) << "200 ms are long for so few pixels";
 }
 
-TEST(Forecast, SmallestImageIsForeseen) {
+TEST(Forecast, smallest_image_is_foreseen) {
   Scene scene = row_of_spheres(5);
   scene.camera.width = 1;
   scene.camera.height = 1;
   EXPECT_GT(foresee(scene).trace_ms, 0);
 }
 
-TEST(Forecast, EyeInsideASphereIsForeseen) {
+TEST(Forecast, eye_inside_a_sphere_is_foreseen) {
   Scene scene = row_of_spheres(1);
   scene.camera.origin = {0, 0, 0};
   scene.camera.look_at = {0, 0, 1};
   EXPECT_GT(foresee(scene).trace_ms, 0);
 }
 
-TEST(Forecast, ThreadsThatBeginTooLateDoNotCount) {
+TEST(Forecast, threads_that_begin_too_late_do_not_count) {
   const MachineCosts slow_start{.start_ms = 1e9, .byte_ms = 1e-7};
   EXPECT_LT(foresee(row_of_spheres(5), 4, slow_start).trace_ms, 1e6) << "one thread does it alone";
 }
 
-TEST(Forecast, MemoryIsPaidForByTheBytesThatAreWritten) {
+TEST(Forecast, memory_is_paid_for_by_the_bytes_that_are_written) {
   Scene scene = row_of_spheres(5);
   const double values = 3.0 * scene.camera.width * scene.camera.height;
   const MachineCosts slow_memory{.start_ms = 0, .byte_ms = 1};
@@ -134,14 +134,14 @@ TEST(Forecast, MemoryIsPaidForByTheBytesThatAreWritten) {
       << "contracts are kept in floats";
 }
 
-TEST(Forecast, StoppedForecastIsNone) {
+TEST(Forecast, stopped_forecast_is_none) {
   WorkerPool pool(2);
   RenderProgress progress;
   progress.stop = true;
   EXPECT_FALSE(forecast(row_of_spheres(5), Limits{}, {}, pool, progress).has_value());
 }
 
-TEST(Forecast, MachineCostsArePositive) {
+TEST(Forecast, machine_costs_are_positive) {
   WorkerPool pool(2);
   const MachineCosts costs = measure_machine_costs(pool);
   EXPECT_GT(costs.start_ms, 0);

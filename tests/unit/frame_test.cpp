@@ -1,9 +1,8 @@
 // The frame: scale and place of a scene do not matter.
 
-#include "engine/plan/frame.h"
-
 #include <gtest/gtest.h>
 
+#include "engine/pack/make_frame.h"
 #include "tests/support/rays.h"
 
 namespace raytracer::test {
@@ -16,12 +15,12 @@ Scene scene_with(const Vec3& eye, const Vec3& center, double radius) {
   return scene;
 }
 
-TEST(Frame, HasTheEyeAtItsOrigin) {
+TEST(Frame, has_the_eye_at_its_origin) {
   const Scene scene = scene_with({5, 6, 7}, {1, 2, 3}, 1);
   EXPECT_EQ(make_frame(scene).frame_from_scene(Vec3{5, 6, 7}), Vec3{});
 }
 
-TEST(Frame, IsTheSameForASceneScaledByAPowerOfTwo) {
+TEST(Frame, is_the_same_for_a_scene_scaled_by_a_power_of_two) {
   const Vec3 center{0.3, -7, 12.1};
   const Frame plain = make_frame(scene_with({}, center, 2.5));
   for (int exponent = -900; exponent <= 900; exponent += 37) {
@@ -33,7 +32,7 @@ TEST(Frame, IsTheSameForASceneScaledByAPowerOfTwo) {
   }
 }
 
-TEST(Frame, IsTheSameForAMovedScene) {
+TEST(Frame, is_the_same_for_a_moved_scene) {
   const Vec3 shift{1024, -4096, 8192};  // with these coordinates every sum is exact
   const Vec3 eye{0.25, 0.5, -3};
   const Vec3 center{2.5, -7, 12.125};
@@ -43,7 +42,7 @@ TEST(Frame, IsTheSameForAMovedScene) {
   EXPECT_EQ(moved.frame_from_scene(center + shift), plain.frame_from_scene(center));
 }
 
-TEST(Frame, KeepsEveryExtentNearOne) {
+TEST(Frame, keeps_every_extent_near_one) {
   Random random(30);
   for (int i = 0; i < 500; ++i) {
     const auto coordinate = [&] { return random.magnitude(-300, 307.9); };
@@ -58,7 +57,7 @@ TEST(Frame, KeepsEveryExtentNearOne) {
   }
 }
 
-TEST(Frame, HoldsLightsPlanesSquaresAndMeshes) {
+TEST(Frame, holds_lights_planes_squares_and_meshes) {
   Scene scene;
   scene.objects.push_back({Plane{{0, -1e10, 0}, {0, 1, 0}}, 0});
   EXPECT_NEAR(make_frame(scene).exponent(), 33, 2);
@@ -68,11 +67,11 @@ TEST(Frame, HoldsLightsPlanesSquaresAndMeshes) {
   EXPECT_NEAR(make_frame(scene).exponent(), 101, 3);
   scene.objects.push_back({Mesh{{{1e40, 0, 0}}, {}}, 0});
   EXPECT_NEAR(make_frame(scene).exponent(), 133, 2);
-  scene.objects.push_back({Spheres{{{0, 0, 0}, {0, 0, 1e50}}, {1}}, 0});
+  scene.objects.push_back({Spheres{{{0, 0, 0}, {0, 0, 1e50}}, {1}, {}}, 0});
   EXPECT_NEAR(make_frame(scene).exponent(), 166, 2);
 }
 
-TEST(Frame, OfAnEmptySceneIsTheSceneItself) {
+TEST(Frame, of_an_empty_scene_is_the_scene_itself) {
   const Frame frame = make_frame(Scene{});
   EXPECT_EQ(frame.exponent(), 0);
   EXPECT_EQ(frame.frame_from_scene(Vec3{1, 2, 3}), (Vec3{1, 2, 3}));

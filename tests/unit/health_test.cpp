@@ -29,34 +29,34 @@ bool says(const Scene& scene, const std::string& words) {
   return strains_of(scene).find(words) != std::string::npos;
 }
 
-TEST(Health, SaysNothingOfAnOrdinaryScene) {
+TEST(Health, says_nothing_of_an_ordinary_scene) {
   EXPECT_EQ(strains_of(scene_with({{Sphere{{}, 1}, 0}, {Plane{{0, -1, 0}, {0, 1, 0}}, 0}})), "");
   EXPECT_EQ(strains_of(scene_with({})), "");
 }
 
-TEST(Health, SaysThatTheEyeIsInside) {
+TEST(Health, says_that_the_eye_is_inside) {
   EXPECT_TRUE(says(scene_with({{Sphere{{}, 100}, 0}}), "on or inside a surface"));
 }
 
-TEST(Health, SaysWhatIsTooSmallForTheExtent) {
+TEST(Health, says_what_is_too_small_for_the_extent) {
   std::vector<Object> objects{{Sphere{{}, 1}, 0}, {Sphere{{}, 1e-160}, 0}};
   EXPECT_TRUE(says(scene_with(objects), "An object is smaller than 1e-144 of the scene's extent"));
   objects.push_back({SphereSquare{{}, 1e-160, 5, Axes::xz}, 0});
   EXPECT_TRUE(says(scene_with(objects), "2 objects are smaller"));
 }
 
-TEST(Health, SaysThatASurfaceIsAlmostAtTheEye) {
+TEST(Health, says_that_a_surface_is_almost_at_the_eye) {
   EXPECT_TRUE(says(scene_with({{Sphere{{0, 2, -9}, 1 - 1e-11}, 0}}), "before the eye"));
 }
 
-TEST(Health, SaysThatCoordinatesAreTooLargeForTheirRadius) {
+TEST(Health, says_that_coordinates_are_too_large_for_their_radius) {
   Scene scene = scene_with({{Sphere{{1e15, 0, 0}, 1}, 0}});
   scene.camera.origin = {1e15, 0, -10};
   scene.camera.look_at = {1e15, 0, 0};
   EXPECT_TRUE(says(scene, "towards the coordinates' origin"));
 }
 
-TEST(Health, SaysThatALightShinesAlongAPlane) {
+TEST(Health, says_that_a_light_shines_along_a_plane) {
   Scene scene = scene_with({{Sphere{{}, 1}, 0}, {Plane{{0, -1, 0}, {0, 3, 0}}, 0}});
   scene.lights = {{DistantLight{{0, -1, 1}}}, {PointLight{{2, -1, 3}}}};
   EXPECT_TRUE(says(scene, "Light 1 shines along the plane that is object 1"));
@@ -67,7 +67,7 @@ TEST(Health, SaysThatALightShinesAlongAPlane) {
   EXPECT_TRUE(says(scene, "Light 0 shines along"));
 }
 
-TEST(Health, SaysThatSurfacesCoincide) {
+TEST(Health, says_that_surfaces_coincide) {
   EXPECT_TRUE(
       says(scene_with({{Sphere{{}, 1}, 0}, {Sphere{{}, 1 + 1e-14}, 0}}), "Two surfaces are only"));
   EXPECT_TRUE(says(
@@ -76,14 +76,14 @@ TEST(Health, SaysThatSurfacesCoincide) {
   EXPECT_EQ(strains_of(scene_with({{Sphere{{}, 1}, 0}, {Sphere{{}, 1}, 0}})), "");
 }
 
-TEST(Health, SaysThatSpheresAreSmallerThanAPixel) {
-  Scene scene = scene_with({{Spheres{{{}, {1, 0, 0}}, {1e-4}}, 0}});
-  EXPECT_TRUE(says(scene, "Up to 2 spheres may be seen smaller than a pixel"));
+TEST(Health, says_that_spheres_are_smaller_than_a_pixel) {
+  Scene scene = scene_with({{Spheres{{{}, {1, 0, 0}}, {1e-4}, {}}, 0}});
+  EXPECT_TRUE(says(scene, "Up to 2 objects may be seen smaller than a pixel"));
   scene.render.samples = 64;
   EXPECT_EQ(strains_of(scene), "");
 }
 
-TEST(Health, SaysThatSingleIsTooLittle) {
+TEST(Health, says_that_single_is_too_little) {
   Scene scene = scene_with({{Sphere{{}, 1}, 0}});
   scene.camera.fov = 1e-4;
   scene.render.precision = Precision::single_precision;

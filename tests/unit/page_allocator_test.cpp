@@ -40,7 +40,7 @@ bool wants_huge_pages(std::uintptr_t address) {
 }  // namespace
 
 // Who gets a few bytes of what was freed would take a huge page for them, and a server grow.
-TEST(PageAllocator, TakesTheWishForHugePagesBackWithTheMemory) {
+TEST(PageAllocator, takes_the_wish_for_huge_pages_back_with_the_memory) {
   // From the second time on glibc keeps so large a block, as other allocators do.
   free_pages(allocate_pages(bytes), bytes);
   void* const memory = allocate_pages(bytes);

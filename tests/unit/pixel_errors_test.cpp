@@ -16,7 +16,7 @@ namespace {
 
 constexpr int width = 37;  // no multiple of a block
 constexpr int height = 21;
-constexpr ErrorScale scale{.first = 1, .least = 0.4};
+constexpr ErrorMultiplier multiplier{.initial = 1, .least = 0.4};
 
 /// An image whose pixels all have 4 samples, which tell nothing but in some.
 class PixelErrorsTest : public testing::Test {
@@ -28,30 +28,30 @@ class PixelErrorsTest : public testing::Test {
   PixelErrors& errors() {
     errors_.spreads() = spreads_;
     errors_.set_all(4);
-    errors_.expect();
+    errors_.estimate();
     return errors_;
   }
 
   WorkerPool pool_{1};
   PixelSpreads spreads_{width, height};
-  PixelErrors errors_{width, height, scale, pool_};
+  PixelErrors errors_{width, height, multiplier, pool_};
 };
 
-TEST_F(PixelErrorsTest, AreNoneWhereSamplesAreEqual) {
+TEST_F(PixelErrorsTest, are_none_where_samples_are_equal) {
   EXPECT_EQ(errors().error2(), 0);
-  errors_.for_each_rough([](std::size_t pixel, double) { ADD_FAILURE() << pixel; });
+  errors_.for_each_error([](std::size_t pixel, double) { ADD_FAILURE() << pixel; });
 }
 
-TEST_F(PixelErrorsTest, AreTheHalvesInAll) {
+TEST_F(PixelErrorsTest, are_the_halves_in_all) {
   for (int x = 8; x < 28; ++x) tell(x, 9, 0.01, 0.2);
   double sum = 0;
-  errors().for_each_rough([&](std::size_t, double error2) { sum += error2; });
+  errors().for_each_error([&](std::size_t, double error2) { sum += error2; });
   EXPECT_NEAR(sum, 20 * 0.01, 0.3 * 20 * 0.01) << "and a little for what is beside them";
   EXPECT_GT(errors_.error2(), sum) << "for its uncertainty";
 }
 
 /// One pixel's halves agree by chance: its variance says that it has an error as the others.
-TEST_F(PixelErrorsTest, AreSharedByVariance) {
+TEST_F(PixelErrorsTest, are_shared_by_variance) {
   for (int x = 8; x < 28; ++x) tell(x, 9, x % 2 == 0 ? 0.02 : 0, 0.2);
   tell(15, 9, 0, 0.4);
   const double common = errors().of_pixel(errors_.index(16, 9));
@@ -60,41 +60,41 @@ TEST_F(PixelErrorsTest, AreSharedByVariance) {
   EXPECT_NEAR(errors_.of_pixel(errors_.index(15, 9)), 2 * common, 0.2 * common);
 }
 
-TEST_F(PixelErrorsTest, RiseBesideDetail) {
+TEST_F(PixelErrorsTest, rise_beside_detail) {
   tell(15, 9, 0.01, 0.2);
   const double detailed = errors().of_pixel(errors_.index(15, 9));
   EXPECT_NEAR(errors_.of_pixel(errors_.index(16, 10)), detailed / 5, detailed / 50)
-      << "in the part and block beside it";
+      << "in the subtile and block beside it";
   EXPECT_GT(errors_.of_pixel(errors_.index(18, 9)), 0);
   EXPECT_EQ(errors_.of_pixel(errors_.index(30, 9)), 0);
 }
 
-TEST_F(PixelErrorsTest, EndWhereMoreSamplesAreEqual) {
+TEST_F(PixelErrorsTest, end_where_more_samples_are_equal) {
   tell(15, 9, 0.01, 0.2);
   const std::size_t pixel = errors().index(15, 9);
   EXPECT_GT(errors_.of_pixel(errors_.index(16, 9)), 0);
   errors_.set(pixel, 64, {});
-  errors_.expect();
+  errors_.estimate();
   EXPECT_EQ(errors_.error2(), 0);
   EXPECT_EQ(errors_.of_pixel(errors_.index(16, 9)), 0);
 }
 
-TEST_F(PixelErrorsTest, AreLessWithMoreSamples) {
+TEST_F(PixelErrorsTest, are_less_with_more_samples) {
   for (int x = 8; x < 28; ++x) tell(x, 9, 0.01, 0.2);
   const std::size_t pixel = errors().index(16, 9);
   const double before = errors_.of_pixel(pixel);
   errors_.set(pixel, 64, {static_cast<float>(0.01 / 64), 0.2F});
-  errors_.expect();
+  errors_.estimate();
   EXPECT_EQ(errors_.samples(pixel), 64);
   EXPECT_NEAR(errors_.of_pixel(pixel), before / 64, 0.3 * before / 64);
   EXPECT_EQ(errors_.sample_count(), 4 * width * height + 60);
 }
 
-TEST_F(PixelErrorsTest, AreNoneBeyondTheRim) {
+TEST_F(PixelErrorsTest, are_none_beyond_the_rim) {
   for (int y = 0; y < height; ++y) tell(width - 1, y, 0.01, 0.2);
   for (int x = 0; x < width; ++x) tell(x, height - 1, 0.01, 0.2);
   int count = 0;
-  errors().for_each_rough([&](std::size_t pixel, double error2) {
+  errors().for_each_error([&](std::size_t pixel, double error2) {
     ++count;
     EXPECT_LT(errors_.x_of(pixel), width);
     EXPECT_LT(errors_.y_of(pixel), height);
@@ -103,23 +103,23 @@ TEST_F(PixelErrorsTest, AreNoneBeyondTheRim) {
   EXPECT_GE(count, width + height - 1);
 }
 
-TEST_F(PixelErrorsTest, AreWhatARefinementChanged) {
+TEST_F(PixelErrorsTest, are_what_a_refinement_changed) {
   std::vector<std::uint32_t> pixels;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       tell(x, y, 0.01, 0.2);
       pixels.push_back(static_cast<std::uint32_t>(spreads_.index(x, y)));
     }
-  const auto refined_with_change = [&](double share, double least = scale.least) {
-    PixelErrors refined(width, height, {scale.first, least}, pool_);
+  const auto refined_with_change = [&](double share, double least = multiplier.least) {
+    PixelErrors refined(width, height, {multiplier.initial, least}, pool_);
     refined.spreads() = spreads_;
     refined.set_all(4);
-    refined.expect();
+    refined.estimate();
     const double expected_before = refined.of_pixel(pixels[0]);
     EXPECT_NEAR(expected_before, 0.01, 1e-4);
     const std::vector<float> before(pixels.size(), 0.01F);
     for (const std::uint32_t pixel : pixels) refined.set(pixel, 16, {0.00125F, 0.2F});
-    refined.expect();
+    refined.estimate();
     const double unscaled = refined.unscaled(pixels)[0];
     const double count = static_cast<double>(pixels.size());
     refined.calibrate(pixels, before, share * count * (0.01 + unscaled));
@@ -133,32 +133,33 @@ TEST_F(PixelErrorsTest, AreWhatARefinementChanged) {
   EXPECT_DOUBLE_EQ(refined_with_change(1000), 4);
 }
 
-/// At the rim parts have fewer pixels, and fewer beside them: what is beside counts as much.
-TEST_F(PixelErrorsTest, RiseBesideDetailAtARim) {
-  PixelErrors thin(64, 1, scale, pool_);
+/// At the rim subtiles have fewer pixels, and fewer beside them: what is beside counts as much.
+TEST_F(PixelErrorsTest, rise_beside_detail_at_a_rim) {
+  PixelErrors thin(64, 1, multiplier, pool_);
   const std::size_t detailed = thin.index(17, 0);
   thin.spreads().set(detailed, {0.01F, 0.2F});
   thin.set_all(4);
-  thin.expect();
-  // Itself and two beside it, which count a fifth, are of its part; the parts beside have 8 pixels.
-  const double part = thin.of_pixel(detailed) * (1 + 2 * 0.2);
-  EXPECT_NEAR(thin.of_pixel(thin.index(21, 0)), 0.1 * part / 8, 0.1 * 0.1 * part / 8);
+  thin.estimate();
+  // Itself and two beside it, which count a fifth, are of its subtile; the subtiles beside have 8
+  // pixels.
+  const double subtile = thin.of_pixel(detailed) * (1 + 2 * 0.2);
+  EXPECT_NEAR(thin.of_pixel(thin.index(21, 0)), 0.1 * subtile / 8, 0.1 * 0.1 * subtile / 8);
 }
 
-TEST_F(PixelErrorsTest, AreGuessedUntilSamplesTell) {
+TEST_F(PixelErrorsTest, are_guessed_until_samples_tell) {
   errors_.set_all(1);
   errors_.set_guess(0, 0.5);
-  errors_.set_guess(parts_in_block, 0.25);
+  errors_.set_guess(subtiles_in_block, 0.25);
   errors_.set_guess(1, std::numeric_limits<double>::quiet_NaN());
-  errors_.expect_guesses();
+  errors_.use_guesses();
   EXPECT_DOUBLE_EQ(errors_.expected_error2(), 0.75);
   EXPECT_EQ(errors_.sample_count(), width * height);
   errors_.forget_guesses(0);
   errors_.set(errors_.index(2, 2), 4, {0.01F, 0.2F});
-  errors_.expect();
-  EXPECT_EQ(errors_.of_part(parts_in_block), 0.25);
-  EXPECT_GT(errors_.of_part(0), 0.01);
-  EXPECT_LT(errors_.of_part(0), 0.1);
+  errors_.estimate();
+  EXPECT_EQ(errors_.of_subtile(subtiles_in_block), 0.25);
+  EXPECT_GT(errors_.of_subtile(0), 0.01);
+  EXPECT_LT(errors_.of_subtile(0), 0.1);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "engine/plan/counted.h"
 #include "engine/plan/explain.h"
+#include "engine/text/pluralised.h"
 
 namespace raytracer::test {
 namespace {
@@ -19,13 +19,15 @@ Scene scene_with(std::vector<Object> objects) {
   Scene scene;
   scene.camera = {.origin = {0, 2, -50}, .look_at = {}, .fov = 1, .width = 640, .height = 480};
   scene.lights = {{DistantLight{{0, -1, 1}}}};
-  scene.materials = {Material{}, Material{.reflectivity = 0.5}};
+  Material mirror;
+  mirror.reflectivity = 0.5;
+  scene.materials = {Material{}, mirror};
   scene.objects = std::move(objects);
   return scene;
 }
 
 Spheres many_spheres(int count) {
-  Spheres spheres{{}, {0.1}};
+  Spheres spheres{{}, {0.1}, {}};
   for (int i = 0; i < count; ++i)
     spheres.centers.push_back({i % 10 - 5.0, i / 10 % 10 - 5.0, i / 100.0});
   return spheres;
@@ -35,16 +37,19 @@ nlohmann::json explained(const Scene& scene) {
   return nlohmann::json::parse(explain(scene, make_plan(scene, machine), {}));
 }
 
-/// The structure by which `rays` find what `objects` begins with.
-std::string way_of(const nlohmann::json& plan, const std::string& objects,
-                   const std::string& rays) {
-  for (const nlohmann::json& way : plan.at("geometry").at("ways"))
-    if (way.at("objects").get<std::string>().starts_with(objects) && way.at("rays") == rays)
-      return way.at("choice");
-  return "no such way";
+/// By what `rays` find what `objects` begins with.
+std::string finder_for(const nlohmann::json& plan, const std::string& objects,
+                       const std::string& rays) {
+  for (const nlohmann::json& row : plan.at("geometry").at("finders")) {
+    const std::string all_rays = ", " + row.at("rays").get<std::string>() + ",";
+    if (row.at("objects").get<std::string>().starts_with(objects) &&
+        all_rays.find(", " + rays + ",") != std::string::npos)
+      return row.at("choice");
+  }
+  return "no such row";
 }
 
-TEST(Plan, DoesNotDependOnThePool) {
+TEST(Plan, does_not_depend_on_the_pool) {
   const Scene scene = scene_with({{many_spheres(6000), 0}});
   const std::string alone = explain(scene, make_plan(scene, machine), {});
   for (const std::size_t threads : {1U, 2U, 7U}) {
@@ -53,51 +58,54 @@ TEST(Plan, DoesNotDependOnThePool) {
   }
 }
 
-TEST(Plan, IsTheSameForTheSameSceneAndMachine) {
+TEST(Plan, is_the_same_for_the_same_scene_and_machine) {
   const Scene scene = scene_with({{many_spheres(300), 1}, {Plane{{0, -9, 0}, {0, 1, 0}}, 0}});
   EXPECT_EQ(explained(scene), explained(scene));
 }
 
-TEST(Plan, BuildsNothingThatNoRayAsks) {
+TEST(Plan, builds_nothing_that_no_ray_asks) {
   Scene scene = scene_with({{many_spheres(1000), 0}});
-  EXPECT_TRUE(make_plan(scene, machine).structures.light_grids);
-  EXPECT_FALSE(make_plan(scene, machine).structures.sphere_tree);
+  const auto finder_of_spheres = [&](RayKind rays) {
+    return finder_of(make_plan(scene, machine).finders[kind_index<SphereKind>], rays);
+  };
+  EXPECT_EQ(finder_of_spheres(RayKind::to_distant_light), Finder::light_grid);
+  EXPECT_EQ(finder_of_spheres(RayKind::to_point_light), Finder::none);
+  EXPECT_EQ(finder_of_spheres(RayKind::followed), Finder::none);
   scene.shadows = Shadows::off;
-  EXPECT_FALSE(make_plan(scene, machine).structures.light_grids);
+  EXPECT_EQ(finder_of_spheres(RayKind::to_distant_light), Finder::none);
   scene.objects[0].material = 1;
-  EXPECT_TRUE(make_plan(scene, machine).structures.sphere_tree);
+  EXPECT_EQ(finder_of_spheres(RayKind::followed), Finder::tree);
   scene.render.max_depth = 0;
-  EXPECT_FALSE(make_plan(scene, machine).structures.sphere_tree);
+  EXPECT_EQ(finder_of_spheres(RayKind::followed), Finder::none);
 }
 
-TEST(Plan, TriesFewSpheresOneByOne) {
+TEST(Plan, tries_few_spheres_one_by_one) {
   const Scene scene = scene_with({{many_spheres(5), 1}});
-  EXPECT_EQ(way_of(explained(scene), "5 spheres", "to the lights"), "one by one");
-  EXPECT_EQ(way_of(explained(scene), "5 spheres", "reflected"), "one by one");
+  EXPECT_EQ(finder_for(explained(scene), "5 spheres", "to the distant lights"), "one by one");
+  EXPECT_EQ(finder_for(explained(scene), "5 spheres", "followed"), "one by one");
 }
 
-TEST(Plan, FindsManySpheresByWhatTheirRaysShare) {
+TEST(Plan, finds_many_spheres_by_what_their_rays_share) {
   const nlohmann::json plan = explained(scene_with({{many_spheres(1000), 1}}));
-  EXPECT_EQ(way_of(plan, "1,000 spheres", "from the eye"), "screen bins");
-  EXPECT_EQ(way_of(plan, "1,000 spheres", "to the lights"), "light grids");
-  EXPECT_EQ(way_of(plan, "1,000 spheres", "reflected"), "tree of boxes");
+  EXPECT_EQ(finder_for(plan, "1,000 spheres", "from the eye"), "screen bins");
+  EXPECT_EQ(finder_for(plan, "1,000 spheres", "to the distant lights"), "light grids");
+  EXPECT_EQ(finder_for(plan, "1,000 spheres", "followed"), "tree of boxes");
 }
 
-TEST(Plan, WalksASquareWhateverItsSize) {
+TEST(Plan, walks_a_square_whatever_its_size) {
   const nlohmann::json plan = explained(scene_with({{SphereSquare{{}, 1, 1'000'000'000}, 0}}));
-  EXPECT_EQ(way_of(plan, "a square of 2,000,000,000 x", "from the eye"), "cell walk");
-  EXPECT_EQ(way_of(plan, "a square", "from its own spheres to the distant lights"),
-            "neighbour list");
+  EXPECT_EQ(finder_for(plan, "a square of 2,000,000,000 x", "from the eye"), "cell walk");
+  EXPECT_EQ(finder_for(plan, "a square", "from itself to the distant lights"), "neighbour list");
 }
 
-TEST(Plan, WalksASquareUnderALowLight) {
+TEST(Plan, walks_a_square_under_a_low_light) {
   Scene scene = scene_with({{SphereSquare{{}, 1, 10}, 0}});
   scene.lights = {{DistantLight{{1, -0.01, 0}}}};
-  EXPECT_EQ(way_of(explained(scene), "a square", "from its own spheres to the distant lights"),
+  EXPECT_EQ(finder_for(explained(scene), "a square", "from itself to the distant lights"),
             "cell walk");
 }
 
-TEST(Plan, TakesDoubleForShadowsFromSquareToSquareAsFromASphere) {
+TEST(Plan, takes_double_for_shadows_from_square_to_square_as_from_a_sphere) {
   const auto precision_with = [](std::vector<Object> over_it) {
     over_it.push_back({SphereSquare{{}, 1, 1000}, 0});
     Scene scene = scene_with(std::move(over_it));
@@ -109,23 +117,23 @@ TEST(Plan, TakesDoubleForShadowsFromSquareToSquareAsFromASphere) {
   EXPECT_EQ(precision_with({{SphereSquare{{0, 10, 0}, 0.1, 5}, 0}}), Precision::double_precision);
 }
 
-TEST(Plan, NumbersNoMorePrimitivesInSingleThanItTellsApart) {
+TEST(Plan, numbers_no_more_primitives_in_single_than_it_tells_apart) {
   Features features;
-  features.spheres = std::size_t{1} << 24;
+  features.primitives[kind_index<SphereKind>] = std::size_t{1} << 24;
   EXPECT_EQ(choose_precision(Precision::single_precision, features, {}).value,
             Precision::single_precision);
-  ++features.spheres;
+  ++features.primitives[kind_index<SphereKind>];
   for (const Precision wish : {Precision::single_precision, Precision::automatic})
     EXPECT_EQ(choose_precision(wish, features, {}).value, Precision::double_precision);
 }
 
-TEST(Plan, TakesThePlainKernelInsideASphere) {
+TEST(Plan, takes_the_plain_kernel_inside_a_sphere) {
   const Plan plan = make_plan(scene_with({{Sphere{{}, 1000}, 0}}), machine);
-  EXPECT_NE(plan.kernel.value, Kernel::simd);
+  EXPECT_EQ(plan.kernel.value, Kernel::single_rays);
   EXPECT_EQ(plan.precision.value, Precision::double_precision);
 }
 
-TEST(Plan, GivesEachThreadItsShareOfTiles) {
+TEST(Plan, gives_each_thread_its_share_of_tiles) {
   Scene scene = scene_with({});
   EXPECT_EQ(make_plan(scene, {{1, "AVX2"}, 1}).tile_side_px.value, 64);
   scene.render.samples = 64;
@@ -134,7 +142,7 @@ TEST(Plan, GivesEachThreadItsShareOfTiles) {
   EXPECT_LT(make_plan(scene, {{1, "AVX2"}, 64}).tile_side_px.value, 64);
 }
 
-TEST(Plan, EveryChoiceHasAReason) {
+TEST(Plan, every_choice_has_a_reason) {
   const nlohmann::json plan = explained(scene_with(
       {{many_spheres(1000), 1}, {SphereSquare{{}, 1, 10}, 0}, {Plane{{0, -9, 0}, {0, 1, 0}}, 0}}));
   for (const char* const key :
@@ -142,15 +150,15 @@ TEST(Plan, EveryChoiceHasAReason) {
     EXPECT_TRUE(plan.at(key).contains("choice")) << key;
     EXPECT_GT(plan.at(key).at("reason").get<std::string>().size(), 15U) << key;
   }
-  for (const nlohmann::json& way : plan.at("geometry").at("ways"))
-    EXPECT_GT(way.at("reason").get<std::string>().size(), 15U) << way;
+  for (const nlohmann::json& row : plan.at("geometry").at("finders"))
+    EXPECT_GT(row.at("reason").get<std::string>().size(), 15U) << row;
 }
 
-TEST(Plan, SaysThatThereIsNothingToMeet) {
+TEST(Plan, says_that_there_is_nothing_to_meet) {
   EXPECT_EQ(explained(scene_with({})).at("geometry").at("choice"), "nothing");
 }
 
-TEST(Plan, NamesTheContractThatEndsASampling) {
+TEST(Plan, names_the_contract_that_ends_a_sampling) {
   Scene scene = scene_with({});
   scene.render.samples = 9;
   EXPECT_EQ(explained(scene).at("sampling").at("choice"), 9);
@@ -163,11 +171,11 @@ TEST(Plan, NamesTheContractThatEndsASampling) {
   EXPECT_NE(sampling.at("reason").get<std::string>().find("50 ms"), std::string::npos);
 }
 
-TEST(Counted, WritesNumbersAsPeopleDo) {
-  EXPECT_EQ(counted(0, "sphere"), "0 spheres");
-  EXPECT_EQ(counted(1, "sphere"), "1 sphere");
-  EXPECT_EQ(counted(999, "mesh", "meshes"), "999 meshes");
-  EXPECT_EQ(counted(1000, "sphere"), "1,000 spheres");
+TEST(Pluralised, writes_numbers_as_people_do) {
+  EXPECT_EQ(pluralised(0, "sphere"), "0 spheres");
+  EXPECT_EQ(pluralised(1, "sphere"), "1 sphere");
+  EXPECT_EQ(pluralised(999, "mesh", "meshes"), "999 meshes");
+  EXPECT_EQ(pluralised(1000, "sphere"), "1,000 spheres");
   EXPECT_EQ(grouped(12345678), "12,345,678");
   EXPECT_EQ(grouped(std::numeric_limits<std::uint64_t>::max()), "18,446,744,073,709,551,615");
 }

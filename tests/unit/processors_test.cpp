@@ -23,7 +23,7 @@ cpu_set_t allowed_processors() {
   return allowed;
 }
 
-TEST(LeaveProcessors, MovesToAnotherAndMayRunOnAllAgain) {
+TEST(LeaveProcessors, moves_to_another_and_may_run_on_all_again) {
   const cpu_set_t allowed = allowed_processors();
   if (CPU_COUNT(&allowed) < 2) GTEST_SKIP() << "there is one processor";
   // The scheduler may move the thread back between the two lines, though not time after time.
@@ -38,7 +38,7 @@ TEST(LeaveProcessors, MovesToAnotherAndMayRunOnAllAgain) {
   EXPECT_TRUE(CPU_EQUAL(&after, &allowed));
 }
 
-TEST(LeaveProcessors, StaysWhereAllAreBusy) {
+TEST(LeaveProcessors, stays_where_all_are_busy) {
   const cpu_set_t before = allowed_processors();
   cpu_set_t one;
   CPU_ZERO(&one);
@@ -52,7 +52,7 @@ TEST(LeaveProcessors, StaysWhereAllAreBusy) {
   EXPECT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
 }
 
-TEST(LeaveProcessors, ThreadsOfAPoolMayRunOnAll) {
+TEST(LeaveProcessors, threads_of_a_pool_may_run_on_all) {
   const cpu_set_t allowed = allowed_processors();
   const std::atomic<bool> never{false};
   std::atomic<int> narrowed{0};
@@ -70,7 +70,7 @@ TEST(LeaveProcessors, ThreadsOfAPoolMayRunOnAll) {
 
 #else
 
-TEST(LeaveProcessors, DoesNothingWhereProcessorsAreUnknown) {
+TEST(LeaveProcessors, does_nothing_where_processors_are_unknown) {
   EXPECT_EQ(current_processor(), -1);
   leave_processors({0});
 }

@@ -7,23 +7,23 @@
 #include <vector>
 
 #include "engine/math/block.h"
-#include "engine/sample/missable_spheres.h"
 #include "engine/sample/neighbour_error.h"
 #include "engine/sample/pattern.h"
 #include "engine/sample/refinement.h"
+#include "engine/sample/subpixel_objects.h"
 #include "tests/support/scenes.h"
 
 namespace raytracer::test {
 namespace {
 
-TEST(SamplePattern, OfOneIsTheCentre) {
+TEST(SamplePattern, of_one_is_the_centre) {
   const std::vector<SamplePoint> points = sample_pattern(1).points;
   ASSERT_EQ(points.size(), 1U);
   EXPECT_EQ(points[0].x, 0.5);
   EXPECT_EQ(points[0].y, 0.5);
 }
 
-TEST(SamplePattern, HasOnePointInEveryColumnAndRowInsideThePixel) {
+TEST(SamplePattern, has_one_point_in_every_column_and_row_inside_the_pixel) {
   for (const int count : {2, 3, 4, 5, 7, 8, 9, 16, 17, 31, 64, 100, 256, 1000, 4096, 65536}) {
     const std::vector<SamplePoint> points = sample_pattern(count).points;
     ASSERT_EQ(points.size(), static_cast<std::size_t>(count));
@@ -42,7 +42,7 @@ TEST(SamplePattern, HasOnePointInEveryColumnAndRowInsideThePixel) {
   }
 }
 
-TEST(SamplePattern, CoversTheQuartersOfThePixelEvenly) {
+TEST(SamplePattern, covers_the_quarters_of_the_pixel_evenly) {
   for (const int count : {16, 64, 256, 1000}) {
     int lower_left = 0;
     for (const SamplePoint& point : sample_pattern(count).points)
@@ -60,13 +60,14 @@ SamplePoint middle_of(const std::vector<SamplePoint>& points, std::size_t begin,
   return sum;
 }
 
-TEST(SamplePattern, HasHalvesAboutTheSameMiddle) {
+TEST(SamplePattern, has_half_buffers_about_the_same_middle) {
   for (const int count : {4, 8, 12, 16, 24, 64, 96, 256, 1024}) {
     const SamplePattern pattern = sample_pattern(count);
-    ASSERT_TRUE(pattern.has_halves());
-    EXPECT_EQ(pattern.first_half, pattern.points.size() / 2);
-    const SamplePoint first = middle_of(pattern.points, 0, pattern.first_half);
-    const SamplePoint second = middle_of(pattern.points, pattern.first_half, pattern.points.size());
+    ASSERT_TRUE(pattern.has_half_buffers());
+    EXPECT_EQ(pattern.half_a_count, pattern.points.size() / 2);
+    const SamplePoint first = middle_of(pattern.points, 0, pattern.half_a_count);
+    const SamplePoint second =
+        middle_of(pattern.points, pattern.half_a_count, pattern.points.size());
     EXPECT_NEAR(first.x, 0.5, 1e-12) << count;
     EXPECT_NEAR(first.y, 0.5, 1e-12) << count;
     EXPECT_NEAR(second.x, 0.5, 1e-12) << count;
@@ -74,21 +75,21 @@ TEST(SamplePattern, HasHalvesAboutTheSameMiddle) {
   }
 }
 
-TEST(SamplePattern, HasHalvesOnlyWhereTheyCanBeAlike) {
+TEST(SamplePattern, has_half_buffers_only_where_they_can_be_alike) {
   for (const int count : {1, 2, 3, 5, 6, 7, 9, 17, 31})
-    EXPECT_FALSE(sample_pattern(count).has_halves()) << count;
+    EXPECT_FALSE(sample_pattern(count).has_half_buffers()) << count;
 }
 
-TEST(SamplePattern, StaggeredMovesEachPixelsPlacesWithinTheirColumnsAndRows) {
-  const SamplePattern pattern = staggered_pattern(16);
+TEST(SamplePattern, jittered_moves_each_pixels_places_within_their_columns_and_rows) {
+  const SamplePattern pattern = jittered_pattern(16);
   EXPECT_EQ(pattern.points.size(), 16U);
   std::set<double> across;
   std::set<double> up;
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 4; ++x) {
-      const SamplePoint moved = stagger_of(x, y);
-      EXPECT_LT(std::abs(moved.x) * pattern.stagger, 0.5 / 16);
-      EXPECT_LT(std::abs(moved.y) * pattern.stagger, 0.5 / 16);
+      const SamplePoint moved = jitter_of(x, y);
+      EXPECT_LT(std::abs(moved.x) * pattern.jitter, 0.5 / 16);
+      EXPECT_LT(std::abs(moved.y) * pattern.jitter, 0.5 / 16);
       across.insert(moved.x);
       up.insert(moved.y);
     }
@@ -97,13 +98,13 @@ TEST(SamplePattern, StaggeredMovesEachPixelsPlacesWithinTheirColumnsAndRows) {
 }
 
 /// A slope is no error: all places together are moved nowhere.
-TEST(SamplePattern, StaggeredKeepsTheMiddle) {
-  const SamplePattern pattern = staggered_pattern(16);
+TEST(SamplePattern, jittered_keeps_the_middle) {
+  const SamplePattern pattern = jittered_pattern(16);
   double across = 0;
   double up = 0;
   for (const SamplePoint& point : pattern.points) {
-    across += away_from_middle(point.x, pattern.stagger);
-    up += away_from_middle(point.y, pattern.stagger);
+    across += away_from_middle(point.x, pattern.jitter);
+    up += away_from_middle(point.y, pattern.jitter);
   }
   EXPECT_EQ(across, 0);
   EXPECT_EQ(up, 0);
@@ -111,47 +112,48 @@ TEST(SamplePattern, StaggeredKeepsTheMiddle) {
 
 /// Along a row of four the places differ by a quarter in y, and along a column in x: that is what
 /// finds an edge that runs along it.
-TEST(SamplePattern, NeighboursAreStaggeredAcrossTheirRowOrColumn) {
+TEST(SamplePattern, neighbours_are_jittered_across_their_row_or_column) {
   for (int k = 0; k < 4; ++k) {
     std::set<int> quarters_of_row;
     std::set<int> quarters_of_column;
     for (int i = 0; i < 4; ++i) {
-      quarters_of_row.insert(static_cast<int>((stagger_of(i, k).y + 0.5) * 4));
-      quarters_of_column.insert(static_cast<int>((stagger_of(k, i).x + 0.5) * 4));
+      quarters_of_row.insert(static_cast<int>((jitter_of(i, k).y + 0.5) * 4));
+      quarters_of_column.insert(static_cast<int>((jitter_of(k, i).x + 0.5) * 4));
     }
     EXPECT_EQ(quarters_of_row.size(), 4U);
     EXPECT_EQ(quarters_of_column.size(), 4U);
   }
 }
 
-Census census_with(double small_spheres) {
-  Census census;
-  census.small_spheres = small_spheres;
-  return census;
+SceneStatistics statistics_with(double subpixel) {
+  SceneStatistics statistics;
+  statistics.all.subpixel = subpixel;
+  return statistics;
 }
 
-TEST(SoughtRmse, IsLessWhereASquareIsFar) {
-  Census census = census_with(1);
+TEST(RefinedRmse, is_less_where_a_square_is_far) {
+  SceneStatistics statistics = statistics_with(1);
   RenderSettings settings;
-  EXPECT_FALSE(sought_rmse(settings, census));
+  EXPECT_FALSE(refined_rmse(settings, statistics));
   settings.target_rmse = 0.01;
-  EXPECT_EQ(sought_rmse(settings, census), 0.01);
-  census.has_small_squares = true;
-  EXPECT_DOUBLE_EQ(*sought_rmse(settings, census), 0.0077);
-  EXPECT_NE(choose_sampling(settings, census).reason().find("at most 0.0077"), std::string::npos);
+  EXPECT_EQ(refined_rmse(settings, statistics), 0.01);
+  statistics.all.has_subpixel_lattice = true;
+  EXPECT_DOUBLE_EQ(*refined_rmse(settings, statistics), 0.0077);
+  EXPECT_NE(choose_sampling(settings, statistics).reason().find("at most 0.0077"),
+            std::string::npos);
 }
 
-TEST(FirstComparedSamples, AreWhatTheLimitAllows) {
-  const Census large = census_with(0);
-  const Census small = census_with(1);
-  EXPECT_EQ(first_compared_samples(large, 1000), 4);
-  EXPECT_EQ(first_compared_samples(small, 1000), 16);
-  EXPECT_EQ(first_compared_samples(small, 16), 16);
+TEST(ChoosePilotSamples, are_what_the_limit_allows) {
+  const SceneStatistics large = statistics_with(0);
+  const SceneStatistics small = statistics_with(1);
+  EXPECT_EQ(choose_pilot_samples(large, 1000), 4);
+  EXPECT_EQ(choose_pilot_samples(small, 1000), 16);
+  EXPECT_EQ(choose_pilot_samples(small, 16), 16);
   for (const int most : {4, 5, 15}) {
-    EXPECT_EQ(first_compared_samples(large, most), 4);
-    EXPECT_EQ(first_compared_samples(small, most), 4);
+    EXPECT_EQ(choose_pilot_samples(large, most), 4);
+    EXPECT_EQ(choose_pilot_samples(small, most), 4);
   }
-  for (const int most : {1, 2, 3}) EXPECT_EQ(first_compared_samples(large, most), 1);
+  for (const int most : {1, 2, 3}) EXPECT_EQ(choose_pilot_samples(large, most), 1);
 }
 
 Image with_edge(int width, int height) {
@@ -162,7 +164,7 @@ Image with_edge(int width, int height) {
   return image;
 }
 
-TEST(NeighbourError, IsThatOfAnEdge) {
+TEST(NeighbourError, is_that_of_an_edge) {
   const Image image = with_edge(8, 6);
   EXPECT_DOUBLE_EQ(neighbour_error2(image, {0, 0, 8, 6}), 3 * 6 / 8.0);
   EXPECT_DOUBLE_EQ(neighbour_error(image, 1), std::sqrt(1 / 64.0));
@@ -172,22 +174,22 @@ TEST(NeighbourError, IsThatOfAnEdge) {
   EXPECT_DOUBLE_EQ(neighbour_error(bytes, 1), neighbour_error(image, 1));
 }
 
-TEST(NeighbourError, CountsWhatIsBesideATile) {
+TEST(NeighbourError, counts_what_is_beside_a_tile) {
   const Image image = with_edge(8, 6);
   EXPECT_DOUBLE_EQ(neighbour_error2(image, {0, 0, 4, 4}), 3 * 4 / 8.0);
   EXPECT_EQ(neighbour_error2(image, {4, 0, 8, 4}), 0);
   EXPECT_EQ(neighbour_error2(Image(1, 1), {0, 0, 1, 1}), 0);
 }
 
-TEST(MissableSpheres, AreThoseSmallerThanAPixelUntilSamplesMustMeetThem) {
+TEST(SubpixelObjects, are_those_smaller_than_a_pixel_until_samples_must_meet_them) {
   const double pixel = 2 * std::tan(0.25) / 32 * 100;  // at that distance
   const auto missable_among = [&](const std::vector<json>& spheres) {
     const Scene scene = scene_of(document(camera_json(32, 32, 0.5, {0, 0, 0}, {0, 0, 1}), spheres,
                                           {distant_json({0, 0, 1})}));
-    return MissableSpheres(scene, make_frame(scene));
+    return SubpixelObjects(pack_scene(scene, nullptr));
   };
   // To the right of the middle and above it, in the middle of a pixel; a large one elsewhere.
-  const MissableSpheres one =
+  const SubpixelObjects one =
       missable_among({sphere_json({2.5 * pixel, 2.5 * pixel, 100}, 0.2 * pixel),
                       sphere_json({-6 * pixel, -6 * pixel, 100}, 3 * pixel)});
   constexpr std::size_t its_pixel = 13 * 32 + 18;
@@ -197,7 +199,7 @@ TEST(MissableSpheres, AreThoseSmallerThanAPixelUntilSamplesMustMeetThem) {
   for (std::size_t i = 0; i < std::size_t{32} * 32; ++i)
     EXPECT_EQ(one.error2(i, 1) > 0, i == its_pixel) << i;
 
-  const MissableSpheres on_a_side =
+  const SubpixelObjects on_a_side =
       missable_among({sphere_json({3 * pixel, 2.5 * pixel, 100}, 0.2 * pixel)});
   EXPECT_NEAR(on_a_side.error2(its_pixel, 1) / on_a_side.error2(its_pixel + 1, 1), 1, 0.05);
   EXPECT_LT(on_a_side.error2(its_pixel, 1), one.error2(its_pixel, 1) / 3);

@@ -1,7 +1,5 @@
 // The square of spheres against the same spheres one by one, and at a size that allows no list.
 
-#include "engine/kernel/square.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -17,13 +15,13 @@ double& coordinate(Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y
 /// {first, second, across} of "xz", "xy" and "yz".
 constexpr std::array<std::array<int, 3>, 3> all_axes{{{0, 2, 1}, {0, 1, 2}, {1, 2, 0}}};
 
-PackedSquare square_of(const Vec3& center, double radius, std::int64_t n,
-                       const std::array<int, 3>& axes) {
-  return {center, radius, 2 * n, 0, axes[0], axes[1], axes[2]};
+PackedLattice square_of(const Vec3& center, double radius, std::int64_t n,
+                        const std::array<int, 3>& axes) {
+  return {center, radius, 2 * n, axes[0], axes[1], axes[2], {}};
 }
 
 /// The spheres that define a square, with indices in [i_begin, i_end) x [k_begin, k_end).
-std::vector<PackedSphere> spheres_of(const PackedSquare& square, std::int64_t i_begin,
+std::vector<PackedSphere> spheres_of(const PackedLattice& square, std::int64_t i_begin,
                                      std::int64_t i_end, std::int64_t k_begin, std::int64_t k_end) {
   std::vector<PackedSphere> spheres;
   for (std::int64_t i = i_begin; i < i_end; ++i) {
@@ -41,19 +39,19 @@ std::vector<PackedSphere> spheres_of(const PackedSquare& square, std::int64_t i_
 }
 
 /// Compares one ray; returns what the spheres answer, for a ray that leaves from there.
-std::optional<Departure> expect_same_hit(const Ray& ray, const PackedSquare& square,
-                                         const std::vector<PackedSphere>& spheres) {
+std::optional<SurfacePoint> expect_same_hit(const Ray& ray, const PackedLattice& square,
+                                            const std::vector<PackedSphere>& spheres) {
   NearestHit of_spheres(ray);
   AnyHit any_of_spheres(ray, 5 * square.radius);
   for (const PackedSphere& sphere : spheres) {
-    of_spheres.show(sphere);
-    any_of_spheres.show(sphere);
+    of_spheres.add(sphere);
+    any_of_spheres.add(sphere);
   }
   NearestHit of_square(ray);
-  of_square.show(square);
+  of_square.add(square);
   AnyHit any_of_square(ray, 5 * square.radius);
-  any_of_square.show(square);
-  const Vec3 from = ray.from.point();
+  any_of_square.add(square);
+  const Vec3 from = ray.origin.point();
   const auto where = [&] {
     return testing::Message() << "n " << square.side / 2 << " from " << from.x << ' ' << from.y
                               << ' ' << from.z << " along " << ray.direction.x << ' '
@@ -65,18 +63,18 @@ std::optional<Departure> expect_same_hit(const Ray& ray, const PackedSquare& squ
   const double t = of_spheres.t_max();
   EXPECT_NEAR(of_square.t_max(), t, 1e-12 * (t + square.radius)) << where();
   if (std::abs(of_square.t_max() - t) > 0) return {};  // a touching point: either may answer
-  if (of_square.surface().id == of_spheres.surface().id) {
-    EXPECT_EQ(of_square.surface().anchor, of_spheres.surface().anchor) << where();
-    EXPECT_EQ(of_square.surface().normal, of_spheres.surface().normal) << where();
+  if (of_square.point().id == of_spheres.point().id) {
+    EXPECT_EQ(of_square.point().anchor, of_spheres.point().anchor) << where();
+    EXPECT_EQ(of_square.point().normal, of_spheres.point().normal) << where();
   }
-  return of_spheres.surface();
+  return of_spheres.point();
 }
 
 class SquareOf : public testing::TestWithParam<std::tuple<std::size_t, std::int64_t>> {
  protected:
   const std::array<int, 3>& axes_ = all_axes[std::get<0>(GetParam())];
   std::int64_t n_ = std::get<1>(GetParam());
-  PackedSquare square_ = square_of({0.3, -0.2, 0.1}, 0.7 / static_cast<double>(n_), n_, axes_);
+  PackedLattice square_ = square_of({0.3, -0.2, 0.1}, 0.7 / static_cast<double>(n_), n_, axes_);
   std::vector<PackedSphere> spheres_ = spheres_of(square_, 0, 2 * n_, 0, 2 * n_);
   Random random_{static_cast<std::uint64_t>(n_) + 100 * std::get<0>(GetParam())};
 
@@ -91,7 +89,7 @@ class SquareOf : public testing::TestWithParam<std::tuple<std::size_t, std::int6
   double somewhere() { return random_.between(-1.6, 1.6); }
 };
 
-TEST_P(SquareOf, SpheresIsHitLikeTheSpheresByRaysFromAnywhere) {
+TEST_P(SquareOf, spheres_is_hit_like_the_spheres_by_rays_from_anywhere) {
   for (int i = 0; i < 3000; ++i)
     expect_same_hit(ray_towards(random_.point(-3, 3), place(somewhere(), somewhere(), 0)), square_,
                     spheres_);
@@ -99,7 +97,7 @@ TEST_P(SquareOf, SpheresIsHitLikeTheSpheresByRaysFromAnywhere) {
     expect_same_hit(ray_from(random_.point(-3, 3), random_.direction()), square_, spheres_);
 }
 
-TEST_P(SquareOf, SpheresIsHitLikeTheSpheresByRaysThatLeaveThem) {
+TEST_P(SquareOf, spheres_is_hit_like_the_spheres_by_rays_that_leave_them) {
   int left = 0;
   for (int i = 0; i < 1500; ++i) {
     const Vec3 target = place(random_.between(-1.4, 1.4), random_.between(-1.4, 1.4), 0);
@@ -114,7 +112,7 @@ TEST_P(SquareOf, SpheresIsHitLikeTheSpheresByRaysThatLeaveThem) {
   EXPECT_GT(left, 700);
 }
 
-TEST_P(SquareOf, SpheresIsHitLikeTheSpheresFromInsideOfOne) {
+TEST_P(SquareOf, spheres_is_hit_like_the_spheres_from_inside_of_one) {
   for (int i = 0; i < 1000; ++i) {
     const PackedSphere& sphere = spheres_[random_.below(spheres_.size())];
     const Vec3 inside =
@@ -127,7 +125,7 @@ TEST_P(SquareOf, SpheresIsHitLikeTheSpheresFromInsideOfOne) {
   }
 }
 
-TEST_P(SquareOf, SpheresIsHitLikeTheSpheresByRaysAlongTheAxes) {
+TEST_P(SquareOf, spheres_is_hit_like_the_spheres_by_rays_along_the_axes) {
   const double r = square_.radius;
   for (int i = 0; i < 1000; ++i) {
     for (const int axis : axes_) {
@@ -149,7 +147,7 @@ TEST_P(SquareOf, SpheresIsHitLikeTheSpheresByRaysAlongTheAxes) {
   }
 }
 
-TEST_P(SquareOf, SpheresIsHitLikeTheSpheresByRaysAlongItsPlane) {
+TEST_P(SquareOf, spheres_is_hit_like_the_spheres_by_rays_along_its_plane) {
   for (int i = 0; i < 2000; ++i) {
     const double height = random_.between(-1, 1) * square_.radius;
     const double angle = random_.between(0, 2 * std::numbers::pi);
@@ -163,7 +161,7 @@ TEST_P(SquareOf, SpheresIsHitLikeTheSpheresByRaysAlongItsPlane) {
   }
 }
 
-TEST_P(SquareOf, SpheresIsHitLikeTheSpheresFromFarAway) {
+TEST_P(SquareOf, spheres_is_hit_like_the_spheres_from_far_away) {
   for (int i = 0; i < 1000; ++i)
     expect_same_hit(ray_towards(std::abs(random_.magnitude(1, 5)) * random_.direction(),
                                 place(somewhere(), somewhere(), 0)),
@@ -182,10 +180,10 @@ INSTANTIATE_TEST_SUITE_P(AllAxes, SquareOf,
 
 constexpr std::int64_t billion = 1'000'000'000;
 
-TEST(SquareOfABillion, IsHitAtTheRightSphereAtOnce) {
+TEST(SquareOfABillion, is_hit_at_the_right_sphere_at_once) {
   const CpuStopwatch watch;
   for (const auto& axes : all_axes) {
-    const PackedSquare square = square_of({}, 1, billion, axes);
+    const PackedLattice square = square_of({}, 1, billion, axes);
     for (const std::int64_t index : {std::int64_t{0}, std::int64_t{7}, billion - 1, billion,
                                      billion + 12345, 2 * billion - 1}) {
       Vec3 origin;
@@ -196,20 +194,20 @@ TEST(SquareOfABillion, IsHitAtTheRightSphereAtOnce) {
       coordinate(down, axes[2]) = -1;
       const Ray ray = ray_from(origin, down);
       NearestHit query(ray);
-      query.show(square);
+      query.add(square);
       ASSERT_TRUE(query.found()) << index << " on axis " << axes[0];
       EXPECT_EQ(query.t_max(), 4);
-      EXPECT_EQ(query.surface().id.part, static_cast<std::uint64_t>(index * square.side + billion));
+      EXPECT_EQ(query.point().id.item, static_cast<std::uint64_t>(index * square.side + billion));
     }
   }
   EXPECT_LT(watch.elapsed_ms(), 100);
 }
 
-TEST(SquareOfABillion, IsHitLikeTheSpheresNearby) {
+TEST(SquareOfABillion, is_hit_like_the_spheres_nearby) {
   Random random(12);
   double in_square_ms = 0;
   for (const auto& axes : all_axes) {
-    const PackedSquare square = square_of({}, 0.5, billion, axes);
+    const PackedLattice square = square_of({}, 0.5, billion, axes);
     const std::vector<PackedSphere> near =
         spheres_of(square, billion - 12, billion + 12, billion - 12, billion + 12);
     for (int i = 0; i < 500; ++i) {
@@ -218,7 +216,7 @@ TEST(SquareOfABillion, IsHitLikeTheSpheresNearby) {
       const Ray ray = ray_towards(origin, random.point(-3, 3) * 0.3);
       const CpuStopwatch watch;
       NearestHit query(ray);
-      query.show(square);
+      query.add(square);
       in_square_ms += watch.elapsed_ms();
       if (query.found() && query.t_max() < 8) expect_same_hit(ray, square, near);
     }
@@ -226,9 +224,9 @@ TEST(SquareOfABillion, IsHitLikeTheSpheresNearby) {
   EXPECT_LT(in_square_ms, 500);
 }
 
-TEST(SquareOfABillion, IsCrossedAlmostInItsPlaneAtOnce) {
+TEST(SquareOfABillion, is_crossed_almost_in_its_plane_at_once) {
   Random random(13);
-  const PackedSquare square = square_of({}, 1, billion, all_axes[0]);
+  const PackedLattice square = square_of({}, 1, billion, all_axes[0]);
   const CpuStopwatch watch;
   for (int i = 0; i < 100; ++i) {
     const double angle = random.between(0, 2 * std::numbers::pi);
@@ -236,20 +234,20 @@ TEST(SquareOfABillion, IsCrossedAlmostInItsPlaneAtOnce) {
     const Ray ray = ray_from({-1e6, height, 3e5},
                              {std::cos(angle), random.magnitude(-15, -9), std::sin(angle)});
     NearestHit query(ray);
-    query.show(square);
+    query.add(square);
     EXPECT_TRUE(query.found());
   }
   EXPECT_LT(watch.elapsed_ms(), 500);
 }
 
-TEST(SquareOfMany, IsCrossedInTheTangentPlaneOfItsSpheresAtOnce) {
+TEST(SquareOfMany, is_crossed_in_the_tangent_plane_of_its_spheres_at_once) {
   // One ray of a photograph with the horizon at the spheres' tops. A walk over all rows would take
   // minutes for n = 1e9; here n is such that it is merely too long.
-  const PackedSquare square = square_of({}, 1, 10'000'000, all_axes[0]);
+  const PackedLattice square = square_of({}, 1, 10'000'000, all_axes[0]);
   const CpuStopwatch watch;
   const Ray ray = ray_from({-3e7, 1, -2e7}, {1, 0, 0.7123});
   AnyHit query(ray, 1e30);
-  query.show(square);
+  query.add(square);
   EXPECT_LT(watch.elapsed_ms(), 100);
 }
 

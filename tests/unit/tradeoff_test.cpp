@@ -21,14 +21,14 @@ Image gray(int width, int height, float value) {
   return image;
 }
 
-TEST(Difference, OfEqualImagesIsNothing) {
+TEST(Difference, of_equal_images_is_nothing) {
   const Difference none = difference(gray(4, 3, 0.5F), gray(4, 3, 0.5F));
   EXPECT_EQ(none.rmse, 0);
   EXPECT_EQ(none.max_error, 0);
   EXPECT_EQ(none.off_share, 0);
 }
 
-TEST(Difference, IsTheRootOfTheMeanSquareTheLargestAndTheShareOfPixels) {
+TEST(Difference, is_the_root_of_the_mean_square_the_largest_and_the_share_of_pixels) {
   Image image = gray(2, 2, 0.5F);
   image.pixel(1, 0)[2] = 0.25F;
   image.pixel(0, 1)[0] = 0.75F;
@@ -39,7 +39,7 @@ TEST(Difference, IsTheRootOfTheMeanSquareTheLargestAndTheShareOfPixels) {
   EXPECT_DOUBLE_EQ(found.off_share, 0.5) << "two of four pixels";
 }
 
-TEST(Difference, PixelIsOffBeyondOne255th) {
+TEST(Difference, pixel_is_off_beyond_one255th) {
   EXPECT_EQ(difference(gray(3, 1, 0.5F + 0.9F / 255), gray(3, 1, 0.5F)).off_share, 0);
   EXPECT_EQ(difference(gray(3, 1, 0.5F + 1.1F / 255), gray(3, 1, 0.5F)).off_share, 1);
 }
@@ -60,20 +60,20 @@ std::string marks(std::vector<CurvePoint> points) {
   return text;
 }
 
-TEST(Pareto, IsWhatNothingElseBeatsInBoth) {
+TEST(Pareto, is_what_nothing_else_beats_in_both) {
   EXPECT_EQ(marks({point(1, 0.4), point(2, 0.2), point(3, 0.3), point(4, 0.1)}), "**-*");
   EXPECT_EQ(marks({point(4, 0.1), point(3, 0.3), point(2, 0.2), point(1, 0.4)}), "*-**");
   EXPECT_EQ(marks({}), "");
 }
 
-TEST(Pareto, EqualsAreBothOnIt) { EXPECT_EQ(marks({point(1, 0.4), point(1, 0.4)}), "**"); }
+TEST(Pareto, equals_are_both_on_it) { EXPECT_EQ(marks({point(1, 0.4), point(1, 0.4)}), "**"); }
 
-TEST(Pareto, AnyGainCounts) {
+TEST(Pareto, any_gain_counts) {
   EXPECT_EQ(marks({point(1, 0.1), point(2, 0.0995)}), "**");
   EXPECT_EQ(marks({point(1, 0.1), point(2, 0.1)}), "*-");
 }
 
-TEST(Pareto, AnotherPictureTakesTheMarkFromNobody) {
+TEST(Pareto, another_picture_takes_the_mark_from_nobody) {
   EXPECT_EQ(marks({point(1, 0.1, true), point(2, 0.2)}), "**");
   EXPECT_EQ(marks({point(3, 0.3, true), point(2, 0.2)}), "-*");
   EXPECT_EQ(marks({point(2, 0.2, true), point(1, 0.1, true), point(3, 0.05)}), "-**");
@@ -99,7 +99,7 @@ Measured measure(const Scene& scene, const Limits& limits = {}) {
   return {measure_curve(scene, limits, 2'000, pool, progress).value(), progress.fraction()};
 }
 
-TEST(MeasureCurve, MoreSamplesErrLessInEitherPrecision) {
+TEST(MeasureCurve, more_samples_err_less_in_either_precision) {
   const auto [curve, progress] = measure(mirror_scene());
   EXPECT_EQ(progress, 1);
   EXPECT_EQ(curve.width_px, 24);
@@ -121,7 +121,7 @@ TEST(MeasureCurve, MoreSamplesErrLessInEitherPrecision) {
   }
 }
 
-TEST(MeasureCurve, ReferenceIsAsNearAsItSays) {
+TEST(MeasureCurve, reference_is_as_near_as_it_says) {
   const Scene scene = mirror_scene();
   const CurveReference described = measure(scene).curve.reference;
   EXPECT_GT(described.estimated_error, 0);
@@ -133,7 +133,7 @@ TEST(MeasureCurve, ReferenceIsAsNearAsItSays) {
   EXPECT_LE(difference(reference, image_of(exact)).rmse, described.estimated_error);
 }
 
-TEST(MeasureCurve, TargetsAreReachedAndKept) {
+TEST(MeasureCurve, targets_are_reached_and_kept) {
   int count = 0;
   for (const CurvePoint& each : measure(mirror_scene()).curve.points) {
     if (!each.settings.target_rmse) continue;
@@ -145,7 +145,7 @@ TEST(MeasureCurve, TargetsAreReachedAndKept) {
   EXPECT_GE(count, 3);
 }
 
-TEST(MeasureCurve, WhatIsLeftOutChangesThePicture) {
+TEST(MeasureCurve, what_is_left_out_changes_the_picture) {
   bool shadows = false;
   bool reflections = false;
   for (const CurvePoint& each : measure(mirror_scene()).curve.points) {
@@ -158,7 +158,7 @@ TEST(MeasureCurve, WhatIsLeftOutChangesThePicture) {
   EXPECT_TRUE(reflections);
 }
 
-TEST(MeasureCurve, NothingIsLeftOutThatIsNotThere) {
+TEST(MeasureCurve, nothing_is_left_out_that_is_not_there) {
   Scene scene = mirror_scene();
   scene.shadows = Shadows::off;
   scene.render.max_depth = 0;
@@ -166,7 +166,7 @@ TEST(MeasureCurve, NothingIsLeftOutThatIsNotThere) {
     EXPECT_FALSE(each.settings.changes_picture());
 }
 
-TEST(MeasureCurve, DocumentsOwnSettingsMakeNoDifference) {
+TEST(MeasureCurve, documents_own_settings_make_no_difference) {
   Scene scene = mirror_scene();
   Limits limits;
   limits.samples = 100;  // what ends the reference, and not the time
@@ -179,7 +179,7 @@ TEST(MeasureCurve, DocumentsOwnSettingsMakeNoDifference) {
   EXPECT_EQ(plain.points.front().error.rmse, other.points.front().error.rmse);
 }
 
-TEST(MeasureCurve, PlainBackgroundNeedsOneSample) {
+TEST(MeasureCurve, plain_background_needs_one_sample) {
   const Curve curve = measure(scene_of(document(camera_json(8, 8)))).curve;
   EXPECT_EQ(curve.reference.estimated_error, 0);
   for (const CurvePoint& each : curve.points) {
@@ -189,7 +189,7 @@ TEST(MeasureCurve, PlainBackgroundNeedsOneSample) {
   EXPECT_FALSE(curve.points.empty());
 }
 
-TEST(MeasureCurve, KeepsWithinTheLimits) {
+TEST(MeasureCurve, keeps_within_the_limits) {
   Limits limits;
   limits.samples = 100;
   EXPECT_EQ(*measure(mirror_scene(), limits).curve.reference.settings.samples, 60);
@@ -204,7 +204,7 @@ TEST(MeasureCurve, KeepsWithinTheLimits) {
   EXPECT_GE(least.points.size(), 4U);
 }
 
-TEST(MeasureCurve, StoppedOneIsNone) {
+TEST(MeasureCurve, stopped_one_is_none) {
   WorkerPool pool(2);
   RenderProgress picture;
   CurveProgress progress(picture);
@@ -212,7 +212,7 @@ TEST(MeasureCurve, StoppedOneIsNone) {
   EXPECT_FALSE(measure_curve(mirror_scene(), Limits{}, 1'000, pool, progress));
 }
 
-TEST(MeasureCurve, ProgressNeverFalls) {
+TEST(MeasureCurve, progress_never_falls) {
   WorkerPool pool(2);
   RenderProgress picture;
   CurveProgress progress(picture);

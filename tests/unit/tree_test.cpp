@@ -1,13 +1,13 @@
 // The tree holds every primitive once, in boxes that lose none, whatever the number of threads.
 
-#include "engine/accel/tree.h"
+#include "engine/finders/tree.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "engine/accel/build_tree.h"
+#include "engine/finders/build_tree.h"
 #include "tests/support/rays.h"
 
 namespace raytracer::test {
@@ -83,16 +83,16 @@ class Inspector {
   int deepest_ = 0;
 };
 
-TEST(Tree, OfNothingHasNoNodes) { EXPECT_TRUE(tree_of({}, 1).nodes.empty()); }
+TEST(Tree, of_nothing_has_no_nodes) { EXPECT_TRUE(tree_of({}, 1).nodes.empty()); }
 
-TEST(Tree, HoldsEveryPrimitiveOnceInBoxesThatBoundIt) {
+TEST(Tree, holds_every_primitive_once_in_boxes_that_bound_it) {
   for (const std::size_t count : {1U, 2U, 8U, 9U, 63U, 500U, 9000U, 40'000U}) {
     const std::vector<Box> boxes = random_boxes(count, 0.02, count);
     Inspector(tree_of(boxes, 2), boxes);
   }
 }
 
-TEST(Tree, BoundsWhatSingleCannotHold) {
+TEST(Tree, bounds_what_single_cannot_hold) {
   Random random(41);
   std::vector<Box> boxes;
   for (int i = 0; i < 2000; ++i) {
@@ -102,12 +102,12 @@ TEST(Tree, BoundsWhatSingleCannotHold) {
   Inspector(tree_of(boxes, 2), boxes);
 }
 
-TEST(Tree, OfPrimitivesInOnePlaceIsSplitAnyhow) {
+TEST(Tree, of_primitives_in_one_place_is_split_anyhow) {
   const std::vector<Box> boxes(30'000, Box{{0, 0, 0}, {1, 1, 1}});
   Inspector(tree_of(boxes, 2), boxes);
 }
 
-TEST(Tree, OfALongChainStaysWithinItsDepth) {
+TEST(Tree, of_a_long_chain_stays_within_its_depth) {
   std::vector<Box> boxes;
   for (int i = 0; i < 120; ++i)
     for (int k = 0; k < 40; ++k) {
@@ -117,7 +117,7 @@ TEST(Tree, OfALongChainStaysWithinItsDepth) {
   Inspector(tree_of(boxes, 2), boxes);
 }
 
-TEST(Tree, DoesNotDependOnTheNumberOfThreads) {
+TEST(Tree, does_not_depend_on_the_number_of_threads) {
   const std::vector<Box> boxes = random_boxes(100'000, 0.05, 7);
   const Tree expected = tree_of(boxes, 1);
   for (const std::size_t threads : {2U, 3U, 5U}) {

@@ -9,7 +9,7 @@
 namespace raytracer::test {
 namespace {
 
-TEST(Vec, OperatorsWorkByCoordinate) {
+TEST(Vec, operators_work_by_coordinate) {
   const Vec3 a{1, 2, 3};
   const Vec3 b{4, -5, 6};
   EXPECT_EQ(a + b, (Vec3{5, -3, 9}));
@@ -24,13 +24,13 @@ TEST(Vec, OperatorsWorkByCoordinate) {
   EXPECT_EQ(max_abs({0, -7, 3}), 7);
 }
 
-TEST(Vec, CrossOfXAndYIsZ) {
+TEST(Vec, cross_of_x_and_y_is_z) {
   EXPECT_EQ(cross({1, 0, 0}, {0, 1, 0}), (Vec3{0, 0, 1}));
   EXPECT_EQ(cross({0, 1, 0}, {0, 0, 1}), (Vec3{1, 0, 0}));
   EXPECT_EQ(cross({0, 0, 1}, {1, 0, 0}), (Vec3{0, 1, 0}));
 }
 
-TEST(Vec, CrossIsAntisymmetricToTheBit) {
+TEST(Vec, cross_is_antisymmetric_to_the_bit) {
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
     const Vec3 a = random.point(-1, 1);
@@ -39,7 +39,7 @@ TEST(Vec, CrossIsAntisymmetricToTheBit) {
   }
 }
 
-TEST(Vec, UnitHasLengthOneAtAnySize) {
+TEST(Vec, unit_has_length_one_at_any_size) {
   Random random(2);
   for (int exponent = -1070; exponent <= 1023; exponent += 7) {
     const Vec3 direction = random.direction();
@@ -55,9 +55,9 @@ TEST(Vec, UnitHasLengthOneAtAnySize) {
   EXPECT_NEAR(unit({1e300, 1, 0}).y, 1e-300, 1e-310);
 }
 
-TEST(Vec, UnitOfZeroIsZero) { EXPECT_EQ(unit(Vec3{}), Vec3{}); }
+TEST(Vec, unit_of_zero_is_zero) { EXPECT_EQ(unit(Vec3{}), Vec3{}); }
 
-TEST(Vec, ReflectedKeepsTheTangentAndTurnsTheNormalPart) {
+TEST(Vec, reflected_keeps_the_tangent_and_turns_the_normal_part) {
   EXPECT_EQ(reflected({1, -2, 3}, {0, 1, 0}), (Vec3{1, 2, 3}));
 }
 

@@ -1,11 +1,10 @@
 // The camera: which way each pixel looks.
 
-#include "engine/plan/view.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "engine/scene/camera.h"
 #include "tests/support/rays.h"
 
 namespace raytracer::test {
@@ -28,12 +27,12 @@ void expect_near(const Vec3& actual, const Vec3& expected, double tolerance = 1e
 Vec3 rightwards(const Camera& c) { return unit(make_view(c).right); }
 Vec3 upwards(const Camera& c) { return unit(make_view(c).up); }
 
-TEST(View, LooksAtLookAtInTheMiddleOfTheImage) {
+TEST(View, looks_at_look_at_in_the_middle_of_the_image) {
   const View view = make_view(camera({1, 2, 3}, {4, -2, 15}));
   expect_near(view.direction(2, 2), unit(Vec3{3, -4, 12}));
 }
 
-TEST(View, HasXToTheRightAndYUpWhenItLooksAlongZ) {
+TEST(View, has_x_to_the_right_and_y_up_when_it_looks_along_z) {
   const View view = make_view(camera({0, 0, 0}, {0, 0, 5}));
   EXPECT_GT(view.direction(3, 2).x, 0);
   EXPECT_NEAR(view.direction(3, 2).y, 0, 1e-16);
@@ -41,7 +40,7 @@ TEST(View, HasXToTheRightAndYUpWhenItLooksAlongZ) {
   EXPECT_NEAR(view.direction(2, 3).x, 0, 1e-16);
 }
 
-TEST(View, IsUpCrossDToTheRightAndDCrossUUpwards) {
+TEST(View, is_up_cross_d_to_the_right_and_d_cross_u_upwards) {
   Random random(3);
   for (int i = 0; i < 200; ++i) {
     Camera c = camera(random.point(-5, 5), random.point(-5, 5));
@@ -54,7 +53,7 @@ TEST(View, IsUpCrossDToTheRightAndDCrossUUpwards) {
   }
 }
 
-TEST(View, SpansTheFieldOfViewFromTheLeftToTheRightSide) {
+TEST(View, spans_the_field_of_view_from_the_left_to_the_right_side) {
   for (const double fov : {1e-6, 0.5, 1.0, 2.0, 3.0, 3.14}) {
     const View view = make_view(camera({0, 0, 0}, {0, 0, 1}, fov, 40, 30));
     const Vec3 left = view.direction(0, 15);
@@ -64,7 +63,7 @@ TEST(View, SpansTheFieldOfViewFromTheLeftToTheRightSide) {
   }
 }
 
-TEST(View, FollowsTheFormulaForImagesThatAreNotSquare) {
+TEST(View, follows_the_formula_for_images_that_are_not_square) {
   const Camera c = camera({1, -2, 3}, {5, 5, 5}, 1.2, 70, 50);
   const View view = make_view(c);
   const Vec3 d = unit(c.look_at - c.origin);
@@ -83,7 +82,7 @@ TEST(View, FollowsTheFormulaForImagesThatAreNotSquare) {
   }
 }
 
-TEST(View, TakesTheFieldOfViewModuloTwoPi) {
+TEST(View, takes_the_field_of_view_modulo_two_pi) {
   for (const double turns : {-2.0, -1.0, 1.0, 2.0, 7.0}) {
     const View once = make_view(camera({0, 0, 0}, {0, 0, 1}, 2 * pi / 3));
     const View turned = make_view(camera({0, 0, 0}, {0, 0, 1}, 2 * pi / 3 + turns * 2 * pi));
@@ -92,7 +91,7 @@ TEST(View, TakesTheFieldOfViewModuloTwoPi) {
   }
 }
 
-TEST(View, WithUpParallelTakesTheAxisLeastAlignedOfEqualsXThenZThenY) {
+TEST(View, with_up_parallel_takes_the_axis_least_aligned_of_equals_x_then_z_then_y) {
   struct Row {
     Vec3 d;
     Vec3 axis;
@@ -110,7 +109,7 @@ TEST(View, WithUpParallelTakesTheAxisLeastAlignedOfEqualsXThenZThenY) {
   }
 }
 
-TEST(View, TreatsUpAsParallelWithinATrillionth) {
+TEST(View, treats_up_as_parallel_within_a_trillionth) {
   Camera c = camera({0, 0, 0}, {0, 1, 0});
   c.up = {0, 1, 1e-13};
   expect_near(rightwards(c), {0, 0, 1});  // x cross y
@@ -118,7 +117,7 @@ TEST(View, TreatsUpAsParallelWithinATrillionth) {
   expect_near(rightwards(c), {-1, 0, 0}, 1e-4);  // up cross d, as ever
 }
 
-TEST(View, DoesNotDependOnTheLengthOfUpOrOfTheSight) {
+TEST(View, does_not_depend_on_the_length_of_up_or_of_the_sight) {
   const View plain = make_view(camera({0, 0, 0}, {1, 2, 3}));
   for (const double size : {1e-300, 1e-10, 1e10, 1e300}) {
     Camera c = camera({0, 0, 0}, size * Vec3{1, 2, 3});
@@ -127,7 +126,7 @@ TEST(View, DoesNotDependOnTheLengthOfUpOrOfTheSight) {
   }
 }
 
-TEST(View, SeesTheNearestAndTheFarthestLookAt) {
+TEST(View, sees_the_nearest_and_the_farthest_look_at) {
   expect_near(make_view(camera({0, 0, 0}, {0, 0, 5e-324})).direction(2, 2), {0, 0, 1});
   expect_near(make_view(camera({0, 0, -1.7e308}, {0, 0, 1.7e308})).direction(2, 2), {0, 0, 1});
 }

@@ -12,7 +12,7 @@ namespace {
 
 const std::atomic<bool> never{false};
 
-TEST(WorkerPool, RunsEachIndexOnceOnAnyNumberOfThreads) {
+TEST(WorkerPool, runs_each_index_once_on_any_number_of_threads) {
   for (const std::size_t threads : {1U, 2U, 3U, 8U}) {
     WorkerPool pool(threads);
     EXPECT_EQ(pool.thread_count(), threads);
@@ -25,7 +25,7 @@ TEST(WorkerPool, RunsEachIndexOnceOnAnyNumberOfThreads) {
   }
 }
 
-TEST(WorkerPool, HasAtLeastOneThread) {
+TEST(WorkerPool, has_at_least_one_thread) {
   WorkerPool pool(0);
   EXPECT_EQ(pool.thread_count(), 1U);
   int calls = 0;
@@ -34,7 +34,7 @@ TEST(WorkerPool, HasAtLeastOneThread) {
   EXPECT_EQ(calls, 3);
 }
 
-TEST(WorkerPool, ServesManyCallersAtOnce) {
+TEST(WorkerPool, serves_many_callers_at_once) {
   WorkerPool pool(2);
   constexpr std::size_t callers = 6;
   constexpr std::size_t count = 500;
@@ -81,7 +81,7 @@ class LongCaller {
   std::thread thread_;
 };
 
-TEST(WorkerPool, ShortBatchWaitsForOneLongTaskAndNotForOneBeforeEachOfItsOwn) {
+TEST(WorkerPool, short_batch_waits_for_one_long_task_and_not_for_one_before_each_of_its_own) {
   WorkerPool pool(1);
   const LongCaller long_caller(pool, 20);
   for (int round = 0; round < 5; ++round) {
@@ -96,7 +96,7 @@ TEST(WorkerPool, ShortBatchWaitsForOneLongTaskAndNotForOneBeforeEachOfItsOwn) {
   }
 }
 
-TEST(WorkerPool, StreamOfShortBatchesLeavesALongOneItsShare) {
+TEST(WorkerPool, stream_of_short_batches_leaves_a_long_one_its_share) {
   WorkerPool pool(1);
   const LongCaller long_caller(pool, 5);
   std::atomic<bool> is_over{false};
@@ -125,7 +125,7 @@ TEST(WorkerPool, StreamOfShortBatchesLeavesALongOneItsShare) {
   EXPECT_GE(short_calls, long_calls);
 }
 
-TEST(WorkerPool, RunsNoMoreTasksAtOnceThanItHasThreads) {
+TEST(WorkerPool, runs_no_more_tasks_at_once_than_it_has_threads) {
   WorkerPool pool(2);
   const std::atomic<bool> stop{false};
   std::atomic<int> running{0};
@@ -149,7 +149,7 @@ TEST(WorkerPool, RunsNoMoreTasksAtOnceThanItHasThreads) {
   EXPECT_EQ(most, 2);
 }
 
-TEST(WorkerPool, CallerOfTheOnlyBatchWorksOnItToo) {
+TEST(WorkerPool, caller_of_the_only_batch_works_on_it_too) {
   WorkerPool pool(1);
   const std::atomic<bool> stop{false};
   std::size_t own = 0;
@@ -163,7 +163,7 @@ TEST(WorkerPool, CallerOfTheOnlyBatchWorksOnItToo) {
   EXPECT_GT(own, 0U);
 }
 
-TEST(WorkerPool, BeginsNoTaskOnceStopIsSet) {
+TEST(WorkerPool, begins_no_task_once_stop_is_set) {
   WorkerPool pool(2);
   std::atomic<bool> stop{false};
   std::atomic<int> calls{0};
@@ -182,7 +182,7 @@ TEST(WorkerPool, BeginsNoTaskOnceStopIsSet) {
       5, [&](std::size_t) { ADD_FAILURE(); }, stop);
 }
 
-TEST(WorkerPool, StopsFromAnotherThread) {
+TEST(WorkerPool, stops_from_another_thread) {
   WorkerPool pool(2);
   std::atomic<bool> stop{false};
   std::atomic<int> calls{0};
@@ -201,7 +201,7 @@ TEST(WorkerPool, StopsFromAnotherThread) {
   EXPECT_LT(calls, 1'000'000);
 }
 
-TEST(WorkerPool, ThrowsATasksExceptionAtItsCallerAndServesOn) {
+TEST(WorkerPool, throws_a_tasks_exception_at_its_caller_and_serves_on) {
   WorkerPool pool(1);
   for (int round = 0; round < 20; ++round) {
     int calls = 0;
@@ -221,7 +221,7 @@ TEST(WorkerPool, ThrowsATasksExceptionAtItsCallerAndServesOn) {
   }
 }
 
-TEST(WorkerPool, BeginsNoTaskOnAnyThreadOnceOneHasThrown) {
+TEST(WorkerPool, begins_no_task_on_any_thread_once_one_has_thrown) {
   for (int round = 0; round < 20; ++round) {
     WorkerPool pool(2);
     std::atomic<bool> throws{false};
@@ -262,7 +262,7 @@ TEST(WorkerPool, BeginsNoTaskOnAnyThreadOnceOneHasThrown) {
   }
 }
 
-TEST(WorkerPool, KeepsOneCallersExceptionFromAnother) {
+TEST(WorkerPool, keeps_one_callers_exception_from_another) {
   WorkerPool pool(2);
   std::atomic<int> good{0};
   std::thread bad_caller([&] {
@@ -278,7 +278,7 @@ TEST(WorkerPool, KeepsOneCallersExceptionFromAnother) {
   EXPECT_EQ(good, 1000);
 }
 
-TEST(WorkerPool, IsDestroyedIdleOrAfterWork) {
+TEST(WorkerPool, is_destroyed_idle_or_after_work) {
   for (int round = 0; round < 50; ++round) {
     WorkerPool idle(4);
     WorkerPool used(4);

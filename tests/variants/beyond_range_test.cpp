@@ -8,6 +8,7 @@
 #include "engine/plan/plan.h"
 #include "engine/render/tracer.h"
 #include "engine/sample/pattern.h"
+#include "tests/support/reference_plan.h"
 #include "tests/support/scenes.h"
 
 namespace raytracer::test {
@@ -31,7 +32,7 @@ struct Traced {
 
 Traced trace(const Plan& plan, const Scene& scene, int samples) {
   WorkerPool pool(1);
-  const Tracer tracer = make_tracer(plan, scene, pool);
+  const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
   Traced traced{{}, Image(scene.camera.width, scene.camera.height)};
   for (const Tile& tile : split_into_tiles(scene.camera.width, scene.camera.height, 32))
     traced.beyond +=
@@ -41,8 +42,7 @@ Traced trace(const Plan& plan, const Scene& scene, int samples) {
 
 /// The scene's plans for the reference and for every instruction set in either precision.
 std::vector<Plan> all_plans(Scene scene) {
-  std::vector<Plan> plans{make_plan(scene, this_machine(1))};
-  plans[0].kernel.value = Kernel::brute_force;
+  std::vector<Plan> plans{reference_plan(make_plan(scene, this_machine(1)))};
   for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
     scene.render.precision = precision;
     for (const InstructionSet& set : supported_instruction_sets())
@@ -58,7 +58,7 @@ std::size_t count_pixels(const Image& image, float value) {
   return count;
 }
 
-TEST(BeyondRange, clampedPixelsAreThoseOfBothLights) {
+TEST(BeyondRange, clamped_pixels_are_those_of_both_lights) {
   const Scene scene = lit_ball();
   for (const Plan& plan : all_plans(scene)) {
     const Traced traced = trace(plan, scene, 1);
@@ -68,7 +68,7 @@ TEST(BeyondRange, clampedPixelsAreThoseOfBothLights) {
   }
 }
 
-TEST(BeyondRange, aPixelCountsOnceForAllOfItsSamples) {
+TEST(BeyondRange, a_pixel_counts_once_for_all_of_its_samples) {
   const Scene scene = lit_ball();
   const std::vector<Plan> plans = all_plans(scene);
   const BeyondRange expected = trace(plans[0], scene, 7).beyond;
@@ -76,7 +76,7 @@ TEST(BeyondRange, aPixelCountsOnceForAllOfItsSamples) {
   for (const Plan& plan : plans) EXPECT_EQ(trace(plan, scene, 7).beyond.clamped, expected.clamped);
 }
 
-TEST(BeyondRange, whatIsNoNumberIsCountedThoughItIsClamped) {
+TEST(BeyondRange, what_is_no_number_is_counted_though_it_is_clamped) {
   Scene scene = lit_ball();
   const Image image = trace(all_plans(scene)[0], scene, 1).image;
   const std::size_t lit = count_pixels(image, 1) + count_pixels(image, 0.75F);
@@ -90,7 +90,7 @@ TEST(BeyondRange, whatIsNoNumberIsCountedThoughItIsClamped) {
   }
 }
 
-TEST(BeyondRange, whatIsNoNumberIsTheSameByteInEveryKernel) {
+TEST(BeyondRange, what_is_no_number_is_the_same_byte_in_every_kernel) {
   Scene scene = lit_ball();
   Material material = scene.materials[0];
   material.kd = std::numeric_limits<double>::quiet_NaN();
@@ -100,15 +100,15 @@ TEST(BeyondRange, whatIsNoNumberIsTheSameByteInEveryKernel) {
   for (const Plan& plan : all_plans(scene)) {
     ByteImage image(scene.camera.width, scene.camera.height);
     for (const Tile& tile : split_into_tiles(image.width, image.height, 64))
-      render_tile(make_tracer(plan, scene, pool), sample_pattern(1), Transfer::linear, tile,
-                  &image);
+      render_tile(make_tracer(plan, pack_scene(scene, &pool), pool), sample_pattern(1),
+                  Transfer::linear, tile, &image);
     const std::vector<unsigned char> bytes(image.values.begin(), image.values.end());
     if (of_reference.empty()) of_reference = bytes;
     EXPECT_EQ(bytes, of_reference) << plan.instruction_set.name;
   }
 }
 
-TEST(BeyondRange, aRenderReportsItsPixels) {
+TEST(BeyondRange, a_render_reports_its_pixels) {
   const Scene scene = lit_ball();
   WorkerPool pool(2);
   RenderProgress progress;

@@ -33,14 +33,14 @@ Scene critical_balls() {
   return scene_of(text);
 }
 
-TEST(Bytes, AreTheFloatsLevels) {
+TEST(Bytes, are_the_floats_levels) {
   Scene scene = critical_balls();
   for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
     scene.render.precision = precision;
     for (const InstructionSet& set : supported_instruction_sets()) {
       SCOPED_TRACE(set.name);
       const Plan plan = make_plan(scene, {set});
-      ASSERT_EQ(plan.kernel.value, Kernel::simd);
+      ASSERT_EQ(plan.kernel.value, Kernel::packets);
       const Image floats = image_by(plan, scene);
       const ByteImage bytes = image_by<unsigned char>(plan, scene);
       const std::set<float> shown(floats.values.begin(), floats.values.end());

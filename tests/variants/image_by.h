@@ -11,7 +11,7 @@ namespace raytracer::test {
 template <typename Channel = float>
 Raster<Channel> image_by(const Plan& plan, const Scene& scene) {
   WorkerPool pool(2);
-  const Tracer tracer = make_tracer(plan, scene, pool);
+  const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
   Raster<Channel> image(scene.camera.width, scene.camera.height);
   for (const Tile& tile : split_into_tiles(image.width, image.height, 32))
     render_tile(tracer, sample_pattern(1), scene.render.transfer, tile, &image);

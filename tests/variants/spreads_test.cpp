@@ -13,6 +13,7 @@
 #include "engine/plan/plan.h"
 #include "engine/render/tracer.h"
 #include "engine/sample/pattern.h"
+#include "tests/support/reference_plan.h"
 #include "tests/support/scenes.h"
 
 namespace raytracer::test {
@@ -27,17 +28,17 @@ Scene balls() {
 
 std::vector<double> errors_of(const Plan& plan, const Scene& scene, const Tile& tile) {
   WorkerPool pool(1);
-  const Tracer tracer = make_tracer(plan, scene, pool);
+  const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
   Image image(scene.camera.width, scene.camera.height);
-  PartErrors errors(image.width, image.height);
-  render_tile(tracer, sample_pattern(8), scene.render.transfer, tile, &image, {.parts = &errors});
+  SubtileErrors errors(image.width, image.height);
+  render_tile(tracer, sample_pattern(8), scene.render.transfer, tile, &image,
+              {.subtiles = &errors});
   return errors.all();
 }
 
 /// The errors of a tile by the reference kernel and by every instruction set in either precision.
 void expect_alike(Scene scene, const Tile& tile) {
-  Plan plain = make_plan(scene, this_machine(1));
-  plain.kernel.value = Kernel::brute_force;
+  const Plan plain = reference_plan(make_plan(scene, this_machine(1)));
   const std::vector<double> expected = errors_of(plain, scene, tile);
   double sum = 0;
   for (const double error2 : expected) sum += error2;
@@ -52,34 +53,35 @@ void expect_alike(Scene scene, const Tile& tile) {
   }
 }
 
-TEST(PartErrors, areTheReferencesInAllKernels) { expect_alike(balls(), {0, 0, 37, 23}); }
+TEST(SubtileErrors, are_the_references_in_all_kernels) { expect_alike(balls(), {0, 0, 37, 23}); }
 
-TEST(PartErrors, areOfEncodedColours) {
+TEST(SubtileErrors, are_of_encoded_colours) {
   Scene scene = balls();
   scene.render.transfer = Transfer::srgb;
   expect_alike(scene, {0, 0, 37, 23});
 }
 
-TEST(PartErrors, areOfTheTracedPartsAlone) {
+TEST(SubtileErrors, are_of_the_traced_subtiles_alone) {
   const Scene scene = balls();
   constexpr std::uint16_t some = 0b0110'0010'0100'0001;
   const Tile block{16, 0, 32, 16, some};
   expect_alike(scene, block);
   const std::vector<double> errors = errors_of(make_plan(scene, this_machine(1)), scene, block);
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    const bool is_traced = i / parts_in_block == 1 && (some >> i % parts_in_block & 1) != 0;
+    const bool is_traced = i / subtiles_in_block == 1 && (some >> i % subtiles_in_block & 1) != 0;
     EXPECT_EQ(errors[i] > 0 && !is_traced, false) << i;
   }
 }
 
-TEST(PartErrors, areNoneWithoutHalves) {
+TEST(SubtileErrors, are_none_without_halves) {
   const Scene scene = balls();
   WorkerPool pool(1);
-  const Tracer tracer = make_tracer(make_plan(scene, this_machine(1)), scene, pool);
+  const Tracer tracer =
+      make_tracer(make_plan(scene, this_machine(1)), pack_scene(scene, &pool), pool);
   Image image(37, 23);
-  PartErrors errors(37, 23);
+  SubtileErrors errors(37, 23);
   render_tile(tracer, sample_pattern(7), Transfer::linear, {0, 0, 37, 23}, &image,
-              {.parts = &errors});
+              {.subtiles = &errors});
   for (const double error2 : errors.all()) EXPECT_EQ(error2, 0);
 }
 
@@ -93,7 +95,7 @@ struct Sampled {
 Sampled sample(const Plan& plan, const Scene& scene, const std::vector<std::uint8_t>& places,
                int samples) {
   WorkerPool pool(1);
-  const Tracer tracer = make_tracer(plan, scene, pool);
+  const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
   const int width = scene.camera.width;
   const int height = scene.camera.height;
   Sampled sampled{std::vector<SampledPixel>(places.size()), Image(width, height),
@@ -143,14 +145,13 @@ Scene corner() {
                            {distant_json({1, 0, 1}), distant_json({0, 1, 1})}));
 }
 
-TEST(SampledPixels, AreAsThoseOfAWholeImageInAllKernels) {
+TEST(SampledPixels, are_as_those_of_a_whole_image_in_all_kernels) {
   const std::vector<std::uint8_t> places = some_places();
   for (const Transfer transfer : {Transfer::linear, Transfer::srgb})
     for (const int samples : {8, 12, 16, 48, 260, 1024}) {
       Scene scene = corner();
       scene.render.transfer = transfer;
-      Plan plain = make_plan(scene, this_machine(1));
-      plain.kernel.value = Kernel::brute_force;
+      const Plan plain = reference_plan(make_plan(scene, this_machine(1)));
       const Sampled reference = sample(plain, scene, places, samples);
       expect_as_together(reference, places, reference.spreads, "reference");
       for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
@@ -177,7 +178,7 @@ Scene crowded_corner() {
                            {distant_json({1, 0, 1}), distant_json({0, 1, 1})}));
 }
 
-TEST(SampledPixels, AreAsThoseOfAWholeImageAmongManySpheres) {
+TEST(SampledPixels, are_as_those_of_a_whole_image_among_many_spheres) {
   const std::vector<std::uint8_t> places = some_places();
   constexpr int samples = 256;
   Scene scene = crowded_corner();

@@ -8,17 +8,18 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <random>
 
-#include "engine/accel/bvh.h"
 #include "engine/image/encode.h"
-#include "engine/kernel/radiance.h"
 #include "engine/kernel/simd/instruction_sets.h"
 #include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
+#include "engine/reference/radiance.h"
+#include "engine/reference/single_ray_finder.h"
 #include "engine/render/tracer.h"
 #include "engine/scene/read_scene.h"
+#include "tests/support/reference_plan.h"
 #include "tests/variants/image_by.h"
+#include "tests/variants/random_documents.h"
 
 namespace raytracer::test {
 namespace {
@@ -53,61 +54,6 @@ constexpr const char* distant_lights =
        {"type": "distant", "direction": [0.6, -0.4, 0.5], "intensity": 0.5})";
 constexpr const char* point_light =
     R"({"type": "point", "position": [4, 6, -5], "intensity": 900})";
-
-std::string random_spheres(int count, double radius, const std::string& material) {
-  std::mt19937_64 random(static_cast<std::uint64_t>(count));
-  std::uniform_real_distribution<double> place(-4, 4);
-  std::string centers;
-  for (int i = 0; i < count; ++i)
-    centers += fmt::format("{}[{}, {}, {}]", i == 0 ? "" : ",", place(random), place(random),
-                           place(random));
-  return fmt::format(R"({{"type": "spheres", "centers": [{}], "radius": {}, "material": {}}})",
-                     centers, radius, material);
-}
-
-/// A rough sheet of 2 * side * side triangles, each corner shared, that hangs over itself.
-std::string rough_sheet(int side, const std::string& material) {
-  std::mt19937_64 random(static_cast<std::uint64_t>(side));
-  std::uniform_real_distribution<double> shift(-0.35, 0.35);
-  std::string vertices;
-  std::string triangles;
-  for (int i = 0; i <= side; ++i) {
-    for (int k = 0; k <= side; ++k) {
-      const double x = 8 * (i + shift(random)) / side - 4;
-      const double z = 8 * (k + shift(random)) / side - 4;
-      const double y = std::sin(1.3 * x) * std::cos(1.7 * z) + 8 * shift(random) / side;
-      vertices +=
-          fmt::format("{}[{}, {}, {}]", vertices.empty() ? "" : ",", x + 0.8 * y, y, z - 0.5 * y);
-    }
-  }
-  for (int i = 0; i < side; ++i) {
-    for (int k = 0; k < side; ++k) {
-      const int a = i * (side + 1) + k;
-      const int b = a + side + 1;
-      triangles += fmt::format("{}[{},{},{}],[{},{},{}]", triangles.empty() ? "" : ",", a, b, b + 1,
-                               b + 1, a + 1, a);
-    }
-  }
-  return fmt::format(R"({{"type": "mesh", "vertices": [{}], "triangles": [{}], "material": {}}})",
-                     vertices, triangles, material);
-}
-
-/// Triangles across each other and the whole image, some of them also behind the eye.
-std::string random_triangles(int count, const std::string& material) {
-  std::mt19937_64 random(static_cast<std::uint64_t>(count));
-  std::uniform_real_distribution<double> place(-16, 16);
-  std::string vertices;
-  std::string triangles;
-  for (int i = 0; i < count; ++i) {
-    const double level = -7 + 0.05 * i;
-    for (int corner = 0; corner < 3; ++corner)
-      vertices += fmt::format("{}[{}, {}, {}]", vertices.empty() ? "" : ",", place(random),
-                              level + 0.02 * place(random), place(random));
-    triangles += fmt::format("{}[{}, {}, {}]", i == 0 ? "" : ",", 3 * i, 3 * i + 1, 3 * i + 2);
-  }
-  return fmt::format(R"({{"type": "mesh", "vertices": [{}], "triangles": [{}], "material": {}}})",
-                     vertices, triangles, material);
-}
 
 /// A flat sheet before a plane, wider than the view, whose sides and corners the rays and the
 /// shadows pass through: wherever one slips between triangles it shows.
@@ -191,13 +137,13 @@ std::vector<NamedScene> scenes() {
 /// The reference: one ray at a time, in double.
 Image reference_image(const Scene& scene) {
   WorkerPool pool(1);
-  const PackedScene packed = pack_scene(scene, make_frame(scene), pool);
-  const Bvh structure = Bvh::build(packed, pool);
+  const PackedScene packed = pack_scene(scene, &pool);
+  const SingleRayFinder finder(packed, all_by(Finder::tree), pool);
   Image image(scene.camera.width, scene.camera.height);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const Rgb seen =
-          radiance(packed, structure, packed.view.direction(x + 0.5, image.height - y - 0.5));
+          radiance(packed, finder, packed.view.direction(x + 0.5, image.height - y - 0.5));
       image.pixel(x, y)[0] = static_cast<float>(std::clamp(seen.x, 0.0, 1.0));
       image.pixel(x, y)[1] = static_cast<float>(std::clamp(seen.y, 0.0, 1.0));
       image.pixel(x, y)[2] = static_cast<float>(std::clamp(seen.z, 0.0, 1.0));
@@ -209,7 +155,7 @@ Image reference_image(const Scene& scene) {
 Image image_on(const InstructionSet& set, Precision precision, Scene scene) {
   scene.render.precision = precision;
   const Plan plan = make_plan(scene, {set});
-  EXPECT_EQ(plan.kernel.value, Kernel::simd) << plan.kernel.reason();
+  EXPECT_EQ(plan.kernel.value, Kernel::packets) << plan.kernel.reason();
   EXPECT_EQ(plan.precision.value, precision);
   return image_by(plan, scene);
 }
@@ -226,7 +172,7 @@ int count_wrong(const Image& image, const Image& expected) {
   return wrong;
 }
 
-TEST(Variants, doubleIsTheReferenceOnEveryInstructionSet) {
+TEST(Variants, double_is_the_reference_on_every_instruction_set) {
   for (const NamedScene& named : scenes()) {
     const Image expected = reference_image(named.scene);
     for (const InstructionSet& set : supported_instruction_sets())
@@ -235,7 +181,7 @@ TEST(Variants, doubleIsTheReferenceOnEveryInstructionSet) {
   }
 }
 
-TEST(Variants, singleIsNearTheReferenceWhereThePlanChoosesIt) {
+TEST(Variants, single_is_near_the_reference_where_the_plan_chooses_it) {
   int chosen = 0;
   for (const NamedScene& named : scenes()) {
     const Plan plan = make_plan(named.scene, this_machine());
@@ -252,7 +198,7 @@ TEST(Variants, singleIsNearTheReferenceWhereThePlanChoosesIt) {
 }
 
 /// Of a width and a height that no packet divides, in either transfer.
-TEST(Variants, bytesAreTheRoundedFloatsOnEveryInstructionSet) {
+TEST(Variants, bytes_are_the_rounded_floats_on_every_instruction_set) {
   Scene scene = scenes().front().scene;
   scene.camera.width = 61;
   scene.camera.height = 43;
@@ -267,25 +213,25 @@ TEST(Variants, bytesAreTheRoundedFloatsOnEveryInstructionSet) {
         EXPECT_TRUE(image_by<unsigned char>(plan, scene).values == rounded.values) << set.name;
       }
     }
-    Plan plan = make_plan(scene, this_machine());
-    plan.kernel.value = Kernel::bvh;
+    const Plan plan = reference_plan(make_plan(scene, this_machine()), Finder::tree);
     EXPECT_TRUE(image_by<unsigned char>(plan, scene).values ==
                 to_bytes(image_by(plan, scene), pool).values);
   }
 }
 
-TEST(Variants, findsTrianglesAlikeByEveryStructure) {
+TEST(Variants, finds_triangles_alike_by_every_finder) {
   for (const NamedScene& named : scenes()) {
     Scene scene = named.scene;
     scene.render.precision = Precision::double_precision;
     Plan plan = make_plan(scene, this_machine());
-    if (plan.features.triangles == 0) continue;
+    if (plan.features.primitives[kind_index<TriangleKind>] == 0) continue;
     const Image expected = reference_image(scene);
     for (const bool by_bins : {false, true}) {
       for (const bool by_grids : {false, true}) {
-        plan.structures.triangle_bins = by_bins;
-        plan.structures.triangle_grids = by_grids;
-        plan.structures.triangle_tree = true;
+        FinderRow& row = plan.finders[kind_index<TriangleKind>];
+        row.fill(Finder::tree);
+        if (by_bins) set(row, RayKind::from_eye, Finder::screen_bins);
+        if (by_grids) set(row, RayKind::to_distant_light, Finder::light_grid);
         EXPECT_EQ(count_wrong(image_by(plan, scene), expected), 0)
             << named.name << (by_bins ? ", bins" : "") << (by_grids ? ", grids" : "");
       }
@@ -293,13 +239,13 @@ TEST(Variants, findsTrianglesAlikeByEveryStructure) {
   }
 }
 
-TEST(Variants, runsOnTheInstructionSetThatIsAskedFor) {
+TEST(Variants, runs_on_the_instruction_set_that_is_asked_for) {
   const Scene scene = with_objects(random_spheres(3, 1, "{}"), distant_lights);
   const Plan plan = make_plan(scene, this_machine());
   WorkerPool pool(1);
-  const PackedScene packed = pack_scene(scene, plan.frame, pool);
-  const auto single = make_simd_scene<float>(packed, plan.features, plan.structures, pool);
-  const auto twice = make_simd_scene<double>(packed, plan.features, plan.structures, pool);
+  const PackedScene packed = pack_scene(scene, &pool);
+  const auto single = make_packet_scene<float>(packed, plan.features, plan.finders, pool);
+  const auto twice = make_packet_scene<double>(packed, plan.features, plan.finders, pool);
   const auto sets = supported_instruction_sets();
   ASSERT_FALSE(sets.empty());
   for (const InstructionSet& set : sets) {
@@ -315,7 +261,7 @@ TEST(Variants, runsOnTheInstructionSetThatIsAskedFor) {
   }
 }
 
-TEST(Variants, findsSpheresInAnImageWiderThanSixteenBitsCount) {
+TEST(Variants, finds_spheres_in_an_image_wider_than_sixteen_bits_count) {
   Scene scene =
       with_objects(R"({"type": "sphere", "center": [5.6, 0, 0], "radius": 0.2})", distant_lights);
   scene.camera.width = 400'000;
@@ -327,26 +273,25 @@ TEST(Variants, findsSpheresInAnImageWiderThanSixteenBitsCount) {
   EXPECT_NE(*expected.pixel(387'600, 0), *background) << "no sphere where the test looks";
 }
 
-TEST(Variants, findsSpheresThatFillTheImageByATree) {
+TEST(Variants, finds_spheres_that_fill_the_image_by_a_tree) {
   Scene scene = with_objects(random_spheres(4000, 5, "{}"), distant_lights);
   scene.render.precision = Precision::double_precision;
   scene.camera.width = 700;
   scene.camera.height = 500;
   const Plan plan = make_plan(scene, this_machine());
-  ASSERT_EQ(plan.kernel.value, Kernel::simd) << plan.kernel.reason();
-  EXPECT_FALSE(plan.structures.sphere_bins);
+  ASSERT_EQ(plan.kernel.value, Kernel::packets) << plan.kernel.reason();
+  EXPECT_EQ(finder_of(plan.finders[kind_index<SphereKind>], RayKind::from_eye), Finder::tree);
   scene.camera.width = 70;
   scene.camera.height = 50;
   Plan with_tree = make_plan(scene, this_machine());
-  with_tree.structures.sphere_bins = false;
-  with_tree.structures.sphere_tree = true;
+  set(with_tree.finders[kind_index<SphereKind>], RayKind::from_eye, Finder::tree);
   EXPECT_EQ(count_wrong(image_by(with_tree, scene), reference_image(scene)), 0);
 }
 
-TEST(Variants, leavesTheEyeInsideASphereToTheReference) {
+TEST(Variants, leaves_the_eye_inside_a_sphere_to_the_reference) {
   const Scene scene =
       with_objects(R"({"type": "sphere", "center": [0, 3, -12], "radius": 1})", point_light);
-  EXPECT_NE(make_plan(scene, this_machine()).kernel.value, Kernel::simd);
+  EXPECT_NE(make_plan(scene, this_machine()).kernel.value, Kernel::packets);
 }
 
 }  // namespace

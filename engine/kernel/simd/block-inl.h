@@ -13,8 +13,8 @@
 
 #include "engine/image/transfer.h"
 #include "engine/kernel/sample_point.h"
-#include "engine/kernel/simd/packet-inl.h"
 #include "engine/math/block.h"
+#include "engine/packets/packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -28,7 +28,7 @@ struct Block {
   int y_begin;
   int width;
   int height;
-  std::uint32_t parts;  ///< those to trace, as Tile::parts
+  std::uint32_t subtiles;  ///< those to trace, as Tile::subtiles
 };
 
 /// How a packet covers pixels: as near to a square as its lanes allow, because neighbours in both
@@ -52,11 +52,11 @@ struct PacketPlace {
       : x(packet % PacketShape<D>::packets_across * PacketShape<D>::width),
         y(packet / PacketShape<D>::packets_across * PacketShape<D>::height) {}
 
-  /// Of the parts that a tile or a screen bin's entries speak of.
-  int part() const { return y / part_side * parts_across + x / part_side; }
+  /// Of the subtiles that a tile or a screen bin's entries speak of.
+  int subtile() const { return y / subtile_side * subtiles_across + x / subtile_side; }
   /// Whether the block has it, and it is to be traced.
   bool is_in(const Block& block) const {
-    return x < block.width && y < block.height && (block.parts >> part() & 1U) != 0;
+    return x < block.width && y < block.height && (block.subtiles >> subtile() & 1U) != 0;
   }
 };
 
@@ -80,19 +80,19 @@ struct LaneOffsets {
   }
 };
 
-/// stagger_of() the lanes' pixels.
+/// jitter_of() the lanes' pixels.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-struct Staggers {
+struct Jitters {
   V x;
   V y;
 
-  HWY_INLINE Staggers(D d, const PacketPlace<D>& place) {
+  HWY_INLINE Jitters(D d, const PacketPlace<D>& place) {
     using Shape = PacketShape<D>;
     HWY_ALIGN T across[Shape::lanes];
     HWY_ALIGN T up[Shape::lanes];
     for (int lane = 0; lane < Shape::lanes; ++lane) {
       const SamplePoint moved =
-          stagger_of(place.x + lane % Shape::width, place.y + lane / Shape::width);
+          jitter_of(place.x + lane % Shape::width, place.y + lane / Shape::width);
       across[lane] = static_cast<T>(moved.x);
       up[lane] = static_cast<T>(moved.y);
     }

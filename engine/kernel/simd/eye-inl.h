@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "engine/kernel/simd/rays-inl.h"
-#include "engine/kernel/simd/reflect-inl.h"
+#include "engine/kernel/simd/find-inl.h"
+#include "engine/kernel/simd/followed_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -21,7 +21,7 @@ namespace HWY_NAMESPACE {
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 class EyeRays {
  public:
-  HWY_INLINE EyeRays(D, const SimdScene<T>& scene)
+  HWY_INLINE EyeRays(D, const PacketScene<T>& scene)
       : scene_(scene), step_x_(2.0 / scene.view.width), step_y_(2.0 / scene.view.height) {}
 
   /// Through points `right` of and `down` from (x, y), in pixels, y = 0 at the bottom. The image
@@ -35,118 +35,124 @@ class EyeRays {
                            mul_add(broadcast(d, scene_.up), up, broadcast(d, scene_.forward))));
   }
 
-  /// What the active lanes meet of `contents`, as PartContents.
-  template <class Contents>
-  HWY_INLINE Nearest<V> meet(D d, const Contents& contents, const V3<V>& direction,
-                             hn::Mask<D> active) const {
+  /// What the active lanes hit of their candidates.
+  template <class Candidates>
+  HWY_INLINE Hit<V> intersect(D d, Candidates& candidates, const V3<V>& direction,
+                              hn::Mask<D> active) const {
     const V none = hn::Set(d, T(-1));
-    const Start<V> eye = start(d);
-    Nearest<V> nearest{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
-    if (scene_.has_sphere_bins)
-      show_spheres_to_eye(d, scene_, contents, direction, active, nearest);
-    else if (scene_.has_spheres)
-      show_tree(d, scene_.sphere_tree, eye, direction, active, nearest);
-    if (scene_.has_triangle_bins)
-      show_triangles_to_eye(d, scene_, contents, direction, active, nearest);
-    else if (scene_.has_triangles)
-      show_tree(d, scene_.triangle_tree, eye, direction, active, nearest);
-    show_planes(d, scene_, eye, direction, active, nearest);
-    if (contents.may_show_square()) show_squares<false>(d, scene_, eye, direction, active, nearest);
-    return nearest;
+    const RayOrigin<V> eye = origin(d);
+    Hit<V> hit{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
+    for_each_geometry(scene_, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
+      intersect_from_eye(d, scene_, geometry, candidates, eye, direction, active, hit);
+    });
+    return hit;
   }
 
-  /// The colours of what they met, not yet clamped. They are the block's from `first` on for
-  /// `reflected`, which keeps what they mirror.
-  HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Nearest<V>& nearest, hn::Mask<D> active,
-                         std::size_t first, RayBlock<T>& reflected) const {
-    const Packet<V> packet{start(d), direction, hn::Set(d, T(1)),
+  /// The colours of what they hit, not yet clamped. They are the block's from `first` on for
+  /// `followed`, which keeps the rays that follow.
+  HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Hit<V>& hit, hn::Mask<D> active,
+                         std::size_t first, FollowedRays<T>& followed) const {
+    const Packet<V> packet{origin(d), direction, hn::Set(d, T(1)),
                            hn::Iota(d, static_cast<T>(first))};
-    return shade_packet(d, scene_, packet, nearest, active, scene_.reflects, reflected);
+    return shade_packet(d, scene_, packet, hit, active, scene_.reflects, followed);
   }
 
-  const SimdScene<T>& scene() const { return scene_; }
+  const PacketScene<T>& scene() const { return scene_; }
 
  private:
-  HWY_INLINE Start<V> start(D d) const {
+  HWY_INLINE RayOrigin<V> origin(D d) const {
     const V zero = hn::Zero(d);
     const V none = hn::Set(d, T(-1));
     return {{zero, zero, zero}, {zero, zero, zero}, none, none, none};
   }
 
-  const SimdScene<T>& scene_;
+  const PacketScene<T>& scene_;
   double step_x_;
   double step_y_;
 };
 
-/// What packets have met, one after another.
+/// What packets have hit, one after another.
 template <typename T>
-struct Sights {
+struct Hits {
   alignas(64) T direction_x[block_pixels], direction_y[block_pixels], direction_z[block_pixels];
-  alignas(64) T t[block_pixels], id[block_pixels], first[block_pixels], second[block_pixels];
+  alignas(64) T t[block_pixels], id[block_pixels], u[block_pixels], v[block_pixels];
   alignas(64) T normal_x[block_pixels], normal_y[block_pixels], normal_z[block_pixels];
 };
 
+/// Asks the memory for what occluded() will need of distant lights' grids for the points of
+/// `lanes`.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void prefetch_light_cells(D d, const PacketScene<T>& scene, const V3<V>& points,
+                                     M lanes) {
+  for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
+    if constexpr (requires { geometry.lights[0].bytes(); })
+      for (const PacketLight<T>& light : scene.lights)
+        prefetch_cells(d, geometry, light, points, lanes);
+  });
+}
+
 /// Asks the memory for what shading the i-th packet, if there is one, will need of light grids.
 template <class D, class Rays, typename T = hn::TFromD<D>>
-HWY_INLINE void fetch_for_shading(D d, const SimdScene<T>& scene, const Sights<T>& sights,
+HWY_INLINE void fetch_for_shading(D d, const PacketScene<T>& scene, const Hits<T>& hits,
                                   const Rays& rays, int i) {
   if (i >= rays.count() || !rays.is_in(i)) return;
   const std::size_t at = static_cast<std::size_t>(i) * PacketShape<D>::lanes;
-  const auto hit = hn::And(rays.active(d, i), hn::Ge(hn::Load(d, sights.id + at), hn::Zero(d)));
+  const auto hit = hn::And(rays.active(d, i), hn::Ge(hn::Load(d, hits.id + at), hn::Zero(d)));
   const auto direction =
-      load(d, sights.direction_x + at, sights.direction_y + at, sights.direction_z + at);
-  fetch_light_cells(d, scene, scale(direction, hn::Load(d, sights.t + at)), hit);
+      load(d, hits.direction_x + at, hits.direction_y + at, hits.direction_z + at);
+  prefetch_light_cells(d, scene, scale(direction, hn::Load(d, hits.t + at)), hit);
 }
 
 /// The colours that packets of rays from the eye see, not yet clamped; at most as many as a block
 /// has pixels. If `fetches`, what shading a packet will need is fetched before its turn. `rays` has
 /// count() packets, and for the i-th of them, if is_in(i), direction(d, i), the active(d, i) lanes,
-/// and the contents(i) of what they go through.
+/// and the candidates(i) of what they go through.
 ///
-/// All packets meet what they meet before any is shaded: in so short chains of what waits for what
-/// a processor works on several packets at a time.
+/// All packets are intersected before any is shaded: chains of dependent operations stay short, and
+/// the processor overlaps several packets.
 template <class D, class Rays, typename T = hn::TFromD<D>>
 HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool fetches,
                               BlockColours<T>& colours) {
   using V = hn::Vec<D>;
   constexpr int lanes = PacketShape<D>::lanes;
-  const SimdScene<T>& scene = eye.scene();
-  RayBlock<T> reflected;
-  Sights<T> sights;
+  const PacketScene<T>& scene = eye.scene();
+  FollowedRays<T> followed;
+  Hits<T> hits;
   for (int i = 0; i < rays.count(); ++i) {
     if (!rays.is_in(i)) continue;
     const std::size_t at = static_cast<std::size_t>(i) * lanes;
     const V3<V> direction = rays.direction(d, i);
-    const Nearest<V> nearest = eye.meet(d, rays.contents(i), direction, rays.active(d, i));
-    hn::Store(direction.x, d, sights.direction_x + at);
-    hn::Store(direction.y, d, sights.direction_y + at);
-    hn::Store(direction.z, d, sights.direction_z + at);
-    hn::Store(nearest.t, d, sights.t + at);
-    hn::Store(nearest.id, d, sights.id + at);
-    if (scene.squares.empty()) continue;
-    hn::Store(nearest.first, d, sights.first + at);
-    hn::Store(nearest.second, d, sights.second + at);
-    hn::Store(nearest.normal.x, d, sights.normal_x + at);
-    hn::Store(nearest.normal.y, d, sights.normal_y + at);
-    hn::Store(nearest.normal.z, d, sights.normal_z + at);
+    auto&& candidates = rays.candidates(i);
+    const Hit<V> hit = eye.intersect(d, candidates, direction, rays.active(d, i));
+    hn::Store(direction.x, d, hits.direction_x + at);
+    hn::Store(direction.y, d, hits.direction_y + at);
+    hn::Store(direction.z, d, hits.direction_z + at);
+    hn::Store(hit.t, d, hits.t + at);
+    hn::Store(hit.id, d, hits.id + at);
+    if (!scene.has_own_normals) continue;
+    hn::Store(hit.u, d, hits.u + at);
+    hn::Store(hit.v, d, hits.v + at);
+    hn::Store(hit.normal.x, d, hits.normal_x + at);
+    hn::Store(hit.normal.y, d, hits.normal_y + at);
+    hn::Store(hit.normal.z, d, hits.normal_z + at);
   }
-  if (fetches) fetch_for_shading(d, scene, sights, rays, 0);
+  if (fetches) fetch_for_shading(d, scene, hits, rays, 0);
   for (int i = 0; i < rays.count(); ++i) {
-    if (fetches) fetch_for_shading(d, scene, sights, rays, i + 1);
+    if (fetches) fetch_for_shading(d, scene, hits, rays, i + 1);
     if (!rays.is_in(i)) continue;
     const std::size_t at = static_cast<std::size_t>(i) * lanes;
     const V none = hn::Set(d, T(-1));
-    Nearest<V> nearest{hn::Load(d, sights.t + at), hn::Load(d, sights.id + at), none, none};
-    if (!scene.squares.empty()) {
-      nearest.first = hn::Load(d, sights.first + at);
-      nearest.second = hn::Load(d, sights.second + at);
-      nearest.normal = load(d, sights.normal_x + at, sights.normal_y + at, sights.normal_z + at);
+    Hit<V> hit{hn::Load(d, hits.t + at), hn::Load(d, hits.id + at), none, none};
+    if (scene.has_own_normals) {
+      hit.u = hn::Load(d, hits.u + at);
+      hit.v = hn::Load(d, hits.v + at);
+      hit.normal = load(d, hits.normal_x + at, hits.normal_y + at, hits.normal_z + at);
     }
     const V3<V> direction =
-        load(d, sights.direction_x + at, sights.direction_y + at, sights.direction_z + at);
-    store(d, eye.shade(d, direction, nearest, rays.active(d, i), at, reflected), at, colours);
+        load(d, hits.direction_x + at, hits.direction_y + at, hits.direction_z + at);
+    store(d, eye.shade(d, direction, hit, rays.active(d, i), at, followed), at, colours);
   }
-  if (reflected.count > 0) trace_reflections(scene, reflected, colours);
+  if (followed.count > 0) trace_followed(scene, followed, colours);
 }
 
 }  // namespace HWY_NAMESPACE

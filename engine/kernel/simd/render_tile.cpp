@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "engine/kernel/simd/beyond_range-inl.h"
-#include "engine/kernel/simd/contents-inl.h"
+#include "engine/kernel/simd/candidates-inl.h"
 #include "engine/kernel/simd/eye-inl.h"
 #include "engine/kernel/simd/resolve-inl.h"
 #include "engine/kernel/simd/store-inl.h"
@@ -23,19 +23,19 @@ namespace HWY_NAMESPACE {
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 class BlockRays {
  public:
-  HWY_INLINE BlockRays(D d, const SimdScene<T>& scene, const Block& block, double stagger)
-      : eye(d, scene), block_(block), offsets_(d), stagger_(stagger), height_(scene.view.height) {}
+  HWY_INLINE BlockRays(D d, const PacketScene<T>& scene, const Block& block, double jitter)
+      : eye(d, scene), block_(block), offsets_(d), jitter_(jitter), height_(scene.view.height) {}
 
   /// Through `sample` of the packet's pixels.
   HWY_INLINE V3<V> direction(D d, const PacketPlace<D>& place, const SamplePoint& sample) const {
     V right = offsets_.x;
     V down = offsets_.y;
-    if (stagger_ > 0) {
-      const Staggers<D> staggers(d, place);
-      const auto across = static_cast<T>(away_from_middle(sample.x, stagger_));
-      const auto up = static_cast<T>(away_from_middle(sample.y, stagger_));
-      right = hn::MulAdd(staggers.x, hn::Set(d, across), right);
-      down = hn::NegMulAdd(staggers.y, hn::Set(d, up), down);
+    if (jitter_ > 0) {
+      const Jitters<D> jitters(d, place);
+      const auto across = static_cast<T>(away_from_middle(sample.x, jitter_));
+      const auto up = static_cast<T>(away_from_middle(sample.y, jitter_));
+      right = hn::MulAdd(jitters.x, hn::Set(d, across), right);
+      down = hn::NegMulAdd(jitters.y, hn::Set(d, up), down);
     }
     return eye.direction(d, block_.x_begin + place.x + sample.x,
                          height_ - 1 - block_.y_begin - place.y + sample.y, right, down);
@@ -52,7 +52,7 @@ class BlockRays {
  private:
   const Block& block_;
   LaneOffsets<D> offsets_;
-  double stagger_;
+  double jitter_;
   int height_;
 };
 
@@ -60,13 +60,15 @@ class BlockRays {
 template <class D, typename T = hn::TFromD<D>>
 class SamplePackets {
  public:
-  HWY_INLINE SamplePackets(const BlockRays<D>& rays, BlockContents<T>& contents, const Block& block,
-                           const SamplePoint& sample)
-      : rays_(rays), contents_(contents), block_(block), sample_(sample) {}
+  HWY_INLINE SamplePackets(const BlockRays<D>& rays, BlockCandidates<T>& candidates,
+                           const Block& block, const SamplePoint& sample)
+      : rays_(rays), candidates_(candidates), block_(block), sample_(sample) {}
 
   static constexpr int count() { return PacketShape<D>::packets; }
   HWY_INLINE bool is_in(int i) const { return PacketPlace<D>(i).is_in(block_); }
-  HWY_INLINE PartContents<T> contents(int i) const { return {contents_, PacketPlace<D>(i).part()}; }
+  HWY_INLINE SubtileCandidates<T> candidates(int i) const {
+    return {candidates_, PacketPlace<D>(i).subtile()};
+  }
   HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
     return rays_.direction(d, PacketPlace<D>(i), sample_);
   }
@@ -74,7 +76,7 @@ class SamplePackets {
 
  private:
   const BlockRays<D>& rays_;
-  BlockContents<T>& contents_;
+  BlockCandidates<T>& candidates_;
   const Block& block_;
   const SamplePoint& sample_;
 };
@@ -82,12 +84,12 @@ class SamplePackets {
 /// Sums over a block's pixels, in addition to their colours', that tell their errors.
 template <typename T>
 struct BlockSpread {
-  BlockColours<T> half;                 ///< of one half of the samples
+  BlockColours<T> half_a;               ///< of half buffer A
   BlockColours<T> origin;               ///< a sample
   alignas(64) T squares[block_pixels];  ///< of the others' differences from it
 };
 
-/// Adds to each part's error what the means of the two halves of its samples differ by.
+/// Adds to each subtile's error what the means of its half buffers differ by.
 template <class D, typename T>
 HWY_NOINLINE void tell_errors(D d, const Block& block, const BlockRays<D>& rays,
                               const BlockSpread<T>& spread, const BlockColours<T>& sums,
@@ -104,12 +106,12 @@ HWY_NOINLINE void tell_errors(D d, const Block& block, const BlockRays<D>& rays,
       origin = load(d, spread.origin, first);
       squares = hn::Load(d, spread.squares + first);
     }
-    const Spread<V> told = spread_of(d, load(d, spread.half, first), load(d, sums, first), origin,
+    const Spread<V> told = spread_of(d, load(d, spread.half_a, first), load(d, sums, first), origin,
                                      squares, count, transfer);
     const auto active = rays.active(d, place);
     const V error2 = hn::IfThenElseZero(active, told.error2);
-    if (errors.parts != nullptr)
-      errors.parts->of_block(block.x_begin, block.y_begin)[place.part()] +=
+    if (errors.subtiles != nullptr)
+      errors.subtiles->of_block(block.x_begin, block.y_begin)[place.subtile()] +=
           static_cast<double>(hn::GetLane(hn::SumOfLanes(d, error2)));
     if (errors.pixels == nullptr) continue;
     HWY_ALIGN T errors2[Shape::lanes];
@@ -154,7 +156,7 @@ HWY_INLINE V3<V> add_with_rest(const V3<V>& sum, const V3<V>& sample, V3<V>& res
 
 /// The colour of a pixel that shows nothing, with the roundings of one whose rays were traced.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V3<V> resolved_background(D d, const SimdScene<T>& scene, std::size_t sample_count,
+HWY_INLINE V3<V> resolved_background(D d, const PacketScene<T>& scene, std::size_t sample_count,
                                      Transfer transfer) {
   const V3<V> sample = clamped(d, broadcast(d, scene.background));
   const V zero = hn::Zero(d);
@@ -166,31 +168,31 @@ HWY_INLINE V3<V> resolved_background(D d, const SimdScene<T>& scene, std::size_t
 }
 
 template <typename T>
-void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
-                  const Block& whole, const PlainRow& background, const Canvas& canvas,
+void render_block(const PacketScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
+                  const Block& whole, const SolidRow& background, const Canvas& canvas,
                   const TileErrors& errors, BlockSpread<T>& spread, BeyondRange& beyond) {
   using D = hn::ScalableTag<T>;
   const D d;
   using V = hn::Vec<D>;
   using Shape = PacketShape<D>;
-  BlockContents<T> contents(scene, whole.x_begin / block_side, whole.y_begin / block_side);
+  BlockCandidates<T> candidates(scene, whole.x_begin / block_side, whole.y_begin / block_side);
   Block block = whole;
-  block.parts &= contents.parts;
-  if (block.parts != whole.parts)
-    fill_parts(background, whole, whole.parts & ~contents.parts, canvas);
-  if (block.parts == 0) return;
+  block.subtiles &= candidates.subtiles;
+  if (block.subtiles != whole.subtiles)
+    fill_subtiles(background, whole, whole.subtiles & ~candidates.subtiles, canvas);
+  if (block.subtiles == 0) return;
 
-  const BlockRays<D> rays(d, scene, block, pattern.stagger);
+  const BlockRays<D> rays(d, scene, block, pattern.jitter);
   const bool spreads = errors.pixels != nullptr;
   BlockColours<T> sums;
   BlockColours<T> rests;  // of many samples
   BlockColours<T> colours;
   BlockBeyondRange<D> block_beyond;
   for (std::size_t sample = 0; sample < pattern.points.size(); ++sample) {
-    if (sample > 0 && sample == pattern.first_half) spread.half = sums;
+    if (sample > 0 && sample == pattern.half_a_count) spread.half_a = sums;
     // Later samples find in the caches what the first has met.
     const bool fetches = sample == 0 && scene.fetches_light_cells;
-    trace_packets(d, rays.eye, SamplePackets<D>(rays, contents, block, pattern.points[sample]),
+    trace_packets(d, rays.eye, SamplePackets<D>(rays, candidates, block, pattern.points[sample]),
                   fetches, colours);
     Highest<D> highest(d);
     for (int packet = 0; packet < Shape::packets; ++packet) {
@@ -226,29 +228,30 @@ void render_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
 }
 
 template <typename T>
-TracedTile render_blocks(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
-                         const Tile& tile, const Canvas& canvas, const TileErrors& errors) {
+TracedTile render_blocks(const PacketScene<T>& scene, const SamplePattern& pattern,
+                         Transfer transfer, const Tile& tile, const Canvas& canvas,
+                         const TileErrors& errors) {
   TracedTile traced{HWY_TARGET, {}};
   const hn::ScalableTag<T> d;
-  const PlainRow background(d, resolved_background(d, scene, pattern.points.size(), transfer));
+  const SolidRow background(d, resolved_background(d, scene, pattern.points.size(), transfer));
   BlockSpread<T> spread;
-  const TileErrors told = pattern.has_halves() ? errors : TileErrors{};
+  const TileErrors told = pattern.has_half_buffers() ? errors : TileErrors{};
   for (int y = tile.y_begin; y < tile.y_end; y += block_side)
     for (int x = tile.x_begin; x < tile.x_end; x += block_side)
       render_block(scene, pattern, transfer,
                    {x, y, std::min(block_side, tile.x_end - x),
-                    std::min(block_side, tile.y_end - y), tile.parts},
+                    std::min(block_side, tile.y_end - y), tile.subtiles},
                    background, canvas, told, spread, traced.beyond);
   return traced;
 }
 
-TracedTile render_single(const SimdScene<float>& scene, const SamplePattern& pattern,
+TracedTile render_single(const PacketScene<float>& scene, const SamplePattern& pattern,
                          Transfer transfer, const Tile& tile, const Canvas& canvas,
                          const TileErrors& errors) {
   return render_blocks(scene, pattern, transfer, tile, canvas, errors);
 }
 
-TracedTile render_double(const SimdScene<double>& scene, const SamplePattern& pattern,
+TracedTile render_double(const PacketScene<double>& scene, const SamplePattern& pattern,
                          Transfer transfer, const Tile& tile, const Canvas& canvas,
                          const TileErrors& errors) {
   return render_blocks(scene, pattern, transfer, tile, canvas, errors);
@@ -267,14 +270,14 @@ HWY_EXPORT(render_double);
 
 }  // namespace
 
-TracedTile render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,
+TracedTile render_tile(const PacketScene<float>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
                        const Canvas& canvas, const TileErrors& errors) {
   return HWY_DISPATCH_TABLE(render_single)[dispatch_index(target)](scene, pattern, transfer, tile,
                                                                    canvas, errors);
 }
 
-TracedTile render_tile(const SimdScene<double>& scene, const SamplePattern& pattern,
+TracedTile render_tile(const PacketScene<double>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
                        const Canvas& canvas, const TileErrors& errors) {
   return HWY_DISPATCH_TABLE(render_double)[dispatch_index(target)](scene, pattern, transfer, tile,

@@ -5,11 +5,11 @@
 #include <cstdint>
 
 #include "engine/image/image.h"
-#include "engine/image/part_errors.h"
+#include "engine/image/subtile_errors.h"
 #include "engine/image/tile.h"
 #include "engine/kernel/beyond_range.h"
+#include "engine/kernel/packet_scene.h"
 #include "engine/kernel/sample_point.h"
-#include "engine/kernel/simd/simd_scene.h"
 
 namespace raytracer {
 
@@ -20,11 +20,11 @@ struct TracedTile {
 
 /// Traces one sample at each place of `pattern` in each of the tile's pixels, and stores the means
 /// of their clamped colours after `transfer`; and what they tell of its errors, if the pattern has
-/// halves and somebody wants them. The tile begins at multiples of `block_side`.
-TracedTile render_tile(const SimdScene<float>& scene, const SamplePattern& pattern,
+/// half buffers and somebody wants them. The tile begins at multiples of `block_side`.
+TracedTile render_tile(const PacketScene<float>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
                        const Canvas& canvas, const TileErrors& errors = {});
-TracedTile render_tile(const SimdScene<double>& scene, const SamplePattern& pattern,
+TracedTile render_tile(const PacketScene<double>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
                        const Canvas& canvas, const TileErrors& errors = {});
 

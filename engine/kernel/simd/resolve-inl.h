@@ -9,7 +9,7 @@
 
 #include <cstddef>
 
-#include "engine/image/part_errors.h"
+#include "engine/errors/error_model.h"
 #include "engine/kernel/simd/block-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -42,10 +42,10 @@ struct Spread {
   V variance;
 };
 
-/// What the sums of a pixel's samples tell: of one half's, of all's, and of the squares of their
+/// What the sums of a pixel's samples tell: of half buffer A, of all, and of the squares of their
 /// differences from `origin`, one of them: squares of what is large leave nothing of what is small.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE Spread<V> spread_of(D d, const V3<V>& half_sum, const V3<V>& all, const V3<V>& origin,
+HWY_INLINE Spread<V> spread_of(D d, const V3<V>& sum_a, const V3<V>& all, const V3<V>& origin,
                                V squares, std::size_t count, Transfer transfer) {
   const V half = share_of(d, count / 2);
   const V whole = share_of(d, count);
@@ -53,8 +53,9 @@ HWY_INLINE Spread<V> spread_of(D d, const V3<V>& half_sum, const V3<V>& all, con
   const V zero = hn::Zero(d);
   const auto shown = [&](const V3<V>& sum, V share)
                          HWY_ATTR { return resolved(d, max_zero(d, sum), share, transfer); };
-  const V3<V> difference = sub(shown(half_sum, half), shown(sub(all, half_sum), half));
-  const V error2 = hn::Mul(dot(difference, difference), hn::Set(d, T(PartErrors::share)));
+  const V3<V> difference = sub(shown(sum_a, half), shown(sub(all, sum_a), half));
+  const V error2 =
+      hn::Mul(dot(difference, difference), hn::Set(d, T(SampleErrorModel::half_difference_share)));
   const V3<V> mean = scale(all, whole);
   const V3<V> shift = sub(mean, origin);
   V variance = hn::MulSub(squares, whole, dot(shift, shift));

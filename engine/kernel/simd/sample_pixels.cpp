@@ -12,9 +12,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "engine/kernel/simd/contents-inl.h"
+#include "engine/kernel/simd/candidates-inl.h"
 #include "engine/kernel/simd/eye-inl.h"
-#include "engine/kernel/simd/pixel_contents-inl.h"
+#include "engine/kernel/simd/pixel_candidates-inl.h"
 #include "engine/kernel/simd/resolve-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,30 +27,30 @@ struct SampleLanes {
   std::size_t count = 0;
   alignas(64) T right[block_pixels] = {};
   alignas(64) T up[block_pixels] = {};
-  alignas(64) T is_of_half[block_pixels] = {};  ///< 1 for the first half's, 0 for the others
+  alignas(64) T is_in_half_a[block_pixels] = {};  ///< 1 in half buffer A, 0 in B
 
   HWY_INLINE SampleLanes(const SamplePattern& pattern, std::size_t begin)
       : count(std::min<std::size_t>(block_pixels, pattern.points.size() - begin)) {
     for (std::size_t i = 0; i < count; ++i) {
       right[i] = static_cast<T>(pattern.points[begin + i].x);
       up[i] = static_cast<T>(pattern.points[begin + i].y);
-      is_of_half[i] = T(begin + i < pattern.first_half ? 1 : 0);
+      is_in_half_a[i] = T(begin + i < pattern.half_a_count ? 1 : 0);
     }
   }
 };
 
-/// Packets of a pixel's samples, and the contents, as PartContents, of what they go through.
-template <class D, class Contents, typename T = hn::TFromD<D>>
+/// Packets of a pixel's samples, and the candidates, as SubtileCandidates, of what they go through.
+template <class D, class Candidates, typename T = hn::TFromD<D>>
 class PixelPackets {
  public:
   /// Of the pixel whose lower left corner is (x, y), y = 0 at the bottom.
   HWY_INLINE PixelPackets(const EyeRays<D>& eye, const SampleLanes<T>& samples, double x, double y,
-                          const Contents& contents)
-      : eye_(eye), samples_(samples), x_(x), y_(y), contents_(contents) {}
+                          Candidates& candidates)
+      : eye_(eye), samples_(samples), x_(x), y_(y), candidates_(candidates) {}
 
   HWY_INLINE int count() const { return static_cast<int>((samples_.count + lanes - 1) / lanes); }
   static constexpr bool is_in(int /*i*/) { return true; }
-  HWY_INLINE const Contents& contents(int /*i*/) const { return contents_; }
+  HWY_INLINE Candidates& candidates(int /*i*/) const { return candidates_; }
   HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
     return eye_.direction(d, x_, y_, hn::Load(d, samples_.right + first(i)),
                           hn::Neg(hn::Load(d, samples_.up + first(i))));
@@ -67,14 +67,14 @@ class PixelPackets {
   const SampleLanes<T>& samples_;
   double x_;
   double y_;
-  const Contents& contents_;
+  Candidates& candidates_;
 };
 
 /// Sums over each pixel's samples, the pixels side by side.
 template <typename T>
 struct PixelSums {
   BlockColours<T> all = {};
-  BlockColours<T> half = {};
+  BlockColours<T> half_a = {};
   BlockColours<T> origin = {};               ///< a sample
   alignas(64) T squares[block_pixels] = {};  ///< of the others' differences from it
   bool is_number[block_pixels];
@@ -108,7 +108,7 @@ HWY_INLINE void sample_pixel(D d, const EyeRays<D>& eye, const Packets& packets,
                      hn::Set(d, sums.origin.blue[pixel])};
   const V zero = hn::Zero(d);
   V3<V> all{zero, zero, zero};
-  V3<V> half = all;
+  V3<V> half_a = all;
   V squares = zero;
   V numbers = zero;  // one that is none makes all none
   for (std::size_t i = 0; i < samples.count; i += lanes) {
@@ -118,31 +118,36 @@ HWY_INLINE void sample_pixel(D d, const EyeRays<D>& eye, const Packets& packets,
                       hn::IfThenElseZero(active, hn::Add(hn::Add(colour.x, colour.y), colour.z)));
     const V3<V> seen = select(active, clamped(d, colour), V3<V>{zero, zero, zero});
     all = add(all, seen);
-    half = mul_add(seen, hn::Load(d, samples.is_of_half + i), half);
+    half_a = mul_add(seen, hn::Load(d, samples.is_in_half_a + i), half_a);
     const V3<V> difference = sub(seen, origin);
     squares = hn::Add(squares, hn::IfThenElseZero(active, dot(difference, difference)));
   }
   add_lanes(d, all, pixel, sums.all);
-  add_lanes(d, half, pixel, sums.half);
+  add_lanes(d, half_a, pixel, sums.half_a);
   sums.squares[pixel] += hn::GetLane(hn::SumOfLanes(d, squares));
   sums.is_number[pixel] &= hn::AllFalse(d, hn::IsNaN(numbers));
 }
 
 template <typename T>
-void sample_block(const SimdScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
+void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
                   const BlockPixels& pixels, SampledPixel* results) {
   using D = hn::ScalableTag<T>;
   const D d;
   using V = hn::Vec<D>;
   constexpr std::size_t lanes = PacketShape<D>::lanes;
-  BlockContents<T> contents(scene, pixels.x_begin / block_side, pixels.y_begin / block_side);
+  BlockCandidates<T> candidates(scene, pixels.x_begin / block_side, pixels.y_begin / block_side);
   const EyeRays<D> eye(d, scene);
-  // To look at each sphere once more pays off where there are many, and several packets that then
-  // need not.
+  // To look at each primitive once more pays off where there are many, and several packets that
+  // then need not.
   constexpr std::size_t worth_packets = 3;
-  const bool narrows = contents.spheres.entries.size() > entries_at_once &&
-                       pattern.points.size() >= worth_packets * lanes;
-  std::vector<ScreenEntry> found;
+  bool narrows = false;
+  if (pattern.points.size() >= worth_packets * lanes)
+    for_each_kind([&]<class Kind>(std::type_identity<Kind>) HWY_ATTR {
+      if (PixelCandidates<T>::template can_narrow<Kind> &&
+          candidates.entries[kind_index<Kind>].entries.size() > entries_at_once)
+        narrows = true;
+    });
+  NarrowedEntries found;
   PixelSums<T> sums;
   std::fill_n(sums.is_number, block_pixels, true);
   for (std::size_t begin = 0; begin < pattern.points.size(); begin += block_pixels) {
@@ -152,17 +157,18 @@ void sample_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
       const int y = pixels.places[i] / block_side;
       const int x_left = pixels.x_begin + x;
       const int y_low = scene.view.height - 1 - pixels.y_begin - y;
-      const PartContents<T> part{contents, y / part_side * parts_across + x / part_side};
-      const auto sample = [&](const auto& own) HWY_ATTR {
+      SubtileCandidates<T> subtile{candidates,
+                                   y / subtile_side * subtiles_across + x / subtile_side};
+      const auto sample = [&](auto& own) HWY_ATTR {
         const PixelPackets<D, std::decay_t<decltype(own)>> packets(eye, samples, x_left, y_low,
                                                                    own);
         sample_pixel(d, eye, packets, samples, begin == 0, i, sums);
       };
       if (narrows) {
-        PixelSpheres<T> spheres(scene, part, cone_around(d, eye, x_left, y_low), found);
-        sample(PixelContents<T>{part, spheres});
+        PixelCandidates<T> narrowed(subtile, cone_around(d, eye, x_left, y_low), found);
+        sample(narrowed);
       } else {
-        sample(part);
+        sample(subtile);
       }
     }
   }
@@ -170,26 +176,26 @@ void sample_block(const SimdScene<T>& scene, const SamplePattern& pattern, Trans
   for (std::size_t first = 0; first < pixels.places.size(); first += lanes) {
     const V3<V> all = load(d, sums.all, first);
     const Spread<V> spread =
-        spread_of(d, load(d, sums.half, first), all, load(d, sums.origin, first),
+        spread_of(d, load(d, sums.half_a, first), all, load(d, sums.origin, first),
                   hn::Load(d, sums.squares + first), count, transfer);
     store(d, resolved(d, all, share_of(d, count), transfer), first, sums.all);
-    hn::Store(spread.error2, d, sums.half.red + first);
+    hn::Store(spread.error2, d, sums.half_a.red + first);
     hn::Store(spread.variance, d, sums.squares + first);
   }
   for (std::size_t i = 0; i < pixels.places.size(); ++i)
     results[i] = {{static_cast<float>(sums.all.red[i]), static_cast<float>(sums.all.green[i]),
                    static_cast<float>(sums.all.blue[i])},
-                  {static_cast<float>(sums.half.red[i]), static_cast<float>(sums.squares[i])},
+                  {static_cast<float>(sums.half_a.red[i]), static_cast<float>(sums.squares[i])},
                   sums.is_number[i]};
 }
 
-void sample_single(const SimdScene<float>& scene, const SamplePattern& pattern, Transfer transfer,
+void sample_single(const PacketScene<float>& scene, const SamplePattern& pattern, Transfer transfer,
                    const BlockPixels& pixels, SampledPixel* results) {
   sample_block(scene, pattern, transfer, pixels, results);
 }
 
-void sample_double(const SimdScene<double>& scene, const SamplePattern& pattern, Transfer transfer,
-                   const BlockPixels& pixels, SampledPixel* results) {
+void sample_double(const PacketScene<double>& scene, const SamplePattern& pattern,
+                   Transfer transfer, const BlockPixels& pixels, SampledPixel* results) {
   sample_block(scene, pattern, transfer, pixels, results);
 }
 
@@ -206,15 +212,15 @@ HWY_EXPORT(sample_double);
 
 }  // namespace
 
-void sample_pixels(const SimdScene<float>& scene, const SamplePattern& pattern, Transfer transfer,
+void sample_pixels(const PacketScene<float>& scene, const SamplePattern& pattern, Transfer transfer,
                    const BlockPixels& pixels, std::int64_t target,
                    std::span<SampledPixel> results) {
   HWY_DISPATCH_TABLE(sample_single)
   [dispatch_index(target)](scene, pattern, transfer, pixels, results.data());
 }
 
-void sample_pixels(const SimdScene<double>& scene, const SamplePattern& pattern, Transfer transfer,
-                   const BlockPixels& pixels, std::int64_t target,
+void sample_pixels(const PacketScene<double>& scene, const SamplePattern& pattern,
+                   Transfer transfer, const BlockPixels& pixels, std::int64_t target,
                    std::span<SampledPixel> results) {
   HWY_DISPATCH_TABLE(sample_double)
   [dispatch_index(target)](scene, pattern, transfer, pixels, results.data());

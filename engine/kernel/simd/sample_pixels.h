@@ -9,16 +9,17 @@
 
 #include "engine/image/image.h"
 #include "engine/image/sampled_pixel.h"
+#include "engine/kernel/packet_scene.h"
 #include "engine/kernel/sample_point.h"
-#include "engine/kernel/simd/simd_scene.h"
 
 namespace raytracer {
 
-/// Traces one sample at each place of `pattern`, which has halves and is not staggered, in each of
-/// the pixels, and leaves what they come to after `transfer` in `results`, one for each.
-void sample_pixels(const SimdScene<float>& scene, const SamplePattern& pattern, Transfer transfer,
+/// Traces one sample at each place of `pattern`, which has half buffers and is not jittered, in
+/// each of the pixels, and leaves what they come to after `transfer` in `results`, one for each.
+void sample_pixels(const PacketScene<float>& scene, const SamplePattern& pattern, Transfer transfer,
                    const BlockPixels& pixels, std::int64_t target, std::span<SampledPixel> results);
-void sample_pixels(const SimdScene<double>& scene, const SamplePattern& pattern, Transfer transfer,
-                   const BlockPixels& pixels, std::int64_t target, std::span<SampledPixel> results);
+void sample_pixels(const PacketScene<double>& scene, const SamplePattern& pattern,
+                   Transfer transfer, const BlockPixels& pixels, std::int64_t target,
+                   std::span<SampledPixel> results);
 
 }  // namespace raytracer

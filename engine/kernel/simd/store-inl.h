@@ -136,7 +136,7 @@ HWY_INLINE void store_block(D d, const ColourOf& colour_of, const Block& block,
   }
 }
 
-/// As many rows of a part or of a block, begun at (x, y) of it and cut off at its end, as `row`.
+/// As many rows of a subtile or of a block, begun at (x, y) of it and cut off at its end, as `row`.
 template <typename Channel>
 HWY_INLINE void fill_rows(const Channel* row, const Block& block, int x, int y, int side,
                           Raster<Channel>& image) {
@@ -154,12 +154,12 @@ HWY_INLINE void fill_rows(const Channel* row, const Block& block, int x, int y, 
 }
 
 /// A block's row of pixels of one colour, as the images hold it.
-struct PlainRow {
+struct SolidRow {
   float floats[3 * block_side];
   std::uint8_t bytes[3 * block_side];
 
   template <class D>
-  HWY_INLINE PlainRow(D d, const V3<hn::Vec<D>>& colour) {
+  HWY_INLINE SolidRow(D d, const V3<hn::Vec<D>>& colour) {
     PackedFloats<D> in_floats;
     in_floats.set(d, colour);
     PackedBytes<D> in_bytes;
@@ -172,17 +172,17 @@ struct PlainRow {
 };
 
 template <typename Channel>
-HWY_INLINE void fill_parts(const Channel* row, const Block& block, std::uint32_t parts,
-                           Raster<Channel>& image) {
+HWY_INLINE void fill_subtiles(const Channel* row, const Block& block, std::uint32_t subtiles,
+                              Raster<Channel>& image) {
   // Lengths that the compiler knows.
-  if (parts == Tile::all_parts) {
+  if (subtiles == Tile::all_subtiles) {
     fill_rows(row, block, 0, 0, block_side, image);
     return;
   }
-  for (int part = 0; part < parts_across * parts_across; ++part)
-    if ((parts >> part & 1U) != 0)
-      fill_rows(row, block, part % parts_across * part_side, part / parts_across * part_side,
-                part_side, image);
+  for (int subtile = 0; subtile < subtiles_across * subtiles_across; ++subtile)
+    if ((subtiles >> subtile & 1U) != 0)
+      fill_rows(row, block, subtile % subtiles_across * subtile_side,
+                subtile / subtiles_across * subtile_side, subtile_side, image);
 }
 
 /// Stores a block's pixels: colour_of(i) are the i-th packet's, finished.
@@ -195,13 +195,13 @@ HWY_INLINE void store_block(D d, const ColourOf& colour_of, const Block& block,
     store_block(d, colour_of, block, *std::get<ByteImage*>(canvas));
 }
 
-/// Stores one colour in all pixels of some of a block's parts.
-HWY_INLINE void fill_parts(const PlainRow& row, const Block& block, std::uint32_t parts,
-                           const Canvas& canvas) {
+/// Stores one colour in all pixels of some of a block's subtiles.
+HWY_INLINE void fill_subtiles(const SolidRow& row, const Block& block, std::uint32_t subtiles,
+                              const Canvas& canvas) {
   if (Image* const* image = std::get_if<Image*>(&canvas))
-    fill_parts(row.floats, block, parts, **image);
+    fill_subtiles(row.floats, block, subtiles, **image);
   else
-    fill_parts(row.bytes, block, parts, *std::get<ByteImage*>(canvas));
+    fill_subtiles(row.bytes, block, subtiles, *std::get<ByteImage*>(canvas));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,4 +1,4 @@
-// What a hit needs to be shaded: the place, the normal and the cell of a square.
+// What shading needs of a hit: the point, the normal and the material.
 
 #if defined(RAYTRACER_KERNEL_SIMD_SURFACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYTRACER_KERNEL_SIMD_SURFACE_INL_H_
@@ -7,9 +7,7 @@
 #define RAYTRACER_KERNEL_SIMD_SURFACE_INL_H_
 #endif
 
-#include "engine/kernel/simd/hit-inl.h"
-#include "engine/kernel/simd/packet-inl.h"
-#include "engine/kernel/simd/square-inl.h"
+#include "engine/kernel/simd/find-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -81,41 +79,45 @@ class Rows {
 /// What a packet has met, made ready for shading and for leaving it.
 template <class D, class V = hn::Vec<D>>
 struct Surface {
-  Start<V> at;
+  RayOrigin<V> at;
   Rows<D> material;
 };
 
-/// The surfaces that the lanes of `hit` have met, at least one, where they met them.
+/// The surfaces that the lanes of `is_hit` have hit, at least one, where they hit them.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE Surface<D> surface_at(D d, const SimdScene<T>& scene, const Start<V>& from,
-                                 const V3<V>& direction, const Nearest<V>& nearest, M hit) {
+HWY_INLINE Surface<D> surface_at(D d, const PacketScene<T>& scene, const RayOrigin<V>& from,
+                                 const V3<V>& direction, const Hit<V>& hit, M is_hit) {
   using Table = PrimitiveTable<T>;
   const Table& table = scene.primitives;
-  const V rows = hn::Mul(nearest.id, hn::Set(d, static_cast<T>(Table::row_size)));
-  const Rows<D> primitive(d, rows, hit);
-  const V t = hn::IfThenElseZero(hit, nearest.t);
+  const V rows = hn::Mul(hit.id, hn::Set(d, static_cast<T>(Table::row_size)));
+  const Rows<D> primitive(d, rows, is_hit);
+  const V t = hn::IfThenElseZero(is_hit, hit.t);
   // Made where it is returned: copies of so large a structure wait for what was just stored.
-  Surface<D> surface{{mul_add(direction, t, from.point), nearest.normal, nearest.id, nearest.first,
-                      nearest.second},
-                     primitive.followed(d, table.column(Table::material), hit)};
-  Start<V>& at = surface.at;
-  M of_squares = hn::Lt(t, t);
-  for (const SimdSquare<T>& square : scene.squares)
-    of_squares = hn::Or(of_squares, hn::Eq(nearest.id, hn::Set(d, square.id)));
-  const M others = hn::AndNot(of_squares, hit);
+  Surface<D> surface{{mul_add(direction, t, from.point), hit.normal, hit.id, hit.u, hit.v},
+                     primitive.followed(d, table.column(Table::material), is_hit)};
+  RayOrigin<V>& at = surface.at;
+  const auto value = [&](typename Table::Value column)
+                         HWY_ATTR { return primitive(d, table.column(column)); };
+  const V zero = hn::Zero(d);
+  const V curvature = value(Table::curvature);
+  M own = hn::Lt(t, t);
+  if (scene.has_own_normals) own = hn::And(is_hit, hn::Lt(curvature, zero));
+  const M others = hn::AndNot(own, is_hit);
   if (!hn::AllFalse(d, others)) {
-    const auto value = [&](typename Table::Value column)
-                           HWY_ATTR { return primitive(d, table.column(column)); };
-    const V curvature = value(Table::curvature);
     const V3<V> place{value(Table::x), value(Table::y), value(Table::z)};
     V3<V> normal = scale(sub(at.point, place), curvature);
-    if (!scene.planes.empty() || scene.has_triangles) {
-      const M flat = hn::Eq(curvature, hn::Zero(d));
-      const M ahead = hn::Gt(dot(place, direction), hn::Zero(d));
+    if (scene.has_flat) {
+      const M flat = hn::Eq(curvature, zero);
+      const M ahead = hn::Gt(dot(place, direction), zero);
       normal = select(flat, select(ahead, negate(place), place), normal);
     }
-    at.normal = select(others, normal, at.normal);
+    at.normal = scene.has_own_normals ? select(others, normal, at.normal) : normal;
   }
+  if (scene.has_own_normals && !hn::AllFalse(d, own))
+    for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
+      if constexpr (requires { own_normals(d, scene, geometry, direction, own, at); })
+        own_normals(d, scene, geometry, direction, own, at);
+    });
   return surface;
 }
 

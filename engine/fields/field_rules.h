@@ -1,0 +1,94 @@
+// What the value of a documented field may be: plain descriptions, which the reader checks by, the
+// JSON Schema is written from and nobody else needs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace raytracer {
+
+/// An interval of doubles, with the words for it.
+struct ValueRange {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool least_excluded = false;
+
+  bool contains(double value) const {
+    return (least_excluded ? value > least : value >= least) && value <= most;
+  }
+  std::string describe() const;
+};
+
+inline constexpr ValueRange any_number{};
+inline constexpr ValueRange not_negative{.least = 0};
+inline constexpr ValueRange positive{.least = 0, .least_excluded = true};
+inline constexpr ValueRange unit_interval{.least = 0, .most = 1};
+
+/// A double.
+struct NumberRule {
+  ValueRange range = any_number;
+};
+
+/// A number without a fraction, 3 and 3.0 alike.
+struct IntegerRule {
+  std::int64_t least;
+  std::int64_t most;
+};
+
+/// A number of things: any integer from `least` on; the largest int stands for what is more.
+struct CountRule {
+  int least;
+};
+
+struct FlagRule {};
+struct StringRule {};
+
+/// An angle in radians, as is_field_of_view() has it.
+struct FieldOfViewRule {};
+
+/// Three numbers.
+struct PointRule {};
+/// A point that differs from the one under another key, and why.
+struct OtherPointRule {
+  std::string_view other;
+  std::string_view reason;
+};
+/// Three numbers, not all of them 0.
+struct DirectionRule {};
+/// Three numbers in [0, 1], or "#rrggbb".
+struct ColorRule {};
+
+/// One of some words, in the order of an enumeration.
+template <std::size_t count>
+struct ChoiceRule {
+  std::array<std::string_view, count> words;
+};
+template <typename... Word>
+ChoiceRule(Word...) -> ChoiceRule<sizeof...(Word)>;
+
+/// A list of points.
+struct PointsRule {};
+
+/// A list of points, as many as the list under another key has, each differing from that one's.
+struct OtherPointPerItemRule {
+  std::string_view items;
+};
+/// One number for all, or one for each item of the list under another key.
+struct NumberPerItemRule {
+  ValueRange range;
+  std::string_view items;
+};
+/// One colour for each item of the list under another key.
+struct ColorPerItemRule {
+  std::string_view items;
+};
+/// Triples of indices into the list under another key.
+struct TriplesRule {
+  std::string_view items;
+};
+
+}  // namespace raytracer

@@ -1,0 +1,142 @@
+// Casters in the cells of a grid, against the points that are in them.
+
+#if defined(RAYTRACER_FINDERS_CELLS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_FINDERS_CELLS_INL_H_
+#undef RAYTRACER_FINDERS_CELLS_INL_H_
+#else
+#define RAYTRACER_FINDERS_CELLS_INL_H_
+#endif
+
+#include <hwy/cache_control.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "engine/packets/packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// Whether testing `entry_count` casters against a whole packet costs less than testing one point
+/// after another of `lane_count` against a packet of casters.
+HWY_INLINE bool suits_packet(std::size_t entry_count, std::size_t lane_count, std::size_t lanes) {
+  return entry_count <= lane_count * ((entry_count + lanes - 1) / lanes);
+}
+
+/// Visits the entries of each lane's cell, for the lanes of `rest`; cell i's entries begin at
+/// `begins[i]`. Calls `test_together(begin, end, lanes)`, to test each entry against all `lanes`,
+/// which may be more than those of `rest`, or `test_alone(begin, end, lane)`, to test the one lane
+/// against a packet of entries after another, whichever costs less.
+template <class D, class Begins, class Together, class Alone, class V = hn::Vec<D>,
+          class M = hn::Mask<D>>
+HWY_INLINE void for_each_cell(D d, const Begins& begins, V cell, M rest,
+                              const Together& test_together, const Alone& test_alone) {
+  using T = hn::TFromD<D>;
+  constexpr std::size_t most_lanes = hn::MaxLanes(D());
+  HWY_ALIGN T cells[most_lanes];
+  hn::Store(cell, d, cells);
+  std::uint64_t lanes_left = bits_of(d, rest);
+  while (lanes_left != 0) {
+    const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero64(lanes_left);
+    const auto index = static_cast<std::uint32_t>(cells[lane]);
+    const std::size_t begin = begins[index];
+    const std::size_t end = begins[index + 1];
+    const M equal = hn::Eq(cell, hn::Set(d, cells[lane]));
+    const std::uint64_t together = bits_of(d, equal) & lanes_left;
+    if (suits_packet(end - begin, hwy::PopCount(together), most_lanes)) {
+      test_together(begin, end, equal);
+      lanes_left &= ~together;
+    } else {
+      test_alone(begin, end, lane);
+      lanes_left &= lanes_left - 1;
+    }
+  }
+}
+
+/// Asks the memory for each lane's cell, for the lanes of `rest`: whole if it has few entries, else
+/// for its first lines.
+template <class D, class Grid, class Columns, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE void fetch_cells(D d, const Grid& grid, const Columns& columns, V cell, M rest) {
+  using T = hn::TFromD<D>;
+  constexpr std::size_t line = 64 / sizeof(T);
+  constexpr std::size_t most = 6 * line;
+  HWY_ALIGN T cells[hn::MaxLanes(D())];
+  hn::Store(cell, d, cells);
+  auto fetched = std::numeric_limits<std::uint32_t>::max();
+  for (std::uint64_t left = bits_of(d, rest); left != 0; left &= left - 1) {
+    const auto index = static_cast<std::uint32_t>(cells[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)]);
+    if (index == fetched) continue;  // as neighbours often are
+    fetched = index;
+    const T* const begin = columns.cell(grid.begins[index]);
+    const auto count = static_cast<std::size_t>(columns.cell(grid.begins[index + 1]) - begin);
+    for (std::size_t at = 0; at < std::min(count, most); at += line) hwy::Prefetch(begin + at);
+  }
+}
+
+/// Lanes whose light one of `count` casters (of shadows) hides, tried by all lanes. `test(d, get,
+/// values)` compares casters with points, of which `values` hold what it asks for.
+template <class D, class Columns, class Test, class V, std::size_t size>
+HWY_INLINE hn::Mask<D> occluded_by_each(D d, const Columns& casters, std::size_t count,
+                                        const Test& test, const V (&values)[size]) {
+  auto dark = hn::Lt(values[0], values[0]);
+  const auto* const cell = casters.cell(0);
+  for (std::size_t i = 0; i < count; ++i)
+    dark = hn::Or(
+        dark,
+        test(
+            d, [&](std::size_t column) HWY_ATTR { return hn::Set(d, cell[column * count + i]); },
+            values));
+  return dark;
+}
+
+/// Lanes of `lit` whose light a caster of their own cell hides.
+template <class D, class Grid, class Test, class V, std::size_t size, class M = hn::Mask<D>>
+HWY_NOINLINE M occluded_in_cells(D d, const Grid& grid, V cell_of_lane, const Test& test,
+                                 const V (&values)[size], M lit) {
+  using T = hn::TFromD<D>;
+  constexpr std::size_t most_lanes = hn::MaxLanes(D());
+  HWY_ALIGN T stored[size][most_lanes];
+  for (std::size_t i = 0; i < size; ++i) hn::Store(values[i], d, stored[i]);
+  M dark = hn::Lt(values[0], values[0]);
+  std::uint64_t dark_alone = 0;
+  const auto test_together = [&](std::size_t begin, std::size_t end, M lanes) HWY_ATTR {
+    const T* const cell = grid.casters.cell(begin);
+    const std::size_t count = end - begin;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto all = [&](std::size_t column)
+                           HWY_ATTR { return hn::Set(d, cell[column * count + i]); };
+      dark = hn::Or(dark, hn::And(lanes, test(d, all, values)));
+    }
+  };
+  const auto test_alone = [&](std::size_t begin, std::size_t end, std::size_t lane) HWY_ATTR {
+    const T* const cell = grid.casters.cell(begin);
+    const std::size_t count = end - begin;
+    T own[size];
+    V own_values[size];
+    for (std::size_t i = 0; i < size; ++i) {
+      own[i] = stored[i][lane];
+      own_values[i] = hn::Set(d, own[i]);
+    }
+    for (std::size_t i = 0; i < count; i += most_lanes) {
+      if (test.is_past(cell, count, i, own)) break;
+      const auto next = [&](std::size_t column)
+                            HWY_ATTR { return hn::LoadU(d, cell + column * count + i); };
+      const M hides = hn::And(test(d, next, own_values), hn::FirstN(d, count - i));
+      if (!hn::AllFalse(d, hides)) {
+        dark_alone |= std::uint64_t{1} << lane;
+        break;
+      }
+    }
+  };
+  for_each_cell(d, grid.begins, cell_of_lane, lit, test_together, test_alone);
+  return hn::And(lit, hn::Or(dark, mask_of(d, dark_alone)));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

@@ -1,0 +1,87 @@
+// A packet's shadow rays to a distant light, by the grid on the plane across it.
+
+#if defined(RAYTRACER_FINDERS_LIGHT_GRID_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_FINDERS_LIGHT_GRID_INL_H_
+#undef RAYTRACER_FINDERS_LIGHT_GRID_INL_H_
+#else
+#define RAYTRACER_FINDERS_LIGHT_GRID_INL_H_
+#endif
+
+#include <cstddef>
+#include <limits>
+
+#include "engine/finders/cells-inl.h"
+#include "engine/finders/light_grid.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// Points as the light sees them: `u` and `v` across its direction, `w` towards it.
+template <class V, class M>
+struct LightPlaces {
+  V u;
+  V v;
+  V w;
+};
+
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE LightPlaces<V, M> places_on(D d, const LightPlane<T>& plane, const V3<V>& point) {
+  return {dot(point, broadcast(d, plane.axes[0])), dot(point, broadcast(d, plane.axes[1])),
+          dot(point, broadcast(d, plane.axes[2]))};
+}
+
+/// Which column or row of cells a coordinate is in.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V cell_along(D d, const LightPlane<T>& plane, V coordinate, T low) {
+  return hn::Floor(hn::Mul(hn::Sub(coordinate, hn::Set(d, low)), hn::Set(d, plane.cells_per_unit)));
+}
+
+/// The cells that hold the points.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V cell_of(D d, const LightPlane<T>& plane, const LightPlaces<V, M>& at) {
+  return hn::MulAdd(cell_along(d, plane, at.v, plane.v_low),
+                    hn::Set(d, static_cast<T>(plane.columns)),
+                    cell_along(d, plane, at.u, plane.u_low));
+}
+
+/// Lanes whose points are on the plane's cells: beside them nothing stands before the light.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M is_on_plane(D d, const LightPlane<T>& plane, const LightPlaces<V, M>& at) {
+  const auto is_within = [&](V cell, int count) HWY_ATTR {
+    return hn::And(hn::Ge(cell, hn::Zero(d)), hn::Lt(cell, hn::Set(d, static_cast<T>(count))));
+  };
+  return hn::And(is_within(cell_along(d, plane, at.u, plane.u_low), plane.columns),
+                 is_within(cell_along(d, plane, at.v, plane.v_low), plane.rows));
+}
+
+/// Lanes of `lit` before whose points something that their cell lists stands. `occluded(cell, at,
+/// least_w, lanes)` says which of lanes in one cell are dark, `least_w` being how near to the light
+/// the farthest of them is.
+template <class D, class Occluded, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_NOINLINE M occluded_in_lists(D d, const ListGrid<T>& grid, const V3<V>& points, M lit,
+                                 const Occluded& occluded) {
+  const LightPlaces<V, M> at = places_on(d, grid.plane, points);
+  M rest = hn::And(lit, is_on_plane(d, grid.plane, at));
+  M dark = hn::Lt(at.u, at.u);
+  const V cell = cell_of(d, grid.plane, at);
+  alignas(64) T cells[hn::MaxLanes(D())];
+  hn::Store(cell, d, cells);
+  const V highest = hn::Set(d, std::numeric_limits<T>::max());
+  while (!hn::AllFalse(d, rest)) {
+    // All lanes in the first one's cell.
+    const auto first = static_cast<std::size_t>(hn::FindFirstTrue(d, rest));
+    const M here = hn::And(rest, hn::Eq(cell, hn::Set(d, cells[first])));
+    const T least_w = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(here, at.w, highest)));
+    dark = hn::Or(dark, occluded(static_cast<std::size_t>(cells[first]), at, least_w, here));
+    rest = hn::AndNot(here, rest);
+  }
+  return dark;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

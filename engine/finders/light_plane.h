@@ -1,0 +1,157 @@
+// The plane across a distant light's direction, cut into cells.
+//
+// All rays to the light are parallel: what may stand before a point is what covers its place on
+// this plane. Every primitive is entered into the cells that its outline may touch.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "engine/finders/binning.h"
+#include "engine/math/triple.h"
+#include "engine/parallel/chunks.h"
+
+namespace raytracer {
+
+/// The rectangle that a primitive covers as a distant light sees it.
+struct ShadowExtent {
+  double u_low;  ///< along the first axis across the light's direction
+  double v_low;  ///< along the second
+  double u_high;
+  double v_high;
+  double top;  ///< how far it reaches towards the light
+};
+
+/// Two axes across the light's direction, and the direction towards it.
+using LightAxes = std::array<Vec3, 3>;
+
+inline LightAxes light_axes(const Vec3& towards) {
+  const OrthonormalBasis plane = orthonormal_basis(towards);
+  return {plane.u, plane.v, towards};
+}
+
+template <typename T>
+std::array<Triple<T>, 3> in_precision(const LightAxes& axes) {
+  return {narrowed<T>(axes[0]), narrowed<T>(axes[1]), narrowed<T>(axes[2])};
+}
+
+/// Cells, in the precision in which points look for theirs.
+template <typename T>
+struct LightPlane {
+  std::array<Triple<T>, 3> axes{};  ///< as LightAxes
+  T u_low{};
+  T v_low{};
+  T cells_per_unit{};
+  T noise{};  ///< what a place may be off by
+  int columns = 0;
+  int rows = 0;
+};
+
+/// How wide cells are, against what is entered into them.
+struct CellWidths {
+  double per_primitive;  ///< of the root of the area that there is for each primitive
+  double of_area;        ///< of the root of the mean area that one covers
+  double of_side;        ///< of the mean of half its circumference
+  double most_across;    ///< so many cells at most
+};
+
+/// Where a plane's cells begin and how wide they are, in double.
+template <typename T>
+struct PlannedPlane {
+  LightPlane<T> plane;
+  LightAxes axes;
+  double u_low;
+  double v_low;
+  double cell;
+  double cells_per_unit;
+  double margin;  ///< by which extents are enlarged: a point finds its cell in T
+
+  /// The cells that an extent touches.
+  CellRectangle cells(const ShadowExtent& e) const {
+    const auto index = [this](double offset, int most) {
+      return static_cast<int>(
+          std::min(std::max(0.0, offset * cells_per_unit), static_cast<double>(most)));
+    };
+    return {index(e.u_low - margin - u_low, plane.columns - 1),
+            index(e.v_low - margin - v_low, plane.rows - 1),
+            index(e.u_high + margin - u_low + cell, plane.columns),
+            index(e.v_high + margin - v_low + cell, plane.rows)};
+  }
+};
+
+/// What all primitives together cover.
+struct ShadowSpread {
+  ShadowExtent all{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity(), 0};
+  double areas = 0;    ///< of the rectangles, in sum
+  double sides = 0;    ///< half their circumferences, in sum
+  double highest = 0;  ///< of the tops, in size
+
+  void include(const ShadowExtent& e) {
+    include({e, (e.u_high - e.u_low) * (e.v_high - e.v_low),
+             (e.u_high - e.u_low) + (e.v_high - e.v_low), std::abs(e.top)});
+  }
+  void include(const ShadowSpread& other) {
+    all = {std::min(all.u_low, other.all.u_low), std::min(all.v_low, other.all.v_low),
+           std::max(all.u_high, other.all.u_high), std::max(all.v_high, other.all.v_high), 0};
+    areas += other.areas;
+    sides += other.sides;
+    highest = std::max(highest, other.highest);
+  }
+
+  /// The largest coordinate, in size.
+  double reach() const {
+    return std::max({std::abs(all.u_low), std::abs(all.v_low), std::abs(all.u_high),
+                     std::abs(all.v_high), highest});
+  }
+};
+
+/// Cells that suit the primitives, at least one of which there is; shadow_extent() is called from
+/// several threads. Sums are made in as many parts whatever the number of threads.
+template <typename T, typename Primitive>
+PlannedPlane<T> plan_light_plane(const Vec3& towards, std::span<const Primitive> primitives,
+                                 const CellWidths& widths, WorkerPool& pool) {
+  const LightAxes axes = light_axes(towards);
+  std::array<ShadowSpread, 16> parts;
+  const std::size_t part_count = primitives.size() < few_items ? 1 : parts.size();
+  for_each_chunk(primitives.size(), part_count, pool,
+                 [&](std::size_t part, std::size_t begin, std::size_t end) {
+                   ShadowSpread own;
+                   for (const Primitive& primitive : primitives.subspan(begin, end - begin))
+                     own.include(shadow_extent(primitive, axes));
+                   parts[part] = own;
+                 });
+  ShadowSpread spread;
+  for (const ShadowSpread& part : parts) spread.include(part);
+
+  const double reach = spread.reach();
+  constexpr auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
+  constexpr double not_zero = 1e-30;
+  const double margin = 64 * epsilon * reach;
+  const auto count = static_cast<double>(primitives.size());
+  const double width = spread.all.u_high - spread.all.u_low;
+  const double height = spread.all.v_high - spread.all.v_low;
+  const double cell = std::max({widths.per_primitive * std::sqrt(width * height / count),
+                                widths.of_area * std::sqrt(spread.areas / count),
+                                widths.of_side * spread.sides / count, width / widths.most_across,
+                                height / widths.most_across, 4 * margin, not_zero});
+  return {
+      {in_precision<T>(axes), static_cast<T>(spread.all.u_low), static_cast<T>(spread.all.v_low),
+       static_cast<T>(1 / cell), static_cast<T>(8 * epsilon * reach),
+       static_cast<int>(width / cell) + 1, static_cast<int>(height / cell) + 1},
+      axes,
+      spread.all.u_low,
+      spread.all.v_low,
+      cell,
+      1 / cell,
+      margin};
+}
+
+}  // namespace raytracer

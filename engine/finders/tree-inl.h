@@ -1,0 +1,169 @@
+// What a packet meets in a tree: its lanes together where their rays have something in common, else
+// each on its own.
+
+#if defined(RAYTRACER_FINDERS_TREE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_FINDERS_TREE_INL_H_
+#undef RAYTRACER_FINDERS_TREE_INL_H_
+#else
+#define RAYTRACER_FINDERS_TREE_INL_H_
+#endif
+
+#include <cstddef>
+#include <limits>
+
+#include "engine/finders/tree_walk-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// The lanes of a packet, to be taken out one by one.
+template <typename T>
+class PacketLanes {
+ public:
+  static constexpr std::size_t most = HWY_MAX_BYTES / sizeof(T);
+
+  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+  HWY_INLINE PacketLanes(D d, const RayOrigin<V>& from, const V3<V>& direction, M active) {
+    const V columns[10] = {from.point.x,  from.point.y, from.point.z, from.normal.x, from.normal.y,
+                           from.normal.z, direction.x,  direction.y,  direction.z,   from.id};
+    for (std::size_t i = 0; i < 10; ++i) hn::Store(columns[i], d, values_[i]);
+    hn::Store(hn::IfThenElseZero(active, hn::Set(d, T(1))), d, active_);
+  }
+
+  HWY_INLINE bool is_active(std::size_t lane) const { return active_[lane] != T(0); }
+
+  /// A lane's ray in all lanes.
+  template <class D>
+  HWY_INLINE TreeRays<hn::Vec<D>> ray(D d, std::size_t lane) const {
+    const auto at = [&](std::size_t i) HWY_ATTR { return hn::Set(d, values_[i][lane]); };
+    const RayOrigin<hn::Vec<D>> from{
+        {at(0), at(1), at(2)}, {at(3), at(4), at(5)}, at(9), hn::Zero(d), hn::Zero(d)};
+    return tree_rays(d, from, {at(6), at(7), at(8)});
+  }
+
+ private:
+  alignas(64) T values_[10][most];
+  alignas(64) T active_[most];
+};
+
+/// Whether the active lanes' directions have something in common: n random ones have a sum whose
+/// square is n on average. Processor time in ms of all together, each alone and by this rule:
+/// 1,000 mirroring spheres 49, 80, 50; 100,000 338, 214, 220; a mirroring sphereflake 49, 91, 57.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE bool go_together(D d, const V3<V>& direction, M active) {
+  const auto sum = [&](V slope) HWY_ATTR {
+    return hn::GetLane(hn::SumOfLanes(d, hn::IfThenElseZero(active, slope)));
+  };
+  const T x = sum(direction.x);
+  const T y = sum(direction.y);
+  const T z = sum(direction.z);
+  const auto count = static_cast<T>(count_true(d, active));
+  return x * x + y * y + z * z > 2 * count;
+}
+
+/// A block's primitives from i on, one to a lane.
+template <class D, class Block, typename T = hn::TFromD<D>>
+HWY_INLINE auto side_by_side(D d, const Block& block, std::size_t i) {
+  return lanes_of(
+      block, [&](const BlockColumn<T>& column) HWY_ATTR { return hn::Load(d, column.data() + i); });
+}
+
+/// A block's primitive i in all lanes.
+template <class D, class Block, typename T = hn::TFromD<D>>
+HWY_INLINE auto in_all_lanes(D d, const Block& block, std::size_t i) {
+  return lanes_of(block,
+                  [&](const BlockColumn<T>& column) HWY_ATTR { return hn::Set(d, column[i]); });
+}
+
+/// One ray against a block: the nearest that it has met.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>, class Block>
+HWY_INLINE void intersect_block(D d, const Block& block, const TreeRays<V>& ray, T& nearest_t,
+                                T& nearest_id) {
+  for (std::size_t i = 0; i < block.count; i += hn::Lanes(d)) {
+    V t;
+    const auto hit =
+        intersect(d, side_by_side(d, block, i), ray, hn::FirstN(d, block.count - i), t);
+    const auto counts = hn::And(hit, hn::Le(t, hn::Set(d, nearest_t)));
+    if (hn::AllFalse(d, counts)) continue;
+    alignas(64) T ts[Tree::leaf_size];
+    hn::Store(hn::IfThenElse(counts, t, hn::Set(d, std::numeric_limits<T>::max())), d, ts);
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+      const T id = block.id[i + k];
+      if (ts[k] < nearest_t || (ts[k] == nearest_t && id < nearest_id)) {
+        nearest_t = ts[k];
+        nearest_id = id;
+      }
+    }
+  }
+}
+
+/// The packet against the tree's primitives, each ray alone.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>,
+          class Block>
+void intersect_tree_alone(D d, const PacketTree<Block>& tree, const RayOrigin<V>& from,
+                          const V3<V>& direction, M active, Hit<V>& hit) {
+  const EightTag<T> d8;
+  const PacketLanes<T> lanes(d, from, direction, active);
+  alignas(64) T nearest_t[PacketLanes<T>::most];
+  alignas(64) T nearest_id[PacketLanes<T>::most];
+  hn::Store(hit.t, d, nearest_t);
+  hn::Store(hit.id, d, nearest_id);
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    if (!lanes.is_active(lane)) continue;
+    const auto ray = lanes.ray(d8, lane);
+    walk_alone(d8, tree, ray, nearest_t[lane], [&](const Block& block) HWY_ATTR {
+      intersect_block(d8, block, ray, nearest_t[lane], nearest_id[lane]);
+      return false;
+    });
+  }
+  hit.t = hn::Load(d, nearest_t);
+  hit.id = hn::Load(d, nearest_id);
+}
+
+/// The packet against the tree's primitives.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>,
+          class Block>
+void intersect_tree(D d, const PacketTree<Block>& tree, const RayOrigin<V>& from,
+                    const V3<V>& direction, M active, Hit<V>& hit) {
+  if (!go_together(d, direction, active))
+    return intersect_tree_alone(d, tree, from, direction, active, hit);
+  const TreeRays<V> rays = tree_rays(d, from, direction);
+  walk_together(d, tree, rays, active, hit.t, [&](const Block& block) HWY_ATTR {
+    for (std::size_t i = 0; i < block.count; ++i) {
+      V t;
+      const auto columns = in_all_lanes(d, block, i);
+      const M is_hit = intersect(d, columns, rays, active, t);
+      take(hit, is_nearer(hit, t, columns.id, is_hit), t, columns.id);
+    }
+    return false;
+  });
+}
+
+/// Lanes of `lit` from which something in the tree stands nearer than `distance`. Rays to a light
+/// go together.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>,
+          class Block>
+M occluded_in_tree(D d, const PacketTree<Block>& tree, const RayOrigin<V>& from,
+                   const V3<V>& towards, V distance, M lit) {
+  M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
+  M rest = lit;
+  const TreeRays<V> rays = tree_rays(d, from, towards);
+  walk_together(d, tree, rays, rest, distance, [&](const Block& block) HWY_ATTR {
+    for (std::size_t i = 0; i < block.count; ++i) {
+      V t;
+      const M hit = intersect(d, in_all_lanes(d, block, i), rays, rest, t);
+      dark = hn::Or(dark, hn::And(hit, hn::Lt(t, distance)));
+      rest = hn::AndNot(dark, lit);
+      if (hn::AllFalse(d, rest)) return true;
+    }
+    return false;
+  });
+  return dark;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

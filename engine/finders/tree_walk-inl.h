@@ -1,0 +1,187 @@
+// Rays through a tree of boxes: the lanes of a packet together, into every node that one of them
+// enters, or each on its own, against all boxes of a node at once (Wald, Benthin, Boulos: "Getting
+// Rid of Packets", 2008).
+//
+// For rays that share neither origin nor direction. Boxes are rounded outward when they are
+// built, and entered a little generously, so that no primitive is lost to the rounding of a box
+// (Ize: "Robust BVH Ray Traversal", JCGT 2013).
+
+#if defined(RAYTRACER_FINDERS_TREE_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_FINDERS_TREE_WALK_INL_H_
+#undef RAYTRACER_FINDERS_TREE_WALK_INL_H_
+#else
+#define RAYTRACER_FINDERS_TREE_WALK_INL_H_
+#endif
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "engine/finders/primitive_tree.h"
+#include "engine/packets/hit-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// For the children of a node, and for the primitives of a leaf.
+template <typename T>
+using EightTag = hn::CappedTag<T, TreeNode::width>;
+
+/// Rays prepared for a tree: one to a lane, or the same in all lanes.
+template <class V>
+struct TreeRays {
+  RayOrigin<V> from;
+  V3<V> direction;
+  V3<V> inverse;  ///< 1 / direction, finite
+  BasisPacket<V> basis;
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE TreeRays<V> tree_rays(D d, const RayOrigin<V>& from, const V3<V>& direction) {
+  const V one = hn::Set(d, hn::TFromD<D>(1));
+  const auto inverse = [&](V slope) HWY_ATTR { return hn::Div(one, without_zero(d, slope)); };
+  return {from,
+          direction,
+          {inverse(direction.x), inverse(direction.y), inverse(direction.z)},
+          basis_across(d, direction)};
+}
+
+/// Untried children, each with the least distance at which it may be met; of a node's the nearest
+/// is on top.
+template <typename T>
+struct TreeStack {
+  struct Entry {
+    TreeChild child;
+    T t;
+  };
+
+  Entry entries[Tree::stack_size];
+  std::size_t size = 0;
+
+  TreeStack() { push(TreeChild::node(0), 0, 0); }
+
+  /// Below the entries from `first` on that are nearer.
+  HWY_INLINE void push(TreeChild child, T t, std::size_t first) {
+    std::size_t place = size++;
+    for (; place > first && entries[place - 1].t < t; --place) entries[place] = entries[place - 1];
+    entries[place] = {child, t};
+  }
+  HWY_INLINE Entry pop() { return entries[--size]; }
+};
+
+template <class D, typename T = hn::TFromD<D>>
+HWY_INLINE hn::Vec<D> load_bounds(D d, const float* values) {
+  if constexpr (sizeof(T) == sizeof(float))
+    return hn::LoadU(d, values);
+  else
+    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), values));
+}
+
+template <typename T>
+inline constexpr T generous = 1 + 8 * std::numeric_limits<T>::epsilon();
+
+/// One ray against all boxes of a node: a bit for each that it enters before t_max, and where.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE std::uint32_t enters(D d, const TreeRays<V>& ray, const bool (&backwards)[3],
+                                const TreeNode& node, V t_max, T* t_begins) {
+  std::uint32_t entered = 0;
+  for (std::size_t i = 0; i < TreeNode::width; i += hn::Lanes(d)) {
+    const auto along = [&](std::size_t axis, bool is_far, V origin, V inverse) HWY_ATTR {
+      const auto& side = backwards[axis] != is_far ? node.high[axis] : node.low[axis];
+      return hn::Mul(hn::Sub(load_bounds(d, side.data() + i), origin), inverse);
+    };
+    const RayOrigin<V>& from = ray.from;
+    const V t_begin = hn::Max(hn::Max(along(0, false, from.point.x, ray.inverse.x),
+                                      along(1, false, from.point.y, ray.inverse.y)),
+                              hn::Max(along(2, false, from.point.z, ray.inverse.z), hn::Zero(d)));
+    const V t_end = hn::Min(hn::Min(along(0, true, from.point.x, ray.inverse.x),
+                                    along(1, true, from.point.y, ray.inverse.y)),
+                            along(2, true, from.point.z, ray.inverse.z));
+    hn::Store(t_begin, d, t_begins + i);
+    const auto enter = hn::Le(t_begin, hn::Min(hn::Mul(t_end, hn::Set(d, generous<T>)), t_max));
+    std::uint8_t bits[8];
+    hn::StoreMaskBits(d, enter, bits);
+    entered |= static_cast<unsigned>(bits[0]) << i;
+  }
+  return entered;
+}
+
+/// Takes one ray, the same in all lanes, to the leaves that it may need, near ones first, until
+/// leaf(block) says that it is settled. `t_max` is read again, so a leaf may lower it.
+template <class D, class V, class Block, typename T = hn::TFromD<D>, class Leaf>
+HWY_INLINE void walk_alone(D d, const PacketTree<Block>& tree, const TreeRays<V>& ray,
+                           const T& t_max, const Leaf& leaf) {
+  const bool backwards[3] = {hn::GetLane(ray.inverse.x) < 0, hn::GetLane(ray.inverse.y) < 0,
+                             hn::GetLane(ray.inverse.z) < 0};
+  TreeStack<T> stack;
+  while (stack.size > 0) {
+    const auto entry = stack.pop();
+    if (entry.t > t_max) continue;
+    if (entry.child.is_leaf()) {
+      if (leaf(tree.leaves[entry.child.index()])) return;
+      continue;
+    }
+    const TreeNode& node = tree.nodes[entry.child.index()];
+    alignas(64) T t_begins[TreeNode::width];
+    std::uint32_t entered = enters(d, ray, backwards, node, hn::Set(d, t_max), t_begins);
+    const std::size_t first = stack.size;
+    for (; entered != 0; entered &= entered - 1) {
+      const auto i = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(entered));
+      stack.push(node.children[i], t_begins[i], first);
+    }
+  }
+}
+
+/// The lanes that enter the box before t_max.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M enters_child(D d, const TreeRays<V>& rays, const TreeNode& node, std::size_t child,
+                          V t_max, V& t_begin) {
+  const auto along = [&](float place, V origin, V inverse) HWY_ATTR {
+    return hn::Mul(hn::Sub(hn::Set(d, static_cast<T>(place)), origin), inverse);
+  };
+  const V3<V>& origin = rays.from.point;
+  const V x1 = along(node.low[0][child], origin.x, rays.inverse.x);
+  const V x2 = along(node.high[0][child], origin.x, rays.inverse.x);
+  const V y1 = along(node.low[1][child], origin.y, rays.inverse.y);
+  const V y2 = along(node.high[1][child], origin.y, rays.inverse.y);
+  const V z1 = along(node.low[2][child], origin.z, rays.inverse.z);
+  const V z2 = along(node.high[2][child], origin.z, rays.inverse.z);
+  t_begin =
+      hn::Max(hn::Max(hn::Min(x1, x2), hn::Min(y1, y2)), hn::Max(hn::Min(z1, z2), hn::Zero(d)));
+  const V t_end = hn::Min(hn::Min(hn::Max(x1, x2), hn::Max(y1, y2)), hn::Max(z1, z2));
+  return hn::Le(t_begin, hn::Min(hn::Mul(t_end, hn::Set(d, generous<T>)), t_max));
+}
+
+/// Takes a packet to the leaves that a lane of `active` may need, near ones first, until
+/// leaf(block) says that all is settled. `active` and `t_max` are read again, so a leaf may lower
+/// them.
+template <class D, class V, class M, class Block, typename T = hn::TFromD<D>, class Leaf>
+HWY_INLINE void walk_together(D d, const PacketTree<Block>& tree, const TreeRays<V>& rays,
+                              const M& active, const V& t_max, const Leaf& leaf) {
+  const V far_away = hn::Set(d, std::numeric_limits<T>::max());
+  TreeStack<T> stack;
+  while (stack.size > 0) {
+    const auto entry = stack.pop();
+    if (hn::AllFalse(d, hn::And(active, hn::Le(hn::Set(d, entry.t), t_max)))) continue;
+    if (entry.child.is_leaf()) {
+      if (leaf(tree.leaves[entry.child.index()])) return;
+      continue;
+    }
+    const TreeNode& node = tree.nodes[entry.child.index()];
+    const std::size_t first = stack.size;
+    for (std::size_t i = 0; i < node.child_count; ++i) {
+      V t_begin;
+      const M entered = hn::And(active, enters_child(d, rays, node, i, t_max, t_begin));
+      if (hn::AllFalse(d, entered)) continue;
+      const T t = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(entered, t_begin, far_away)));
+      stack.push(node.children[i], t, first);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

@@ -1,0 +1,101 @@
+// What packets hit, and what hides lights from them: which finder takes which rays to each kind of
+// object, as the plan has chosen.
+
+#if defined(RAYTRACER_KERNEL_SIMD_FIND_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_KERNEL_SIMD_FIND_INL_H_
+#undef RAYTRACER_KERNEL_SIMD_FIND_INL_H_
+#else
+#define RAYTRACER_KERNEL_SIMD_FIND_INL_H_
+#endif
+
+#include <cstddef>
+
+#include "engine/finders/tree-inl.h"
+#include "engine/objects/objects-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// Calls visit(geometry) for the kinds of objects that the scene has.
+template <std::size_t kind = 0, typename T, class Visit>
+HWY_INLINE void for_each_geometry(const PacketScene<T>& scene, const Visit& visit) {
+  if constexpr (kind < ObjectKinds::count) {
+    const auto& geometry = std::get<kind>(scene.geometry.kinds);
+    if (geometry.count > 0) visit(geometry);
+    for_each_geometry<kind + 1>(scene, visit);
+  }
+}
+
+/// Rays from the eye against one kind: near to far of the candidates, until the next one is farther
+/// than all that is hit already. `candidates` are those of what the rays go through.
+template <class D, class Kind, class Candidates, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE void intersect_from_eye(D d, const PacketScene<T>& scene,
+                                   const Geometry<Kind, T>& geometry, Candidates& candidates,
+                                   const RayOrigin<V>& eye, const V3<V>& direction, M active,
+                                   Hit<V>& hit) {
+  if constexpr (Kind::search == Search::own) {
+    if (candidates.template may_contain<Kind>())
+      intersect_own<false>(d, geometry, eye, direction, active, hit);
+  } else if constexpr (Kind::search == Search::unbounded) {
+    for (const auto& item : geometry.items)
+      intersect_item(d, geometry, item, eye, direction, active, hit);
+  } else if (geometry.finder(RayKind::from_eye) == Finder::screen_bins) {
+    const auto sees = [&](float distance)
+                          HWY_ATTR { return sees_as_far_as(d, distance, hit, active); };
+    candidates.template for_each<Kind>(sees, [&](std::uint32_t primitive) HWY_ATTR {
+      intersect_candidate(d, scene, geometry, primitive, direction, hit);
+    });
+  } else {
+    intersect_tree(d, geometry.tree, eye, direction, active, hit);
+  }
+}
+
+/// Rays that follow others against one kind.
+template <class D, class Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE void intersect_followed(D d, const Geometry<Kind, T>& geometry, const RayOrigin<V>& from,
+                                   const V3<V>& direction, M active, Hit<V>& hit) {
+  if constexpr (Kind::search == Search::own) {
+    intersect_own<true>(d, geometry, from, direction, active, hit);
+  } else {
+    if constexpr (Kind::search == Search::bounded)
+      if (geometry.finder(RayKind::followed) == Finder::tree)
+        return intersect_tree(d, geometry.tree, from, direction, active, hit);
+    for (const auto& item : geometry.items)
+      intersect_item(d, geometry, item, from, direction, active, hit);
+  }
+}
+
+/// Lanes of `lit` from which something of one kind stands before the light.
+template <class D, class Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by_kind(D d, const Geometry<Kind, T>& geometry, const PacketLight<T>& light,
+                              const ShadowRays<V>& rays, M lit) {
+  if constexpr (Kind::search == Search::bounded) {
+    const RayKind kind =
+        light.rays == LightRays::parallel ? RayKind::to_distant_light : RayKind::to_point_light;
+    if (geometry.finder(kind) == Finder::tree)
+      return occluded_in_tree(d, geometry.tree, rays.from, rays.towards,
+                              hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>)), lit);
+  }
+  return occluded_by(d, geometry, light, rays, lit);
+}
+
+/// Lanes of `lit` from which something stands before the light.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded(D d, const PacketScene<T>& scene, const PacketLight<T>& light,
+                      const ShadowRays<V>& rays, M lit) {
+  M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
+  for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
+    dark = hn::Or(dark, occluded_by_kind(d, geometry, light, rays, hn::AndNot(dark, lit)));
+  });
+  return dark;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

@@ -1,0 +1,161 @@
+// Rays that follow others: those that still matter side by side, a step of all at a time.
+
+#if defined(RAYTRACER_KERNEL_SIMD_FOLLOWED_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_KERNEL_SIMD_FOLLOWED_RAYS_INL_H_
+#undef RAYTRACER_KERNEL_SIMD_FOLLOWED_RAYS_INL_H_
+#else
+#define RAYTRACER_KERNEL_SIMD_FOLLOWED_RAYS_INL_H_
+#endif
+
+#include <limits>
+#include <utility>
+
+#include "engine/kernel/simd/block-inl.h"
+#include "engine/kernel/simd/shade-inl.h"
+#include "engine/kernel/simd/surface-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// A packet of rays that follow others, or come from the eye.
+template <class V>
+struct Packet {
+  RayOrigin<V> from;
+  V3<V> direction;
+  V weight;  ///< of what they see in their pixels
+  V pixel;   ///< its index in the block
+};
+
+/// The order that puts the lanes of `mask`, at least one, first. Made once for all values to be
+/// stored: Highway's Compress copies a table at each call, and CompressStore is slow on some
+/// processors.
+template <class D, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE auto compressing_order(D d, M mask) {
+  constexpr std::size_t most_lanes = hn::MaxLanes(D());
+  uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  HWY_ALIGN hwy::MakeSigned<T> order[most_lanes] = {};
+  std::size_t count = 0;
+  for (std::size_t lane = 0; lane < most_lanes; ++lane) {
+    order[count] = static_cast<hwy::MakeSigned<T>>(lane);
+    count += bytes[lane / 8] >> (lane % 8) & 1U;
+  }
+  return hn::SetTableIndices(d, order);
+}
+
+/// The queue of rays to be followed, those that still matter side by side.
+template <typename T>
+class FollowedRays {
+ public:
+  int count = 0;
+  alignas(64) T pixel[block_pixels + 64];
+
+  /// Adds the lanes of `mask`, at least one.
+  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+  HWY_INLINE void add(D d, const Packet<V>& rays, M mask) {
+    const auto first_of_mask = compressing_order(d, mask);
+    const auto keep = [&](V values, T* column) HWY_ATTR {
+      hn::StoreU(hn::TableLookupLanes(values, first_of_mask), d, column + count);
+    };
+    const V values[column_count] = {rays.direction.x,   rays.direction.y,   rays.direction.z,
+                                    rays.from.point.x,  rays.from.point.y,  rays.from.point.z,
+                                    rays.from.normal.x, rays.from.normal.y, rays.from.normal.z,
+                                    rays.from.id,       rays.from.u,        rays.from.v,
+                                    rays.weight};
+    for (std::size_t i = 0; i < column_count; ++i) keep(values[i], columns_[i]);
+    keep(rays.pixel, pixel);
+    count += static_cast<int>(count_true(d, mask));
+  }
+
+  /// The rays from the i-th on. Lanes that are not `active` hold zeros: kept from becoming indices
+  /// or NaN traps.
+  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+  HWY_INLINE Packet<V> packet(D d, int i, M active) const {
+    const auto at = [&](std::size_t column) HWY_ATTR {
+      return hn::IfThenElseZero(active, hn::LoadU(d, columns_[column] + i));
+    };
+    return {{{at(3), at(4), at(5)}, {at(6), at(7), at(8)}, at(9), at(10), at(11)},
+            {at(0), at(1), at(2)},
+            at(12),
+            hn::IfThenElseZero(active, hn::LoadU(d, pixel + i))};
+  }
+
+ private:
+  static constexpr std::size_t column_count = 13;
+  alignas(64) T columns_[column_count][block_pixels + 64];
+};
+
+/// Adds the rays that a packet's mirroring surfaces send on.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void mirror(D d, const PacketScene<T>& scene, const Surface<D>& surface,
+                       const Packet<V>& packet, M is_hit, FollowedRays<T>& followed) {
+  const V weight = hn::Mul(packet.weight, surface.material(d, scene.materials.reflectivity));
+  const M mirrors = hn::And(is_hit, hn::Gt(weight, hn::Zero(d)));
+  if (hn::AllFalse(d, mirrors)) return;
+  const V twice = hn::Mul(hn::Set(d, T(-2)), dot(packet.direction, surface.at.normal));
+  const V3<V> direction = unit(d, mul_add(surface.at.normal, twice, packet.direction));
+  followed.add(d, Packet<V>{surface.at, direction, weight, packet.pixel}, mirrors);
+}
+
+/// The colours that a packet sees; the rays that follow are kept in `followed`.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>& packet,
+                              const Hit<V>& hit, M active, bool follows,
+                              FollowedRays<T>& followed) {
+  const V zero = hn::Zero(d);
+  const M is_hit = hn::And(active, hn::Ge(hit.id, zero));
+  const V3<V> background = broadcast(d, scene.background);
+  if (hn::AllFalse(d, is_hit)) return background;
+  const Surface<D> surface = surface_at(d, scene, packet.from, packet.direction, hit, is_hit);
+  const V3<V> colour =
+      select(is_hit, shade(d, scene, surface, negate(packet.direction), is_hit), background);
+  if (follows) mirror(d, scene, surface, packet, is_hit, followed);
+  return colour;
+}
+
+/// One step of followed rays: adds what they see, and keeps those that follow them.
+template <typename T>
+void trace_step(const PacketScene<T>& scene, const FollowedRays<T>& rays, bool follows,
+                FollowedRays<T>& next, BlockColours<T>& colours) {
+  const hn::ScalableTag<T> d;
+  using V = hn::Vec<decltype(d)>;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  next.count = 0;
+  for (int i = 0; i < rays.count; i += lanes) {
+    const auto active = hn::FirstN(d, static_cast<std::size_t>(rays.count - i));
+    const Packet<V> packet = rays.packet(d, i, active);
+    const V none = hn::Set(d, T(-1));
+    Hit<V> hit{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
+    for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
+      intersect_followed(d, geometry, packet.from, packet.direction, active, hit);
+    });
+    const V3<V> colour = shade_packet(d, scene, packet, hit, active, follows, next);
+    alignas(64) T weighted[3][HWY_MAX_BYTES / sizeof(T)];
+    hn::Store(hn::Mul(colour.x, packet.weight), d, weighted[0]);
+    hn::Store(hn::Mul(colour.y, packet.weight), d, weighted[1]);
+    hn::Store(hn::Mul(colour.z, packet.weight), d, weighted[2]);
+    for (int lane = 0; lane < lanes && i + lane < rays.count; ++lane) {
+      const auto pixel = static_cast<std::size_t>(rays.pixel[i + lane]);
+      colours.red[pixel] += weighted[0][lane];
+      colours.green[pixel] += weighted[1][lane];
+      colours.blue[pixel] += weighted[2][lane];
+    }
+  }
+}
+
+/// Follows rays to the scene's depth and adds what they see.
+template <typename T>
+void trace_followed(const PacketScene<T>& scene, FollowedRays<T>& rays, BlockColours<T>& colours) {
+  FollowedRays<T> next;
+  for (int depth = 1; rays.count > 0; ++depth) {
+    trace_step(scene, rays, depth < scene.max_depth, next, colours);
+    std::swap(rays, next);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

@@ -1,0 +1,35 @@
+// Every kind of light for packets of points: the list of lights.h once more.
+
+#if defined(RAYTRACER_LIGHTS_LIGHTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_LIGHTS_LIGHTS_INL_H_
+#undef RAYTRACER_LIGHTS_LIGHTS_INL_H_
+#else
+#define RAYTRACER_LIGHTS_LIGHTS_INL_H_
+#endif
+
+#include "engine/lights/distant/distant_light-inl.h"
+#include "engine/lights/point/point_light-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+template <class D, class Kind, class... Rest, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE ArrivingLights<V> arriving_light(D d, Types<Kind, Rest...>, std::size_t kind,
+                                            const PacketLight<T>& light, const V3<V>& points) {
+  if constexpr (sizeof...(Rest) > 0)
+    if (light.kind != kind) return arriving_light(d, Types<Rest...>(), kind + 1, light, points);
+  return arriving(d, std::type_identity<Kind>(), light, points);
+}
+
+/// What of a light arrives at the lanes' points.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE ArrivingLights<V> arriving_light(D d, const PacketLight<T>& light, const V3<V>& points) {
+  return arriving_light(d, LightKinds(), 0, light, points);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

@@ -1,0 +1,42 @@
+// The kinds of lights, each in a folder beside this file: the one list of them.
+#pragma once
+
+#include <cstddef>
+#include <tuple>
+#include <variant>
+
+#include "engine/fields/field_table.h"
+#include "engine/fields/types.h"
+#include "engine/lights/distant/distant_light.h"
+#include "engine/lights/light_kind.h"
+#include "engine/lights/point/point_light.h"
+
+namespace raytracer {
+
+using LightKinds = Types<DistantLight, PointLight>;
+
+struct Light {
+  LightKinds::In<std::variant> source;
+  Rgb color{1, 1, 1};
+  double intensity = 1;  ///< >= 0
+
+  /// Those of lights of every kind.
+  static constexpr auto fields =
+      std::tuple(optional("color", &Light::color, ColorRule{}),
+                 optional("intensity", &Light::intensity, NumberRule{not_negative}));
+
+  LightRays rays() const {
+    return std::visit([](const auto& kind) { return kind.rays; }, source);
+  }
+};
+
+inline PackedLight pack_light(const Light& light, const Frame& frame) {
+  return std::visit(
+      [&](const auto& kind) -> PackedLight {
+        return {light.source.index(), kind.rays, place_of(kind, frame),
+                emission_of(kind, light.color * light.intensity, frame)};
+      },
+      light.source);
+}
+
+}  // namespace raytracer

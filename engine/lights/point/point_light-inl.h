@@ -1,0 +1,37 @@
+// Light from a point, for packets of points.
+
+#if defined(RAYTRACER_LIGHTS_POINT_POINT_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_LIGHTS_POINT_POINT_LIGHT_INL_H_
+#undef RAYTRACER_LIGHTS_POINT_POINT_LIGHT_INL_H_
+#else
+#define RAYTRACER_LIGHTS_POINT_POINT_LIGHT_INL_H_
+#endif
+
+#include <limits>
+
+#include "engine/kernel/packet_scene.h"
+#include "engine/lights/arriving-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE ArrivingLights<V> arriving(D d, std::type_identity<PointLight>,
+                                      const PacketLight<T>& light, const V3<V>& points) {
+  const V most = hn::Set(d, std::numeric_limits<T>::max() / T(1e6));
+  const V3<V> path = sub(broadcast(d, light.place), points);
+  const V square = dot(path, path);
+  const V inverse_square =
+      hn::Div(hn::Set(d, T(1)), hn::Max(square, hn::Set(d, std::numeric_limits<T>::min())));
+  const V3<V> emission = scale(broadcast(d, light.emission), inverse_square);
+  return {scale(path, hn::Sqrt(inverse_square)),
+          {hn::Min(emission.x, most), hn::Min(emission.y, most), hn::Min(emission.z, most)},
+          hn::Sqrt(square)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

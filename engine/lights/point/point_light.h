@@ -1,0 +1,57 @@
+// Light from a point; its intensity is spread over 4 pi distance^2.
+//
+//   { "type": "point", "position": [0, 10, 0], "color": "#ffeedd", "intensity": 1500 }
+#pragma once
+
+#include <numbers>
+#include <string_view>
+#include <tuple>
+
+#include "engine/fields/field_table.h"
+#include "engine/lights/light_kind.h"
+
+namespace raytracer {
+
+struct PointLight {
+  Vec3 position;
+
+  static constexpr std::string_view type = "point";
+  static constexpr std::string_view description =
+      "From a point: its intensity is spread over 4 pi distance^2.";
+  static constexpr auto fields =
+      std::tuple(required("position", &PointLight::position, PointRule{}));
+  static constexpr LightRays rays = LightRays::converging;
+};
+
+template <typename Include>
+void for_each_extent(const PointLight& light, const Include& include) {
+  include(light.position, 0);
+}
+
+inline Vec3 place_of(const PointLight& light, const Frame& frame) {
+  return frame.frame_from_scene(light.position);
+}
+/// Distances in the frame are 2^-exponent times the scene's, and light falls with the square.
+inline Rgb emission_of(const PointLight&, const Rgb& i, const Frame& frame) {
+  return scaled(i / (4 * std::numbers::pi), -2 * frame.exponent());
+}
+
+/// i where a surface is so near, in the scene's unit.
+inline double brightest(const PointLight&, double i, double clearance) {
+  return i / (4 * std::numbers::pi) / clearance / clearance;
+}
+
+template <>
+inline ArrivingLight arriving<PointLight>(const PackedLight& light, const SurfacePoint& point) {
+  const Vec3 path = (light.place - point.anchor) - point.offset;
+  const double distance = length(path);
+  // 0 / 0 where a channel is dark and the light at the point: dark.
+  const auto fallen = [&](double emission) {
+    return emission > 0 ? emission / distance / distance : 0;
+  };
+  return {unit(path),
+          distance,
+          {fallen(light.emission.x), fallen(light.emission.y), fallen(light.emission.z)}};
+}
+
+}  // namespace raytracer

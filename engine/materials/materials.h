@@ -1,0 +1,29 @@
+// What materials do with light and with rays: the one list of effects, each in a folder beside this
+// file.
+//
+// An effect is a structure with `fields`, which the reader, the canonical text and the schema know.
+// One that answers light has its definition and its packets in its folder; one that sends rays on
+// does so where rays are followed: reference/radiance.h and kernel/simd/followed_rays-inl.h, and by
+// plan/magnification.h the plan knows what their paths magnify.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/fields/types.h"
+#include "engine/materials/blinn_phong/blinn_phong.h"
+#include "engine/materials/mirror/mirror.h"
+
+namespace raytracer {
+
+/// In the order of the documentation.
+using MaterialEffects = Types<BlinnPhong, Mirror>;
+
+/// All effects together.
+struct Material : BlinnPhong, Mirror {
+  friend auto operator<=>(const Material&, const Material&) = default;
+};
+
+/// An index into Scene::materials.
+using MaterialIndex = std::uint32_t;
+
+}  // namespace raytracer

@@ -1,0 +1,110 @@
+// Where on the image a shape may be seen, a little generously.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "engine/math/box.h"
+#include "engine/math/vec.h"
+#include "engine/math/view.h"
+
+namespace raytracer {
+
+/// A rectangle of the image in pixels, y from the top down; empty if begin >= end.
+struct PixelRectangle {
+  double x_begin;
+  double y_begin;
+  double x_end;
+  double y_end;
+};
+
+/// By so much rectangles are larger than what they hold.
+inline constexpr double projection_margin_px = 0.01;
+
+/// From frame coordinates to pixels, for shapes that the eye is not inside of.
+class Projection {
+ public:
+  explicit Projection(const View& view);
+
+  PixelRectangle of_sphere(const Vec3& center, double radius) const;
+  PixelRectangle of_box(const Box& box) const;
+  /// Of everything between two discs of one radius across `axis` (unit).
+  PixelRectangle of_discs(const Vec3& one, const Vec3& other, const Vec3& axis,
+                          double radius) const;
+  /// Of a triangle in a plane so far from the eye.
+  PixelRectangle of_triangle(const std::array<Vec3, 3>& corners, double plane_distance) const;
+
+  /// How deep a point lies: its distance along the view's middle.
+  double depth(const Vec3& point) const { return dot(point, forward_); }
+  /// How many times as far as deep what is seen in the rectangle is at least.
+  double distance_per_depth(const PixelRectangle& pixels) const;
+
+ private:
+  /// Distances from the eye along the view's axes.
+  struct Place {
+    double x;
+    double y;
+    double z;
+  };
+  Place place(const Vec3& point) const;
+  double column(double slope) const { return (slope * columns_per_slope_) + middle_column_; }
+  double row(double slope) const { return middle_row_ - (slope * rows_per_slope_); }
+
+  Vec3 right_;
+  Vec3 up_;
+  Vec3 forward_;
+  double columns_per_slope_;
+  double rows_per_slope_;
+  double middle_column_;
+  double middle_row_;
+  double most_distance_per_depth_;
+};
+
+/// What planes through the eye leave of the image: of a triangle three, of a long thing two.
+template <std::size_t count>
+class ScreenSides {
+ public:
+  /// `inward` are the planes' normals, of any length, towards what is seen.
+  ScreenSides(const View& view, const std::array<Vec3, count>& inward) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double right = dot(inward[i], view.right);
+      const double up = dot(inward[i], view.up);
+      sides_[i] = {dot(inward[i], view.forward) - right + up, 2 * right / view.width,
+                   -2 * up / view.height};
+    }
+  }
+
+  /// Whether something of the rectangle may be left.
+  bool reach(const PixelRectangle& pixels) const {
+    const double x = 0.5 * (pixels.x_begin + pixels.x_end);
+    const double y = 0.5 * (pixels.y_begin + pixels.y_end);
+    const double half_width = 0.5 * (pixels.x_end - pixels.x_begin) + projection_margin_px;
+    const double half_height = 0.5 * (pixels.y_end - pixels.y_begin) + projection_margin_px;
+    return std::all_of(sides_.begin(), sides_.end(), [&](const Side& side) {
+      return side.at_origin + side.per_column * x + side.per_row * y +
+                 std::abs(side.per_column) * half_width + std::abs(side.per_row) * half_height >=
+             0;
+    });
+  }
+
+ private:
+  /// Positive inside, linear over the image.
+  struct Side {
+    double at_origin;
+    double per_column;
+    double per_row;
+  };
+  std::array<Side, count> sides_;
+};
+
+/// The sides of a triangle, which part what it may cover from what it does not.
+inline ScreenSides<3> triangle_sides(const View& view, const std::array<Vec3, 3>& corners) {
+  const double sign = dot(cross(corners[0], corners[1]), corners[2]) < 0 ? -1 : 1;
+  std::array<Vec3, 3> inward;
+  for (std::size_t i = 0; i < 3; ++i) inward[i] = sign * cross(corners[i], corners[(i + 1) % 3]);
+  return {view, inward};
+}
+
+}  // namespace raytracer

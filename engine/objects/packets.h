@@ -1,0 +1,8 @@
+// How the kinds of objects lie in packets of rays: the list of objects.h once more.
+#pragma once
+
+#include "engine/objects/lattice/packets.h"
+#include "engine/objects/objects.h"
+#include "engine/objects/plane/packets.h"
+#include "engine/objects/sphere/packets.h"
+#include "engine/objects/triangle/packets.h"

@@ -1,0 +1,14 @@
+// Where a ray meets a plane: the definition, in double and one ray at a time.
+#include "engine/math/ray_plane.h"
+#include "engine/objects/plane/plane.h"
+
+namespace raytracer {
+
+std::optional<SurfaceHit> intersect(const Ray& ray, const PackedPlane& plane) {
+  if (ray.origin.is_on_surface(plane.id)) return {};
+  const auto hit = intersect_plane(ray, plane.point, plane.normal);
+  if (!hit) return {};
+  return SurfaceHit{hit->t, flat_point(plane.id, ray, hit->t, plane.point, hit->normal)};
+}
+
+}  // namespace raytracer

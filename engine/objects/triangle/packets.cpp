@@ -1,0 +1,125 @@
+// How triangles lie in memory, and what the eye and the lights know of them beforehand.
+#include "engine/objects/triangle/packets.h"
+
+#include <cmath>
+
+#include "engine/parallel/chunks.h"
+
+namespace raytracer {
+namespace {
+
+struct Point {
+  double u;
+  double v;
+};
+
+/// u_slope u + v_slope v + offset is the distance to the line, positive on the inner side.
+struct Side {
+  double u_slope;
+  double v_slope;
+  double offset;
+};
+
+/// The line from p to q. Of q and p it is the opposite to the bit, so that nothing lies outside of
+/// both triangles that share it.
+Side side(const Point& p, const Point& q) {
+  const double u = q.u - p.u;
+  const double v = q.v - p.v;
+  const double size = std::sqrt(u * u + v * v);
+  const double scale = size > 0 ? 1 / size : 0;
+  return {-v * scale, u * scale, (p.u * q.v - p.v * q.u) * scale};
+}
+
+template <typename T>
+TriangleOutline<T> outline(const LightAxes& axes, const PackedTriangle& triangle) {
+  std::array<Point, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i)
+    corners[i] = {dot(triangle.vertices[i], axes[0]), dot(triangle.vertices[i], axes[1])};
+  const auto& [a, b, c] = corners;
+  const double turn = (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+  const double sign = turn < 0 ? -1 : 1;
+  TriangleOutline<T> lines;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Side line = side(corners[i], corners[(i + 1) % 3]);
+    lines.u_slopes[i] = static_cast<T>(sign * line.u_slope);
+    lines.v_slopes[i] = static_cast<T>(sign * line.v_slope);
+    lines.offsets[i] = static_cast<T>(sign * line.offset);
+  }
+  return lines;
+}
+
+/// Whether a triangle's lines leave it something of the square around (u, v).
+template <typename T>
+bool reaches(const TriangleOutline<T>& lines, T u, T v, T half) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (lines.u_slopes[i] * u + lines.v_slopes[i] * v + lines.offsets[i] +
+            (std::abs(lines.u_slopes[i]) + std::abs(lines.v_slopes[i])) * half <
+        0)
+      return false;
+  return true;
+}
+
+/// In double up to the last step: corners near each other as seen from the eye give a side's plane
+/// all its digits.
+template <typename T>
+TriangleCone<T> eye_cone(const PackedTriangle& triangle) {
+  const auto& [a, b, c] = triangle.vertices;
+  const double sign = dot(cross(a, b), c) < 0 ? -1 : 1;
+  return {narrowed<T>(sign * unit(cross(a, b))), narrowed<T>(sign * unit(cross(b, c))),
+          narrowed<T>(sign * unit(cross(c, a)))};
+}
+
+}  // namespace
+
+template <typename T>
+void PacketLayout<TriangleKind, T>::fill(const PackedTriangle& triangle, std::int32_t number,
+                                         std::size_t place, TriangleBlock<T>& block) {
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const Vec3& vertex = triangle.vertices[corner];
+    block.corners[3 * corner][place] = static_cast<T>(vertex.x);
+    block.corners[3 * corner + 1][place] = static_cast<T>(vertex.y);
+    block.corners[3 * corner + 2][place] = static_cast<T>(vertex.z);
+  }
+  block.normal[0][place] = static_cast<T>(triangle.normal.x);
+  block.normal[1][place] = static_cast<T>(triangle.normal.y);
+  block.normal[2][place] = static_cast<T>(triangle.normal.z);
+  block.height[place] = static_cast<T>(dot(triangle.normal, triangle.vertices[0]));
+  block.id[place] = static_cast<T>(number);
+}
+
+template <typename T>
+TriangleEyeView<T> PacketLayout<TriangleKind, T>::eye_view(
+    std::span<const PackedTriangle> triangles, const FinderRow& finders, WorkerPool& pool) {
+  TriangleEyeView<T> view;
+  if (finder_of(finders, RayKind::from_eye) != Finder::screen_bins) return view;
+  view.cones.resize(triangles.size());
+  for_each_range(triangles.size(), pool, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) view.cones[i] = eye_cone<T>(triangles[i]);
+  });
+  return view;
+}
+
+template <typename T>
+TriangleLightView<T> PacketLayout<TriangleKind, T>::light_view(
+    std::span<const PackedTriangle> triangles, const PackedLight& light, const FinderRow& finders,
+    const Numbering&, WorkerPool& pool) {
+  TriangleLightView<T> view;
+  if (light.rays != LightRays::parallel || triangles.empty() ||
+      finder_of(finders, RayKind::to_distant_light) != Finder::light_grid)
+    return view;
+  const LightAxes axes = light_axes(light.place);
+  view.outlines.resize(triangles.size());
+  for_each_range(triangles.size(), pool, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) view.outlines[i] = outline<T>(axes, triangles[i]);
+  });
+  const auto touches = [&view](std::uint32_t triangle, T u, T v, T half) {
+    return reaches(view.outlines[triangle], u, v, half);
+  };
+  view.grid = build_list_grid<T>(light.place, triangles, touches, pool);
+  return view;
+}
+
+template struct PacketLayout<TriangleKind, float>;
+template struct PacketLayout<TriangleKind, double>;
+
+}  // namespace raytracer

@@ -1,0 +1,203 @@
+// Packets against triangles.
+
+#if defined(RAYTRACER_OBJECTS_TRIANGLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_OBJECTS_TRIANGLE_INL_H_
+#undef RAYTRACER_OBJECTS_TRIANGLE_INL_H_
+#else
+#define RAYTRACER_OBJECTS_TRIANGLE_INL_H_
+#endif
+
+#include <hwy/cache_control.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "engine/finders/light_grid-inl.h"
+#include "engine/finders/tree_walk-inl.h"
+#include "engine/kernel/packet_scene.h"
+#include "engine/packets/flat-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// Triangles, one for each lane's ray.
+template <class V>
+struct Triangles {
+  V3<V> a;
+  V3<V> b;
+  V3<V> c;
+  V3<V> normal;
+  V height;
+  V id;
+};
+
+/// Lanes whose rays pass through their triangle, as intersect() in objects/triangle/reference.cpp
+/// decides it. The products are not fused: that could make their difference's sign wrong.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M passes_through(D d, const Triangles<V>& triangles, const V3<V>& origin,
+                            const BasisPacket<V>& plane) {
+  const V3<V> a = sub(triangles.a, origin);
+  const V3<V> b = sub(triangles.b, origin);
+  const V3<V> c = sub(triangles.c, origin);
+  const V a_u = dot(plane.u, a);
+  const V a_v = dot(plane.v, a);
+  const V b_u = dot(plane.u, b);
+  const V b_v = dot(plane.v, b);
+  const V c_u = dot(plane.u, c);
+  const V c_v = dot(plane.v, c);
+  const V ab = hn::Sub(hn::Mul(a_u, b_v), hn::Mul(a_v, b_u));
+  const V bc = hn::Sub(hn::Mul(b_u, c_v), hn::Mul(b_v, c_u));
+  const V ca = hn::Sub(hn::Mul(c_u, a_v), hn::Mul(c_v, a_u));
+  const V least = hn::Min(hn::Min(ab, bc), ca);
+  const V most = hn::Max(hn::Max(ab, bc), ca);
+  const V zero = hn::Zero(d);
+  return hn::Or(hn::Ge(least, zero), hn::Le(most, zero));
+}
+
+/// Lanes whose triangle does not lie wholly on or under the tangent plane that the ray leaves. What
+/// does cannot be met by it: that settles the triangle itself and its coplanar neighbours by their
+/// exact corners, not by the rounded point.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M rises_above(D d, const Triangles<V>& triangles, const RayOrigin<V>& from) {
+  const V reach =
+      hn::Add(hn::Max(hn::Abs(from.point.x), hn::Abs(from.point.y)), hn::Abs(from.point.z));
+  M above = hn::Lt(from.id, hn::Zero(d));  // nothing is under the eye
+  for (const V3<V>* corner : {&triangles.a, &triangles.b, &triangles.c}) {
+    const V size = hn::Add(hn::Add(hn::Abs(corner->x), hn::Abs(corner->y)), hn::Abs(corner->z));
+    const V noise = hn::Mul(hn::Set(d, plane_noise<T>), hn::Add(size, reach));
+    above = hn::Or(above, hn::Gt(dot(from.normal, sub(*corner, from.point)), noise));
+  }
+  return above;
+}
+
+/// Distances to triangles.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M intersect(D d, const Triangles<V>& triangles, const RayOrigin<V>& from,
+                       const V3<V>& direction, const BasisPacket<V>& plane, M active, V& t) {
+  M hit = hn::And(active, passes_through(d, triangles, from.point, plane));
+  t = hn::Zero(d);
+  if (hn::AllFalse(d, hit)) return hit;
+  hit = hn::And(hit, intersect_plane(d, triangles.normal, triangles.height, triangles.id, from,
+                                     direction, t));
+  return hn::And(hit, rises_above(d, triangles, from));
+}
+
+/// Those of a block: `get` takes a column to a vector.
+template <typename T, class Get>
+HWY_INLINE auto lanes_of(const TriangleBlock<T>& block, Get get) {
+  const auto corner = [&](std::size_t i) HWY_ATTR {
+    return V3<decltype(get(block.id))>{get(block.corners[i]), get(block.corners[i + 1]),
+                                       get(block.corners[i + 2])};
+  };
+  return Triangles<decltype(get(block.id))>{
+      corner(0),         corner(3),
+      corner(6),         {get(block.normal[0]), get(block.normal[1]), get(block.normal[2])},
+      get(block.height), get(block.id)};
+}
+/// What finders/tree-inl.h asks for: lanes whose rays meet their triangles, at t.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M intersect(D d, const Triangles<V>& triangles, const TreeRays<V>& rays, M active,
+                       V& t) {
+  return intersect(d, triangles, rays.from, rays.direction, rays.basis, active, t);
+}
+
+/// Rays from the eye against triangle `index`.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void intersect_candidate(D d, const PacketScene<T>&,
+                                    const Geometry<TriangleKind, T>& triangles, std::uint32_t index,
+                                    const V3<V>& direction, Hit<V>& hit) {
+  const V outside = hn::Set(d, -4 * std::numeric_limits<T>::epsilon());
+  const TriangleCone<T>& cone = triangles.eye.cones[index];
+  const V least =
+      hn::Min(hn::Min(dot(broadcast(d, cone[0]), direction), dot(broadcast(d, cone[1]), direction)),
+              dot(broadcast(d, cone[2]), direction));
+  const M inside = hn::Ge(least, outside);
+  if (hn::AllFalse(d, inside)) return;
+  const FlatItem<T>& plane = triangles.items[index].plane;
+  const V t = hn::Div(hn::Set(d, plane.height), dot(broadcast(d, plane.normal), direction));
+  const M ahead =
+      hn::And(hn::Gt(t, hn::Zero(d)), hn::Lt(t, hn::Set(d, std::numeric_limits<T>::max())));
+  const V id = hn::Set(d, plane.id);
+  take(hit, is_nearer(hit, t, id, hn::And(inside, ahead)), t, id);
+}
+
+/// Asks the memory for what the function above reads.
+template <typename T>
+HWY_INLINE void prefetch_candidate(const PacketScene<T>&,
+                                   const Geometry<TriangleKind, T>& triangles,
+                                   std::uint32_t index) {
+  hwy::Prefetch(&triangles.eye.cones[index]);
+  hwy::Prefetch(&triangles.items[index].plane);
+}
+
+/// A triangle in all lanes.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE Triangles<V> in_all_lanes(D d, const TriangleItem<T>& triangle) {
+  return {broadcast(d, triangle.corners[0]), broadcast(d, triangle.corners[1]),
+          broadcast(d, triangle.corners[2]), broadcast(d, triangle.plane.normal),
+          hn::Set(d, triangle.plane.height), hn::Set(d, triangle.plane.id)};
+}
+
+/// The packet against one triangle.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void intersect_item(D d, const Geometry<TriangleKind, T>&, const TriangleItem<T>& item,
+                               const RayOrigin<V>& from, const V3<V>& direction, M active,
+                               Hit<V>& hit) {
+  const Triangles<V> triangles = in_all_lanes(d, item);
+  V t;
+  const M is_hit = intersect(d, triangles, from, direction, basis_across(d, direction), active, t);
+  take(hit, is_nearer(hit, t, triangles.id, is_hit), t, triangles.id);
+}
+
+/// Lanes of `rest`, all in one cell of the grid, before which one of the cell's triangles stands.
+/// `u` and `v` are the lanes' places on the grid, `least_w` is how near to the light the farthest
+/// of them is.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_in_cell(D d, const Geometry<TriangleKind, T>& triangles,
+                              const TriangleLightView<T>& view, std::size_t cell,
+                              const ShadowRays<V>& rays, V u, V v, T least_w, M rest) {
+  const ListGrid<T>& grid = view.grid;
+  const V outside = hn::Set(d, -grid.plane.noise);
+  M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
+  for (std::size_t i = grid.begins[cell]; i < grid.begins[cell + 1]; ++i) {
+    const ListedCaster<T>& entry = grid.entries[i];
+    if (entry.top <= least_w) break;  // this one and all behind it are farther from the light
+    const TriangleOutline<T>& outline = view.outlines[entry.primitive];
+    const auto side = [&](std::size_t k) HWY_ATTR {
+      return hn::MulAdd(
+          hn::Set(d, outline.u_slopes[k]), u,
+          hn::MulAdd(hn::Set(d, outline.v_slopes[k]), v, hn::Set(d, outline.offsets[k])));
+    };
+    const M covers = hn::And(rest, hn::Ge(hn::Min(hn::Min(side(0), side(1)), side(2)), outside));
+    if (hn::AllFalse(d, covers)) continue;
+    const TriangleItem<T>& triangle = triangles.items[entry.primitive];
+    V t;
+    M hit = hn::And(covers, intersect_plane(d, triangle.plane, rays.from, rays.towards, t));
+    if (hn::AllFalse(d, hit)) continue;
+    hit = hn::And(hit, rises_above(d, in_all_lanes(d, triangle), rays.from));
+    dark = hn::Or(dark, hit);
+    rest = hn::AndNot(hit, rest);
+    if (hn::AllFalse(d, rest)) break;
+  }
+  return dark;
+}
+
+/// Lanes of `lit` from which a triangle stands before its distant light, by the light's grid.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by(D d, const Geometry<TriangleKind, T>& triangles,
+                         const PacketLight<T>& light, const ShadowRays<V>& rays, M lit) {
+  const TriangleLightView<T>& view = triangles.lights[light.index];
+  return occluded_in_lists(
+      d, view.grid, rays.from.point, lit,
+      [&](std::size_t cell, const LightPlaces<V, M>& at, T least_w, M rest) HWY_ATTR {
+        return occluded_in_cell(d, triangles, view, cell, rays, at.u, at.v, least_w, rest);
+      });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

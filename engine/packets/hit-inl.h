@@ -1,0 +1,86 @@
+// Where a packet begins and what it has hit.
+
+#if defined(RAYTRACER_PACKETS_HIT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_PACKETS_HIT_INL_H_
+#undef RAYTRACER_PACKETS_HIT_INL_H_
+#else
+#define RAYTRACER_PACKETS_HIT_INL_H_
+#endif
+
+#include <limits>
+
+#include "engine/packets/packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// Where the lanes of a packet begin, and which surface they leave (-1: none).
+template <class V>
+struct RayOrigin {
+  V3<V> point;
+  V3<V> normal;  ///< of the surface that is left
+  V id;          ///< numbers of primitives are kept as T: they are small
+  V u;           ///< the place on the primitive, as its kind counts
+  V v;
+};
+
+/// The nearest primitive so far. `id` -1: none.
+template <class V>
+struct Hit {
+  V t;
+  V id;
+  V u;  ///< the place on the primitive, as its kind counts
+  V v;
+  V3<V> normal;  ///< there, of kinds that compute it when they are met
+
+  /// Every member from a vector: g++ clears zeros by a string instruction, which is slow.
+  HWY_INLINE Hit(V distance, V primitive, V no_u, V no_v)
+      : t(distance), id(primitive), u(no_u), v(no_v), normal{no_u, no_u, no_u} {}
+};
+
+/// Makes `id` at t the nearest hit of the lanes `nearer`.
+template <class V, class M>
+HWY_INLINE void take(Hit<V>& hit, M nearer, V t, V id) {
+  hit.t = hn::IfThenElse(nearer, t, hit.t);
+  hit.id = hn::IfThenElse(nearer, id, hit.id);
+}
+
+/// Whether a hit at t of primitive `id` counts: nearer, or as near and earlier in the document.
+template <class V, class M>
+HWY_INLINE M is_nearer(V nearest_t, V nearest_id, V t, V id, M is_hit) {
+  const M sooner = hn::Lt(t, nearest_t);
+  const M first_of_equals = hn::And(hn::Eq(t, nearest_t), hn::Lt(id, nearest_id));
+  return hn::And(is_hit, hn::Or(sooner, first_of_equals));
+}
+template <class V, class M>
+HWY_INLINE M is_nearer(const Hit<V>& hit, V t, V id, M is_hit) {
+  return is_nearer(hit.t, hit.id, t, id, is_hit);
+}
+
+/// Whether a lane of `active` sees nothing yet that is nearer than `distance`.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE bool sees_as_far_as(D d, float distance, const Hit<V>& hit, M active) {
+  const V distances = hn::Set(d, static_cast<T>(distance));
+  return !hn::AllFalse(d, hn::And(active, hn::Ge(hit.t, distances)));
+}
+
+/// What a ray meets nearer than this share of a point light's distance hides the light, of kinds
+/// whose shadows are looked for from the points: one that lies in a surface is not hidden by that.
+template <typename T>
+inline constexpr T nearer_than_light = 1 - 4096 * std::numeric_limits<T>::epsilon();
+
+/// Rays from surface points to a light.
+template <class V>
+struct ShadowRays {
+  const RayOrigin<V>& from;
+  V3<V> towards;  ///< unit
+  V path;         ///< the light's distance; the largest number if that is infinite
+  V incidence;    ///< normal . towards
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target

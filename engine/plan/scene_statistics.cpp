@@ -1,0 +1,158 @@
+#include "engine/plan/scene_statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/parallel/chunks.h"
+
+namespace raytracer {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Of one kind's primitives. In as many parts whatever the number of threads: the sums are the
+/// same.
+template <typename Primitives>
+GeometryStatistics statistics_of(const Primitives& primitives, const Viewpoint& from,
+                                 WorkerPool* pool) {
+  std::array<GeometryStatistics, 16> parts;
+  const std::size_t part_count = primitives.size() < few_items ? 1 : parts.size();
+  for_each_chunk(primitives.size(), part_count, pool,
+                 [&](std::size_t part, std::size_t begin, std::size_t end) {
+                   GeometryStatistics own;
+                   for (std::size_t i = begin; i < end; ++i)
+                     add_statistics(primitives[i], from, own);
+                   parts[part] = own;
+                 });
+  for (std::size_t part = 1; part < part_count; ++part) parts[0].include(parts[part]);
+  return parts[0];
+}
+
+std::array<GeometryStatistics, ObjectKinds::count> statistics_of_kinds(const PackedScene& packed,
+                                                                       const Viewpoint& from,
+                                                                       WorkerPool* pool) {
+  std::array<GeometryStatistics, ObjectKinds::count> kinds;
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    kinds[kind_index<Kind>] = statistics_of(of_kind<Kind>(packed.primitives), from, pool);
+  });
+  return kinds;
+}
+
+GeometryStatistics together(const std::array<GeometryStatistics, ObjectKinds::count>& kinds) {
+  GeometryStatistics all;
+  for (const GeometryStatistics& kind : kinds) all.include(kind);
+  return all;
+}
+
+/// What the eye's distances are to the eye, a light's are to the light.
+/// Returns its distance from the nearest surface.
+double add_converging_light(const PackedScene& packed, const PackedLight& light, WorkerPool* pool,
+                            SceneStatistics& to) {
+  const auto kinds = statistics_of_kinds(
+      packed, Viewpoint::at(light.place, packed.view, packed.frame.scene_origin()), pool);
+  const GeometryStatistics all = together(kinds);
+  to.light_clearance = std::min(to.light_clearance, all.clearance / to.farthest);
+  double sought_from_points = infinity;
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    if constexpr (is_sought_from_points<Kind>)
+      sought_from_points = std::min(sought_from_points, kinds[kind_index<Kind>].clearance);
+  });
+  const double reach = std::max(all.farthest, to.farthest + to.all.visible_reach);
+  to.shadow_spread = std::max(to.shadow_spread, reach / sought_from_points);
+  return all.clearance;
+}
+
+/// The longest way from a point to an occluder that can matter.
+double shadow_path(const PackedScene& packed, const SceneStatistics& statistics) {
+  double longest = 0;
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    if constexpr (Kind::search != Search::own)
+      longest = std::max(longest, statistics.kinds[kind_index<Kind>].farthest);
+  });
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    if constexpr (Kind::search == Search::own) {
+      if (of_kind<Kind>(packed.primitives).empty()) return;
+      Box box;
+      for_each_kind([&]<class Other>(std::type_identity<Other>) {
+        for (const auto& other : of_kind<Other>(packed.primitives)) box.include(bounds(other));
+      });
+      for (const auto& primitive : of_kind<Kind>(packed.primitives))
+        for (const PackedLight& light : packed.lights) {
+          double path = infinity;
+          if (light.rays == LightRays::parallel) path = shadow_path(primitive, light.place, box);
+          longest = std::max(longest, std::min(path, 2 * statistics.farthest));
+        }
+    }
+  });
+  return longest;
+}
+
+double lowest_light(const PackedScene& packed) {
+  double lowest = 1;
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    if constexpr (Kind::search == Search::own)
+      for (const auto& primitive : of_kind<Kind>(packed.primitives))
+        for (const PackedLight& light : packed.lights)
+          if (light.rays == LightRays::parallel)
+            lowest = std::min(lowest, elevation_sine(primitive, light.place));
+  });
+  return lowest;
+}
+
+std::vector<GrazingLight> grazing_lights(const Scene& scene, const PackedScene& packed) {
+  constexpr std::size_t most_named = 10;
+  std::vector<GrazingLight> grazing;
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    if constexpr (requires(const typename Kind::Primitive& p, const PackedLight& light) {
+                    is_grazed(p, light);
+                  })
+      for (const auto& primitive : of_kind<Kind>(packed.primitives))
+        for (std::size_t i = 0; i < scene.lights.size() && grazing.size() < most_named; ++i)
+          if (is_grazed(primitive, pack_light(scene.lights[i], packed.frame)))
+            grazing.push_back({i, primitive.id.object, kind_index<Kind>});
+  });
+  return grazing;
+}
+
+}  // namespace
+
+SceneStatistics gather_statistics(const Scene& scene, const PackedScene& packed,
+                                  const Features& features, WorkerPool* pool) {
+  const Viewpoint eye = Viewpoint::at({}, packed.view, packed.frame.scene_origin());
+  SceneStatistics statistics;
+  statistics.kinds = statistics_of_kinds(packed, eye, pool);
+  statistics.all = together(statistics.kinds);
+  statistics.nearest = std::max(statistics.all.nearest, 0.0);
+  statistics.lost = packed.lost;
+  statistics.pixel_angle = eye.pixel_angle;
+  statistics.farthest = statistics.all.farthest;
+  for (const Light& light : scene.lights) {
+    const PackedLight packed_light = pack_light(light, packed.frame);
+    if (packed_light.rays == LightRays::converging)
+      statistics.farthest = std::max(statistics.farthest, length(packed_light.place));
+  }
+  for (const Light& light : scene.lights) {
+    const PackedLight packed_light = pack_light(light, packed.frame);
+    double clearance = infinity;
+    if (packed_light.rays == LightRays::converging)
+      clearance = add_converging_light(packed, packed_light, pool, statistics);
+    std::visit(
+        [&](const auto& source) {
+          const double emitted = max_abs(light.color) * light.intensity;
+          statistics.brightest =
+              std::max(statistics.brightest,
+                       brightest(source, emitted, std::ldexp(clearance, packed.frame.exponent())));
+        },
+        light.source);
+  }
+  statistics.shadow_path = shadow_path(packed, statistics);
+  if (features.reflects)
+    statistics.magnification = magnification(packed, features, statistics.farthest);
+  statistics.gap = least_gap(packed);
+  statistics.lowest_light = lowest_light(packed);
+  statistics.grazing = grazing_lights(scene, packed);
+  return statistics;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,75 @@
+// How near, far and large the things of a scene are: what the choice of precision rests on.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "engine/objects/geometry_statistics.h"
+#include "engine/pack/packed_scene.h"
+#include "engine/parallel/worker_pool.h"
+#include "engine/scene/features.h"
+#include "engine/scene/scene.h"
+
+namespace raytracer {
+
+/// A light that shines along a flat object: rounding decides which of its points it reaches.
+struct GrazingLight {
+  std::size_t light;  ///< its place in the document
+  std::size_t object;
+  std::size_t kind;  ///< of the object
+};
+
+/// Lengths are in frame coordinates, distances from the eye.
+struct SceneStatistics {
+  std::array<GeometryStatistics, ObjectKinds::count> kinds;  ///< of each kind of object
+  GeometryStatistics all;                                    ///< of all together
+  double nearest = std::numeric_limits<double>::infinity();  ///< surface; 0 inside an object
+  double farthest = 0;     ///< point of anything bounded, point lights included
+  double shadow_path = 0;  ///< no occluder stands farther than this from what it shadows
+  /// How many times as far from a point light the farthest thing in view may be as the nearest
+  /// thing whose shadows are looked for from the points: so much wider a shadow can be than its
+  /// occluder.
+  double shadow_spread = 1;
+  /// The least distance of a point light to a surface, as a share of the farthest extent.
+  double light_clearance = std::numeric_limits<double>::infinity();
+  /// By how much a reflection can magnify an error of direction, in what it changes of a pixel: a
+  /// mirror of radius r spreads neighbouring rays 2 d / r times as far at a distance d, and shows
+  /// what it mirrors only as bright as its reflectivity.
+  double magnification = 1;
+  double gap = std::numeric_limits<double>::infinity();  ///< as least_gap() says
+  /// The sine of the lowest parallel light's elevation over a lattice; 1 without such.
+  double lowest_light = 1;
+  double lost = 0;         ///< primitives that the frame cannot carry
+  double brightest = 0;    ///< i of a light where it is nearest to a surface, any channel
+  double pixel_angle = 0;  ///< radians, at the image's centre
+  std::vector<GrazingLight> grazing;  ///< ten at most
+};
+
+/// `packed` is the scene's. `pool`: whose threads help with many primitives, if there is one; the
+/// result is the same.
+SceneStatistics gather_statistics(const Scene& scene, const PackedScene& packed,
+                                  const Features& features, WorkerPool* pool);
+
+/// How much reflections magnify errors, of a scene that reaches to `farthest` from the eye.
+///
+/// A first reflection shows anything up to the farthest. What follows happens between mirrors: on
+/// its way through the space that holds N of radius r, of width R, a ray has a mean free path of
+/// l = R^3 / (N pi r^2), meets another after d = min(l, R) with the probability d / l, and each
+/// time its error grows by 2 d / r.
+double magnification(const PackedScene& packed, const Features& features, double farthest);
+
+/// The least gap between two surfaces all along each other, as a share of their distance from the
+/// eye; infinite without such. Two that are the same to the bit have none: the document's order
+/// decides between them.
+///
+/// Limits: kinds of which each primitive has a placement_of(), 10,000 primitives at most.
+double least_gap(const PackedScene& packed);
+
+/// Whether a kind's shadows under a point light are looked for from the points, and not from the
+/// light.
+template <class Kind>
+constexpr bool is_sought_from_points = Kind::search == Search::own ||
+                                       (Kind::search == Search::bounded && !Kind::has_point_grid);
+
+}  // namespace raytracer

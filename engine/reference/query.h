@@ -1,0 +1,69 @@
+// The two questions a ray asks: what does it hit first, and is anything on its way.
+//
+// A query is handed primitives one by one, in any order, by a finder that decides which of them are
+// worth it; the answer does not depend on the order.
+#pragma once
+
+#include <limits>
+
+#include "engine/math/ray.h"
+#include "engine/objects/objects.h"
+
+namespace raytracer {
+
+/// The nearest hit, at equal distances that which comes first in the document.
+class NearestHit {
+ public:
+  explicit NearestHit(const Ray& ray) : ray_(ray) {}
+  explicit NearestHit(Ray&&) = delete;  // it is referred to
+
+  template <typename Primitive>
+  void add(const Primitive& primitive) {
+    const auto hit = intersect(ray_, primitive);
+    if (!hit) return;
+    const bool is_first_of_equals = hit->t == t_ && found() && hit->point.id < point_.id;
+    if (!(hit->t < t_) && !is_first_of_equals) return;
+    t_ = hit->t;
+    point_ = hit->point;
+  }
+
+  const Ray& ray() const { return ray_; }
+  /// Beyond this distance nothing matters any more.
+  const double& t_max() const { return t_; }
+  bool is_settled() const { return false; }
+
+  bool found() const { return t_ < std::numeric_limits<double>::infinity(); }
+  /// The point that was hit, its normal turned towards the ray's origin.
+  const SurfacePoint& point() const { return point_; }
+
+ private:
+  const Ray& ray_;
+  double t_ = std::numeric_limits<double>::infinity();
+  SurfacePoint point_;
+};
+
+/// Whether anything is hit nearer than t_max.
+class AnyHit {
+ public:
+  AnyHit(const Ray& ray, double t_max) : ray_(ray), t_max_(t_max) {}
+  AnyHit(Ray&&, double) = delete;  // it is referred to
+
+  template <typename Primitive>
+  void add(const Primitive& primitive) {
+    const auto hit = intersect(ray_, primitive);
+    found_ = found_ || (hit && hit->t < t_max_);
+  }
+
+  const Ray& ray() const { return ray_; }
+  const double& t_max() const { return t_max_; }
+  bool is_settled() const { return found_; }
+
+  bool found() const { return found_; }
+
+ private:
+  const Ray& ray_;
+  double t_max_;
+  bool found_ = false;
+};
+
+}  // namespace raytracer

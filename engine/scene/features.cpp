@@ -1,0 +1,117 @@
+#include "engine/scene/features.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <variant>
+
+namespace raytracer {
+namespace {
+
+bool emits(const Light& light) { return max_abs(light.color * light.intensity) > 0; }
+
+/// The materials that something wears, each once.
+std::vector<Material> worn_materials(const Scene& scene) {
+  std::vector<bool> is_worn(scene.materials.size(), false);
+  for (const Object& object : scene.objects)
+    if (primitive_count(object) > 0) is_worn[object.material] = true;
+  std::vector<Material> worn;
+  worn.reserve(scene.materials.size());
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    if (is_worn[i]) worn.push_back(scene.materials[i]);
+  return worn;
+}
+
+bool shows_ambient(const Scene& scene, const std::vector<Material>& worn) {
+  return scene.ambient > 0 && std::any_of(worn.begin(), worn.end(), [](const Material& m) {
+           return m.ka > 0 && max_abs(m.color) > 0;
+         });
+}
+
+std::vector<Light> lights_on(const std::vector<Material>& worn, const Scene& scene) {
+  std::vector<Light> lights;
+  if (worn.empty()) return lights;
+  const bool bring_ambient = scene.shadows == Shadows::black && shows_ambient(scene, worn);
+  std::copy_if(scene.lights.begin(), scene.lights.end(), std::back_inserter(lights),
+               [&](const Light& light) { return bring_ambient || emits(light); });
+  return lights;
+}
+
+void count_primitives(const Scene& scene, Features& features) {
+  for (const Object& object : scene.objects)
+    features.primitives[kind_of(object.shape)] += primitive_count(object);
+}
+
+/// The exponent that all share, if it is an integer small enough for repeated squaring; else -1.
+std::int32_t uniform_shininess(const std::vector<double>& exponents) {
+  constexpr double most = 4096;
+  if (exponents.empty()) return -1;
+  const double first = exponents.front();
+  const bool is_small_integer = first == std::floor(first) && first <= most;
+  const bool is_uniform = std::all_of(exponents.begin(), exponents.end(),
+                                      [&](double exponent) { return exponent == first; });
+  return is_small_integer && is_uniform ? static_cast<std::int32_t>(first) : -1;
+}
+
+void find_reflections(const Scene& scene, const std::vector<Material>& worn, Features& features) {
+  if (scene.render.max_depth == 0) return;
+  for (const Material& material : worn)
+    features.reflectivity = std::max(features.reflectivity, material.reflectivity);
+  features.reflects = features.reflectivity > 0;
+  if (features.reflects) features.max_depth = scene.render.max_depth;
+}
+
+}  // namespace
+
+std::size_t Features::primitive_count() const {
+  return std::accumulate(primitives.begin(), primitives.end(), std::size_t{0});
+}
+
+std::size_t Features::light_count() const {
+  return std::accumulate(lights.begin(), lights.end(), std::size_t{0});
+}
+
+std::size_t Features::light_count(LightRays rays) const {
+  std::size_t count = 0;
+  LightKinds::for_each([&]<class Kind>(std::type_identity<Kind>) {
+    if (Kind::rays == rays) count += lights[LightKinds::index_of<Kind>()];
+  });
+  return count;
+}
+
+std::vector<Light> lights_in_use(const Scene& scene) {
+  return lights_on(worn_materials(scene), scene);
+}
+
+Features find_features(const Scene& scene) {
+  Features features;
+  count_primitives(scene, features);
+  const std::vector<Material> worn = worn_materials(scene);
+  features.materials = worn.size();
+
+  bool is_lit = false;
+  for (const Light& light : lights_on(worn, scene)) {
+    is_lit = is_lit || emits(light);
+    ++features.lights[light.source.index()];
+  }
+  const bool ambient_needs_light = scene.shadows == Shadows::black;
+  features.has_ambient =
+      shows_ambient(scene, worn) && (!ambient_needs_light || features.light_count() > 0);
+  features.casts_shadows = features.light_count() > 0 && scene.shadows != Shadows::off;
+
+  std::vector<double> exponents;
+  for (const Material& material : worn) {
+    if (!is_lit || max_abs(material.color) == 0) continue;
+    features.has_diffuse = features.has_diffuse || material.kd > 0;
+    if (material.ks > 0) exponents.push_back(material.shininess);
+  }
+  features.has_specular = !exponents.empty();
+  for (const double exponent : exponents)
+    features.shininess = std::max(features.shininess, exponent);
+  features.uniform_shininess = uniform_shininess(exponents);
+  find_reflections(scene, worn, features);
+  return features;
+}
+
+}  // namespace raytracer

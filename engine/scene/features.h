@@ -1,0 +1,46 @@
+// What of shading and geometry a scene needs: only what a pixel can show counts.
+//
+// A material counts if something wears it, a light if it can change a colour, a reflection if a
+// ray may be reflected at all. What is absent here, no kernel needs to do.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/scene/scene.h"
+
+namespace raytracer {
+
+struct Features {
+  std::array<std::size_t, ObjectKinds::count> primitives{};  ///< of each kind
+  std::size_t materials = 0;                                 ///< worn by at least one of them
+
+  /// Of each kind, those that can change a colour. One without emission does so where shadows are
+  /// black: it brings the ambient part.
+  std::array<std::size_t, LightKinds::count> lights{};
+  bool casts_shadows = false;  ///< a light's visibility has to be found out
+  bool has_ambient = false;    ///< some surface shows an ambient part
+  bool has_diffuse = false;    ///< some surface has kd > 0 under a light that emits
+  bool has_specular = false;   ///< some surface has ks > 0 under a light that emits
+  double shininess = 0;        ///< the largest in use; 0 if nothing is specular
+  /// The one integer exponent, at most 4096, of all specular materials in use; else -1.
+  std::int32_t uniform_shininess = -1;
+
+  bool reflects = false;    ///< some surface mirrors and a ray may be reflected at least once
+  double reflectivity = 0;  ///< the largest in use; 0 if nothing reflects
+  int max_depth = 0;        ///< reflections in a row; 0 if nothing reflects
+
+  std::size_t primitive_count() const;
+  std::size_t light_count() const;
+  /// Of the kinds to which rays share that.
+  std::size_t light_count(LightRays rays) const;
+};
+
+/// The lights that can change a colour, in order.
+std::vector<Light> lights_in_use(const Scene& scene);
+
+Features find_features(const Scene& scene);
+
+}  // namespace raytracer

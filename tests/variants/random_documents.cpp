@@ -1,0 +1,66 @@
+#include "tests/variants/random_documents.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "engine/math/vec.h"
+
+namespace raytracer::test {
+
+std::string random_spheres(int count, double radius, const std::string& material) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(count));
+  std::uniform_real_distribution<double> place(-4, 4);
+  std::string centers;
+  for (int i = 0; i < count; ++i)
+    centers += fmt::format("{}[{}, {}, {}]", i == 0 ? "" : ",", place(random), place(random),
+                           place(random));
+  return fmt::format(R"({{"type": "spheres", "centers": [{}], "radius": {}, "material": {}}})",
+                     centers, radius, material);
+}
+
+std::string rough_sheet(int side, const std::string& material) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(side));
+  std::uniform_real_distribution<double> shift(-0.35, 0.35);
+  std::string vertices;
+  std::string triangles;
+  for (int i = 0; i <= side; ++i) {
+    for (int k = 0; k <= side; ++k) {
+      const double x = 8 * (i + shift(random)) / side - 4;
+      const double z = 8 * (k + shift(random)) / side - 4;
+      const double y = std::sin(1.3 * x) * std::cos(1.7 * z) + 8 * shift(random) / side;
+      vertices +=
+          fmt::format("{}[{}, {}, {}]", vertices.empty() ? "" : ",", x + 0.8 * y, y, z - 0.5 * y);
+    }
+  }
+  for (int i = 0; i < side; ++i) {
+    for (int k = 0; k < side; ++k) {
+      const int a = i * (side + 1) + k;
+      const int b = a + side + 1;
+      triangles += fmt::format("{}[{},{},{}],[{},{},{}]", triangles.empty() ? "" : ",", a, b, b + 1,
+                               b + 1, a + 1, a);
+    }
+  }
+  return fmt::format(R"({{"type": "mesh", "vertices": [{}], "triangles": [{}], "material": {}}})",
+                     vertices, triangles, material);
+}
+
+std::string random_triangles(int count, const std::string& material) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(count));
+  std::uniform_real_distribution<double> place(-16, 16);
+  std::string vertices;
+  std::string triangles;
+  for (int i = 0; i < count; ++i) {
+    const double level = -7 + 0.05 * i;
+    for (int corner = 0; corner < 3; ++corner)
+      vertices += fmt::format("{}[{}, {}, {}]", vertices.empty() ? "" : ",", place(random),
+                              level + 0.02 * place(random), place(random));
+    triangles += fmt::format("{}[{}, {}, {}]", i == 0 ? "" : ",", 3 * i, 3 * i + 1, 3 * i + 2);
+  }
+  return fmt::format(R"({{"type": "mesh", "vertices": [{}], "triangles": [{}], "material": {}}})",
+                     vertices, triangles, material);
+}
+
+}  // namespace raytracer::test
