@@ -13,7 +13,7 @@ import { createGallery } from "./gallery.js";
 import { createHistory } from "./history.js";
 import { withElement, withoutElement, withValue } from "./json_edit.js";
 import { createLive } from "./live.js";
-import { newSphere } from "./move_sphere.js";
+import { newObject } from "./move_sphere.js";
 import { showPicture } from "./picture.js";
 import { showPlan } from "./plan_panel.js";
 import { refine } from "./refine.js";
@@ -66,7 +66,7 @@ const problemPanel = createProblemPanel({
 const chooseTab = createTabs(at("tabs"), () => form.show(editor.text));
 const form = createSceneForm(at("panel-form"), {
   onEdit: (pointer, value) => revise(withValue(editor.text, pointer, value), pointer),
-  onAdd: () => revise(withElement(editor.text, "/objects", newSphere(camera())), "add"),
+  onAdd: (type) => revise(withElement(editor.text, "/objects", newObject(type, camera())), "add"),
   onRemove: (index) => revise(withoutElement(editor.text, "/objects", index), "remove"),
 });
 const history = createHistory(at("undo"), (text) => revise(text, null));

@@ -49,10 +49,13 @@ export function createSphereMover(outline) {
   };
 }
 
-/// A sphere where the camera looks, of a size to be seen.
-export function newSphere({ origin, look_at }) {
+/// An object where the camera looks, of a size to be seen.
+export function newObject(type, { origin, look_at }) {
   const distance = length(subtract(look_at, origin));
-  const middle = add(origin, scale(subtract(look_at, origin), 0.7));
   const step = distance / 100;
-  return { type: "sphere", center: middle.map((value) => rounded(value, step)), radius: rounded(distance / 12, step) };
+  const place = (height) => add(add(origin, scale(subtract(look_at, origin), 0.7)), [0, height, 0])
+    .map((value) => rounded(value, step));
+  const radius = rounded(distance / 12, step);
+  if (type === "cylinder") return { type, from: place(-radius), to: place(radius), radius: rounded(radius / 2, step) };
+  return { type, center: place(0), radius };
 }

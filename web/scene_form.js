@@ -2,10 +2,16 @@
 // by its pointer, and writes that value alone into the text.
 import { element } from "./element.js";
 
-const most_spheres = 50;  // with a row each; nobody moves more by hand
+const most_of_a_kind = 50;  // with a row each; nobody moves more by hand
+
+// The kinds of objects that the form edits: the points of each, what else they have, and their names.
+const kinds = {
+  sphere: { title: "Sphere", points: ["center"], flags: [] },
+  cylinder: { title: "Cylinder", points: ["from", "to"], flags: ["caps"] },
+};
 
 /// `box` is filled anew by show(). `onEdit(pointer, value)` follows each change of a value;
-/// `onAdd()` and `onRemove(index)` the buttons of the spheres.
+/// `onAdd(type)` and `onRemove(index)` the buttons of the objects.
 export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
   let shape = "";   // of the document that the controls were made for
   let fields = [];  // {pointer, read(value)}
@@ -51,23 +57,35 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
     return input;
   }
 
+  function checkbox(label, pointer) {
+    const input = element("input", { type: "checkbox", ariaLabel: label });
+    input.addEventListener("input", () => onEdit(pointer, input.checked));
+    fields.push({ pointer, read(value) { input.checked = value ?? true; } });
+    return input;
+  }
+
   const point = (label, pointer) => ["x", "y", "z"].map((axis, index) => labelled(axis, number(`${label}, ${axis}`, `${pointer}/${index}`)));
 
   function make(scene) {
     fields = [];
     const groups = [];
-    const spheres = [];
-    listIn(scene.objects).forEach((object, index) => {
-      if (object?.type !== "sphere" || !Array.isArray(object.center) || spheres.length === most_spheres) return;
-      const pointer = `/objects/${index}`;
-      const name = `Sphere ${spheres.length + 1}`;
-      const remove = button("×", () => onRemove(index));
-      remove.ariaLabel = remove.title = `Remove ${name}`;
-      spheres.push(row(name, materialOf(object), [
-        ...point(name, `${pointer}/center`), labelled("r", number(`${name}, radius`, `${pointer}/radius`, { min: 0 })), remove]));
-    });
-    spheres.push(button("Add a sphere", onAdd));
-    groups.push(group("Spheres", spheres));
+    for (const [type, { title, points, flags }] of Object.entries(kinds)) {
+      const rows = [];
+      listIn(scene.objects).forEach((object, index) => {
+        if (object?.type !== type || rows.length === most_of_a_kind) return;
+        if (!points.every((key) => Array.isArray(object[key]))) return;
+        const pointer = `/objects/${index}`;
+        const name = `${title} ${rows.length + 1}`;
+        const remove = button("×", () => onRemove(index));
+        remove.ariaLabel = remove.title = `Remove ${name}`;
+        rows.push(row(name, materialOf(object), [
+          ...points.flatMap((key) => point(points.length > 1 ? `${name}, ${key}` : name, `${pointer}/${key}`)),
+          labelled("r", number(`${name}, radius`, `${pointer}/radius`, { min: 0 })),
+          ...flags.map((key) => labelled(key, checkbox(`${name}, ${key}`, `${pointer}/${key}`))), remove]));
+      });
+      rows.push(button(`Add a ${type}`, () => onAdd(type)));
+      groups.push(group(`${title}s`, rows));
+    }
 
     const materials = Object.keys(scene.materials ?? {}).map((name) => {
       const pointer = `/materials/${name.replaceAll("~", "~0").replaceAll("/", "~1")}`;

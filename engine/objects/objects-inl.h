@@ -7,6 +7,7 @@
 #define RAYTRACER_OBJECTS_OBJECTS_INL_H_
 #endif
 
+#include "engine/objects/cylinder/cylinder-inl.h"
 #include "engine/objects/lattice/lattice-inl.h"
 #include "engine/objects/plane/plane-inl.h"
 #include "engine/objects/sphere/sphere-inl.h"

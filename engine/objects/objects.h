@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "engine/memory/page_allocator.h"
+#include "engine/objects/cylinder/cylinder.h"
 #include "engine/objects/kind.h"
 #include "engine/objects/lattice/lattice.h"
 #include "engine/objects/plane/plane.h"
@@ -18,7 +19,7 @@
 
 namespace raytracer {
 
-using ObjectKinds = Types<SphereKind, LatticeKind, PlaneKind, TriangleKind>;
+using ObjectKinds = Types<SphereKind, LatticeKind, PlaneKind, TriangleKind, CylinderKind>;
 
 /// What an object of a document is.
 template <typename... Kind>

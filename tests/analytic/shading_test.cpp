@@ -160,11 +160,37 @@ TEST(Shadow, is_cast_by_every_kind_of_object) {
                   {{0, 1, 2}}),
         json{{"type", "spheres"},
              {"centers", {vector_json({9, 9, 9}), vector_json(middle)}},
+             {"radius", {0.1, 0.5}}},
+        cylinder_json(middle - Vec3{0, 0.4, 0}, middle + Vec3{0, 0.4, 0}, 0.4),
+        cylinder_json(middle - Vec3{0, 0.4, 0}, middle + Vec3{0, 0.4, 0}, 0.4, false),
+        cylinder_json(middle, middle + Vec3{0.6, 0, -0.8}, 0.4),
+        json{{"type", "cylinders"},
+             {"from", {vector_json({9, 9, 9}), vector_json(middle)}},
+             {"to", {vector_json({9, 9, 8}), vector_json(middle + Vec3{0.6, 0, -0.8})}},
              {"radius", {0.1, 0.5}}}}) {
     json text = document(camera_json(), {wall(1, 1, 1, 1), object}, {distant_json({-0.6, 0, 0.8})});
     EXPECT_EQ(only_color(text), Vec3{}) << object;
     text["shadows"] = "off";
     EXPECT_GT(only_color(text).x, 0.1);
+  }
+}
+
+TEST(Shadow, is_not_cast_by_an_open_cylinder_along_the_light) {
+  const Vec3 towards{0.6, 0, -0.8};
+  const Vec3 middle = Vec3{0, 0, 5} + 2.5 * towards;
+  for (const Vec3& aside : {Vec3{}, Vec3{0, 0.2, 0}, Vec3{0.24, -0.1, 0.18}}) {
+    for (const json& light :
+         {distant_json({-0.6, 0, 0.8}), point_json(middle + 3 * towards + 2 * aside, 500)}) {
+      json text = document(camera_json(),
+                           {wall(1, 1, 1, 1), cylinder_json(middle + aside - towards,
+                                                            middle + aside + towards, 0.4, false)},
+                           {light});
+      json without = text;
+      without["objects"].erase(1);
+      EXPECT_LT(distance(only_color(text), only_color(without)), 1e-6);
+      text["objects"][1]["caps"] = true;
+      EXPECT_EQ(only_color(text), Vec3{});
+    }
   }
 }
 

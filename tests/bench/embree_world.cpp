@@ -49,10 +49,18 @@ class GeometryCollector {
  private:
   void add(const Sphere& sphere) { add_sphere(sphere.center, sphere.radius); }
   void add(const Spheres& spheres) {
+    if (!spheres.colors.empty())
+      throw std::runtime_error("the Embree peer draws sets of one colour only");
     for (std::size_t i = 0; i < spheres.centers.size(); ++i)
       add_sphere(spheres.centers[i], spheres.radius(i));
   }
   void add(const SphereSquare& square) { add(expanded(square)); }
+  void add(const Cylinder&) { refuse_cylinders(); }
+  void add(const Cylinders&) { refuse_cylinders(); }
+
+  [[noreturn]] static void refuse_cylinders() {
+    throw std::runtime_error("the Embree peer draws no cylinders");
+  }
 
   void add(const Plane& plane) {
     const Vec3 normal = unit(plane.normal);

@@ -25,6 +25,18 @@ double smallest_feature(const Scene& scene) {
       return *std::min_element(spheres.radii.begin(), spheres.radii.end());
     }
     double operator()(const SphereSquare& square) const { return square.radius; }
+    double operator()(const Cylinder& cylinder) const {
+      return of(cylinder.from, cylinder.to, cylinder.radius);
+    }
+    double operator()(const Cylinders& cylinders) const {
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < cylinders.from.size(); ++i)
+        least = std::min(least, of(cylinders.from[i], cylinders.to[i], cylinders.radius(i)));
+      return least;
+    }
+    static double of(const Vec3& from, const Vec3& to, double radius) {
+      return std::min(radius, length(to - from));
+    }
     double operator()(const Plane&) const { return std::numeric_limits<double>::infinity(); }
     double operator()(const Mesh& mesh) const {
       double extent = 0;
@@ -92,10 +104,17 @@ class Writer {
 
   void write(const Sphere& sphere) { write_sphere(sphere.center, sphere.radius); }
   void write(const Spheres& spheres) {
+    refuse_colors(spheres.colors);
     for (std::size_t i = 0; i < spheres.centers.size(); ++i)
       write_sphere(spheres.centers[i], spheres.radius(i));
   }
   void write(const SphereSquare& square) { write(expanded(square)); }
+  void write(const Cylinder& c) { write_cylinder(c.from, c.to, c.radius, c.caps); }
+  void write(const Cylinders& cylinders) {
+    refuse_colors(cylinders.colors);
+    for (std::size_t i = 0; i < cylinders.from.size(); ++i)
+      write_cylinder(cylinders.from[i], cylinders.to[i], cylinders.radius(i), cylinders.caps);
+  }
 
   void write(const Plane& plane) {
     const Vec3 normal = unit(plane.normal);
@@ -114,6 +133,15 @@ class Writer {
 
   void write_sphere(const Vec3& center, double radius) {
     fmt::print(out_, "sphere {{ {}, {:.17g} }}\n", point_text(center), radius * scale_);
+  }
+
+  void write_cylinder(const Vec3& from, const Vec3& to, double radius, bool caps) {
+    fmt::print(out_, "cylinder {{ {}, {}, {:.17g}{} }}\n", point_text(from), point_text(to),
+               radius * scale_, caps ? "" : " open");
+  }
+
+  static void refuse_colors(const std::vector<Rgb>& colors) {
+    if (!colors.empty()) throw std::runtime_error("the POV-Ray peer draws sets of one colour only");
   }
 
   const Scene& scene_;

@@ -124,9 +124,7 @@ class Oracle::Search {
       intersect_sphere(relative(s.centers[i], eye()), s.radius(i), i);
   }
 
-  void show(const Plane& p) {
-    intersect_plane(relative(p.point, eye()), unit(QuadVec(p.normal)), 0);
-  }
+  void show(const Plane& p) { intersect_plane(relative(p.point, eye()), unit(QuadVec(p.normal)), 0); }
 
   void show(const Mesh& m) {
     for (std::size_t i = 0; i < m.triangles.size(); ++i) {
@@ -151,6 +149,52 @@ class Oracle::Search {
       right = right && side <= noise;
     }
     if (left || right) intersect_plane(corners[0], normal, part);
+  }
+
+  void show(const Cylinder& c) { intersect_cylinder(c.from, c.to, c.radius, c.caps, 0); }
+
+  void show(const Cylinders& c) {
+    for (std::size_t i = 0; i < c.from.size(); ++i)
+      intersect_cylinder(c.from[i], c.to[i], c.radius(i), c.caps, i);
+  }
+
+  /// Side and caps, each root on its own; what leaves the outside does not meet it again.
+  void intersect_cylinder(const Vec3& from, const Vec3& to, Quad radius, bool caps, std::size_t part) {
+    if (leaves(part) && from_.kind != Kind::sphere_inside) return;
+    const QuadVec along = QuadVec(to) - QuadVec(from);
+    const Quad size = length(along);
+    const QuadVec axis = unit(along);
+    const QuadVec f = from_.point - relative(from, eye());
+    const Quad f_along = dot(f, axis);
+    const Quad d_along = dot(direction_, axis);
+    const QuadVec across = f - axis * f_along;
+    const QuadVec slope = direction_ - axis * d_along;
+    const Quad a = dot(slope, slope);
+    const Quad b = -dot(across, slope);
+    const Quad c = dot(across, across) - radius * radius;
+    const Quad room = b * b - a * c;
+    if (a > 0 && room >= 0) {
+      const Quad s = square_root(room);
+      const Quad q = b >= 0 ? b + s : b - s;
+      const std::array<Quad, 2> roots{b >= 0 ? c / q : q / a, b >= 0 ? q / a : c / q};
+      for (const Quad t : roots) {
+        const Quad place = f_along + t * d_along;
+        if (!(place >= 0 && place <= size) || !counts(t)) continue;
+        const QuadVec outward = unit(across + slope * t);
+        const bool inside = dot(outward, direction_) > 0;
+        take(inside ? Kind::sphere_inside : Kind::sphere_outside, part, t,
+             inside ? outward * Quad(-1) : outward, radius);
+      }
+    }
+    if (!caps || d_along == 0) return;
+    for (const Quad end : {Quad(0), size}) {
+      const Quad t = (end - f_along) / d_along;
+      const QuadVec at = across + slope * t;
+      if (dot(at, at) > radius * radius || !counts(t)) continue;
+      const bool inside = (end > 0) == (d_along > 0);
+      take(inside ? Kind::sphere_inside : Kind::sphere_outside, part, t,
+           d_along > 0 ? axis * Quad(-1) : axis, radius);
+    }
   }
 
   void show(const SphereSquare& s) {

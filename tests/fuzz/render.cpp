@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include "engine/engine.h"
 
@@ -62,9 +63,17 @@ class Bytes {
   std::size_t left_;
 };
 
+/// That differ.
+std::pair<Vec3, Vec3> two_points(Bytes& bytes) {
+  const Vec3 from = bytes.point();
+  const Vec3 to = bytes.point();
+  if (to == from) return {Vec3{}, {0, 1, 0}};
+  return {from, to};
+}
+
 void add_object(Bytes& bytes, Scene& scene) {
   Object object;
-  switch (bytes.below(5)) {
+  switch (bytes.below(7)) {
     case 0:
       object.shape = Sphere{bytes.point(), bytes.positive()};
       break;
@@ -81,6 +90,21 @@ void add_object(Bytes& bytes, Scene& scene) {
     case 3:
       object.shape = Plane{bytes.point(), bytes.direction()};
       break;
+    case 4: {
+      const auto [from, to] = two_points(bytes);
+      object.shape = Cylinder{from, to, bytes.positive(), bytes.below(2) == 0};
+      break;
+    }
+    case 5: {
+      Cylinders set{{}, {}, {bytes.positive()}, bytes.below(2) == 0, {}};
+      for (int i = bytes.below(40); i >= 0; --i) {
+        const auto [from, to] = two_points(bytes);
+        set.from.push_back(from);
+        set.to.push_back(to);
+      }
+      object.shape = std::move(set);
+      break;
+    }
     default: {
       Mesh mesh;
       for (int i = 0; i < 5; ++i) mesh.vertices.push_back(bytes.point());

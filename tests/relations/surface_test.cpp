@@ -78,6 +78,19 @@ TEST(Tie, of_a_square_and_its_spheres_goes_to_the_first_in_the_document) {
                     from_the_camera);
 }
 
+TEST(Tie, of_two_cylinders_goes_to_the_first_in_the_document) {
+  for (const bool caps : {true, false}) {
+    const json cylinder = cylinder_json({-1.3, -0.9, 0.7}, {1.6, 1.1, 0.9}, 0.8, caps);
+    const json set{{"type", "cylinders"},
+                   {"from", {cylinder["from"]}},
+                   {"to", {cylinder["to"]}},
+                   {"radius", cylinder["radius"]},
+                   {"caps", caps}};
+    expect_first_wins(cylinder, cylinder, from_the_camera);
+    expect_first_wins(cylinder, set, from_the_camera);
+  }
+}
+
 TEST(Tie, of_two_planes_goes_to_the_first_in_the_document) {
   const json plane = plane_json({0, 0, 3}, {0.1, 0.2, -1});
   expect_first_wins(plane, plane, from_the_camera);
@@ -116,6 +129,10 @@ TEST(CoincidentSurfaces, do_not_shadow_each_other) {
   expect_like_alone(square, square);
   const json mesh = mesh_json({{-3, -3.1, 0.2}, {3, -3.3, 0.9}, {0.1, 4, 0.7}}, {{0, 1, 2}});
   expect_like_alone(mesh, mesh);
+  for (const bool caps : {true, false}) {
+    const json cylinder = cylinder_json({-1.3, -0.9, 0.7}, {1.6, 1.1, 0.9}, 0.8, caps);
+    expect_like_alone(cylinder, cylinder);
+  }
   expect_like_alone(plane_json({0, -1, 3}, {0.1, 1, -0.3}),
                     plane_json({0, -1, 3}, {-0.1, -1, 0.3}));
   expect_like_alone(plane_json({0.1, -1, 0}, {0, 1, 0}), plane_json({-7.3, -1, 1e3}, {0, -3, 0}));
@@ -257,6 +274,45 @@ TEST(Camera, on_a_sphere_sees_it_on_the_inner_side_only) {
   const Image outwards =
       image_of(on_magenta(camera_json(64, 48, 2, eye, {0, 0, -2}), objects, light));
   EXPECT_EQ(count_color(outwards, magenta), 64 * 48);
+}
+
+TEST(Camera, inside_a_closed_cylinder_sees_it_everywhere) {
+  for (const double offset : {0.0, 0.5, 0.999, 1 - 1e-9, 1 - 0x1p-53}) {
+    for (const Vec3& eye : {Vec3{0, 0, -offset}, Vec3{0, -offset, 0}, Vec3{0.1, offset, 0.2}}) {
+      const Image image = image_of(
+          on_magenta(camera_json(64, 48, 2.5, eye, {0.1, 0, 5}),
+                     {cylinder_json({0, -1, 0}, {0, 1, 0}, 1, true, constant_material(red))},
+                     point_json({0, 0, 0.25}, 1)));
+      EXPECT_EQ(count_color(image, red), 64 * 48) << offset;
+    }
+  }
+}
+
+TEST(Camera, on_a_closed_cylinder_sees_it_on_the_inner_side_only) {
+  const std::vector<json> objects{
+      cylinder_json({0, -1, 0}, {0, 1, 0}, 1, true, constant_material(red))};
+  const json light = point_json({0, 0, 0.25}, 1);
+  for (const Vec3& eye : {Vec3{0, 0, -1}, Vec3{0, 0.5, -1}, Vec3{1, 0, 0}}) {
+    const Vec3 outward{eye.x, 0, eye.z};
+    const Image inwards =
+        image_of(on_magenta(camera_json(64, 48, 2, eye, eye - outward), objects, light));
+    EXPECT_EQ(count_color(inwards, red), 64 * 48);
+    const Image outwards =
+        image_of(on_magenta(camera_json(64, 48, 2, eye, eye + outward), objects, light));
+    EXPECT_EQ(count_color(outwards, magenta), 64 * 48);
+  }
+}
+
+TEST(Camera, in_an_open_cylinder_looks_out_of_its_ends) {
+  const Vec3 eye{0.25, -1, 0};
+  const Image image =
+      image_of(on_magenta(camera_json(64, 48, 1, eye, {0.25, 9, 0}),
+                          {cylinder_json({0, -2, 0}, {0, 3, 0}, 1, false, constant_material(red))},
+                          point_json(eye, 1)));
+  // The far rim is seen as a circle of a quarter of 1 at distance 1.
+  const double pixels_at_1 = 64 / (2 * std::tan(0.5));
+  EXPECT_NEAR(count_color(image, magenta), std::numbers::pi * std::pow(pixels_at_1 / 4, 2), 25);
+  EXPECT_EQ(count_color(image, red) + count_color(image, magenta), 64 * 48);
 }
 
 TEST(Camera, on_a_plane_does_not_see_it) {

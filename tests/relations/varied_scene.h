@@ -23,7 +23,16 @@ inline json varied_scene() {
        json{{"type", "spheres"},
             {"centers", {{0.25, 0.5, -2}, {0.75, 0.25, -2.5}, {-0.5, 2, -1}, {0.125, 1.5, -1.75}}},
             {"radius", {0.25, 0.125, 0.375, 0.1875}},
-            {"material", red}}},
+            {"material", red}},
+       cylinder_json({2.5, -0.75, -1.5}, {3.125, 1.25, -1}, 0.375, true, mirror),
+       cylinder_json({-2.25, -0.5, -2.5}, {-1.375, 0.75, -3}, 0.3125, false,
+                     {{"color", {0.9, 0.8, 0.2}}}),
+       json{{"type", "cylinders"},
+            {"from", {{-0.5, -0.75, -3}, {0.5, -0.5, -3.25}, {1.25, 2.5, 0}}},
+            {"to", {{-0.25, 0.25, -2.75}, {1.5, -0.25, -2.75}, {1.75, 3.125, -0.5}}},
+            {"radius", {0.125, 0.1875, 0.25}},
+            {"colors", {{0.25, 0.5, 1}, {1, 0.5, 0.25}, {0.75, 0.25, 0.5}}},
+            {"material", {{"reflectivity", 0.25}}}}},
       {distant_json({-0.6, -1, 0.7}, 0.4, {1, 0.9, 0.8}), point_json({2.5, 5, -4}, 200),
        point_json({-4, 2.5, -3}, 100, {0.5, 0.75, 1})});
   text["background"] = {0.5, 0.75, 0.875};
@@ -65,12 +74,15 @@ inline json changed(json text, const Change& change) {
       light["intensity"] = light["intensity"].get<double>() * change.length * change.length;
   }
   for (json& object : text["objects"]) {
-    apply(object, "center", change.point);
-    apply(object, "point", change.point);
     apply(object, "normal", change.direction);
-    for (const char* key : {"centers", "vertices"})
-      if (object.contains(key))
-        for (json& point : object[key]) point = vector_json(change.point(vector_of(point)));
+    for (const char* key : {"center", "centers", "point", "vertices", "from", "to"}) {
+      if (!object.contains(key)) continue;
+      json& value = object[key];
+      if (value[0].is_array())
+        for (json& point : value) point = vector_json(change.point(vector_of(point)));
+      else
+        value = vector_json(change.point(vector_of(value)));
+    }
     if (!object.contains("radius")) continue;
     json& radius = object["radius"];
     if (radius.is_array())

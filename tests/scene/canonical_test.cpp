@@ -87,6 +87,30 @@ TEST(CanonicalBytes, differ_for_every_value_that_can_change_a_pixel) {
   expect_new("/objects/0", spheres);
   spheres["colors"] = {"#00ff00", "#ff0000"};
   expect_new("/objects/0", spheres);
+  const auto expect_cylinder = [&](json object, const char* key, const json& value) {
+    object[key] = value;
+    expect_new("/objects/0", object);
+  };
+  const json one{{"type", "cylinder"}, {"from", {0, 0, 5}}, {"to", {0, 1, 5}}, {"radius", 1}};
+  expect_new("/objects/0", one);
+  expect_cylinder(one, "from", {0, 0, 6});
+  expect_cylinder(one, "to", {0, 0, 6});
+  expect_cylinder(one, "radius", 2);
+  expect_cylinder(one, "caps", false);
+  expect_cylinder(one, "material", "red");
+  const json many{{"type", "cylinders"},
+                  {"from", {{0, 0, 5}, {1, 0, 5}}},
+                  {"to", {{0, 1, 5}, {1, 1, 5}}},
+                  {"radius", 1}};
+  expect_new("/objects/0", many);
+  expect_cylinder(many, "from", {{1, 0, 5}, {0, 0, 5}});
+  expect_cylinder(many, "to", {{1, 1, 5}, {0, 1, 5}});
+  expect_cylinder(many, "radius", 2);
+  expect_cylinder(many, "radius", {1, 2});
+  expect_cylinder(many, "radius", {2, 1});
+  expect_cylinder(many, "caps", false);
+  expect_cylinder(many, "colors", {"#ff0000", "#00ff00"});
+  expect_cylinder(many, "colors", {"#00ff00", "#ff0000"});
   expect_new("/render/samples", 2);
   expect_new("/render/max_depth", 6);
   expect_new("/render/transfer", "srgb");
@@ -100,6 +124,19 @@ TEST(CanonicalBytes, of_many_spheres_with_one_radius_equal_those_with_the_radius
   text["objects"][0] = {{"type", "spheres"}, {"centers", {{0, 0, 5}, {0, 0, 6}}}, {"radius", 2}};
   const std::string once = bytes_of(text.dump());
   text["objects"][0]["radius"] = {2, 2};
+  EXPECT_EQ(bytes_of(text.dump()), once);
+}
+
+TEST(CanonicalBytes, of_cylinders_do_not_depend_on_what_is_spelled_out) {
+  json text = json::parse(plain);
+  text["objects"] = {{{"type", "cylinder"}, {"from", {0, 0, 5}}, {"to", {0, 1, 5}}, {"radius", 1}},
+                     {{"type", "cylinders"},
+                      {"from", {{0, 0, 5}, {1, 0, 5}}},
+                      {"to", {{0, 1, 5}, {1, 1, 5}}},
+                      {"radius", 2}}};
+  const std::string once = bytes_of(text.dump());
+  for (json& object : text["objects"]) object["caps"] = true;
+  text["objects"][1]["radius"] = {2, 2};
   EXPECT_EQ(bytes_of(text.dump()), once);
 }
 

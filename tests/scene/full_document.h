@@ -27,7 +27,11 @@ inline json full_document() {
        "material": "red"},
       {"type": "plane", "point": [0, -4, 0], "normal": [0, 1, 0]},
       {"type": "mesh", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]],
-       "material": {"color": "#102030"}}],
+       "material": {"color": "#102030"}},
+      {"type": "cylinder", "from": [0, 0, 0], "to": [0, 3, 0], "radius": 0.5, "caps": true,
+       "material": {}},
+      {"type": "cylinders", "from": [[0, 0, 0], [1, 0, 0]], "to": [[0, 1, 0], [1, 2, 0]],
+       "radius": [0.1, 0.2], "caps": false, "colors": ["#102030", [0, 1, 0.5]]}],
     "render": {"samples": 4, "max_depth": 5, "precision": "auto", "transfer": "linear"}
   })");
 }

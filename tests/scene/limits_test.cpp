@@ -46,14 +46,21 @@ TEST(Limit, of_samples_is_inclusive) {
   expect_limit(errors_of(with_samples(2, 2, 17), limits), "/render/samples", "--max-samples");
 }
 
-TEST(Limit, of_objects_counts_each_sphere_of_a_set_and_each_triangle) {
+TEST(Limit, of_objects_counts_each_item_of_a_set_and_each_triangle) {
   const std::vector<json> objects = {
       json{{"type", "spheres"}, {"centers", {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}}, {"radius", 1}},
-      mesh_json({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {2, 1, 0}}), sphere_json({}, 1),
-      plane_json({}, {0, 1, 0}), square_json({}, 1, 1'000'000'000)};
-  const json text = document(camera_json(), objects);  // 3 + 2 + 1 + 1 + 1
-  EXPECT_TRUE(errors_of(text, {.objects = 8}).empty());
-  expect_limit(errors_of(text, {.objects = 7}), "/objects", "--max-objects");
+      mesh_json({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {2, 1, 0}}),
+      sphere_json({}, 1),
+      plane_json({}, {0, 1, 0}),
+      square_json({}, 1, 1'000'000'000),
+      json{{"type", "cylinder"}, {"from", {0, 0, 0}}, {"to", {0, 1, 0}}, {"radius", 1}},
+      json{{"type", "cylinders"},
+           {"from", {{1, 0, 0}, {2, 0, 0}}},
+           {"to", {{1, 1, 0}, {2, 1, 0}}},
+           {"radius", 1}}};
+  const json text = document(camera_json(), objects);  // 3 + 2 + 1 + 1 + 1 + 1 + 2
+  EXPECT_TRUE(errors_of(text, {.objects = 11}).empty());
+  expect_limit(errors_of(text, {.objects = 10}), "/objects", "--max-objects");
 }
 
 TEST(Limit, of_lights_is_inclusive) {

@@ -259,6 +259,52 @@ const std::vector<Wrong> wrong_objects{
     at("VerticesText", "/objects/4/vertices", "none", "must be an array"),
 };
 
+const char* const differ = "must differ from from: the axis has no direction";
+
+const std::vector<Wrong> wrong_cylinders{
+    at("FromMissing", "/objects/5/from", missing, "\"from\" is required"),
+    at("FromOfTwo", "/objects/5/from", {0, 0}, "three numbers"),
+    at("ToMissing", "/objects/5/to", missing, "\"to\" is required"),
+    at("ToText", "/objects/5/to", "up", "three numbers"),
+    at("ToIsFrom", "/objects/5/to", {0, 0, 0}, differ),
+    at("ToIsFromButForTheZerosSign", "/objects/5/to", {0, -0.0, -0.0}, differ),
+    {"FromIsTo", "/objects/5/from", {0, 3, 0}, {{"/objects/5/to", differ}}},
+    at("RadiusMissing", "/objects/5/radius", missing, "\"radius\" is required"),
+    at("RadiusZero", "/objects/5/radius", 0, "above 0"),
+    at("RadiusNegative", "/objects/5/radius", -1, "above 0"),
+    at("RadiusList", "/objects/5/radius", {0.5}, number),
+    at("CapsNumber", "/objects/5/caps", 1, "true or false"),
+    at("CapsText", "/objects/5/caps", "true", "true or false"),
+    at("CapsNull", "/objects/5/caps", nullptr, "true or false"),
+    at("FromsMissing", "/objects/6/from", missing, "\"from\" is required"),
+    at("FromsText", "/objects/6/from", "none", "must be an array"),
+    {"FromsMore",
+     "/objects/6/from",
+     {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}},
+     {{"/objects/6/to", "2 points for 3 from: give one for each"},
+      {"/objects/6/radius", "2 numbers for 3 from: give one number, or one for each"},
+      {"/objects/6/colors", "2 colors for 3 from: give one for each"}}},
+    at("TosMissing", "/objects/6/to", missing, "\"to\" is required"),
+    at("TosOfOnePoint", "/objects/6/to", json::parse("[[0, 1, 0]]"), "1 point for 2 from"),
+    at("TosNone", "/objects/6/to", json::array(), "0 points for 2 from: give one for each"),
+    {"TosWithText", "/objects/6/to", {{0, 1, 0}, {1, "2", 0}}, {{"/objects/6/to/1/1", number}}},
+    {"SecondToIsItsFrom",
+     "/objects/6/to",
+     {{0, 1, 0}, {1, 0, 0}},
+     {{"/objects/6/to/1", "must differ from item 1 of from"}}},
+    {"EveryToIsItsFrom",
+     "/objects/6/from",
+     {{0, 1, 0}, {1, 2, 0}},
+     {{"/objects/6/to/0", "must differ from item 0"},
+      {"/objects/6/to/1", "must differ from item 1"}}},
+    at("RadiiTooFew", "/objects/6/radius", {0.1}, "1 number for 2 from: give one number, or one"),
+    {"RadiiWithZero", "/objects/6/radius", {0.1, 0}, {{"/objects/6/radius/1", "above 0"}}},
+    at("RadiusOfAllZero", "/objects/6/radius", 0, "above 0"),
+    at("CapsOfEach", "/objects/6/caps", {true, false}, "true or false"),
+    at("ColorsTooMany", "/objects/6/colors", {"#102030", "#102030", "#102030"},
+       "3 colors for 2 from: give one for each"),
+};
+
 const std::vector<Wrong> wrong_render{
     at("RenderArray", "/render", json::array(), "must be an object"),
     at("SamplesZero", "/render/samples", 0, range),
@@ -300,6 +346,9 @@ const std::vector<Wrong> unknown_keys{
     at("InSquare", "/objects/2/N", 3, "did you mean \"n\""),
     at("InPlane", "/objects/3/norml", 3, "did you mean \"normal\""),
     at("InMesh", "/objects/4/vertexes", 3, "did you mean \"vertices\""),
+    at("InCylinder", "/objects/5/cap", true, "did you mean \"caps\""),
+    at("InCylinderOfMany", "/objects/5/colors", {"#102030"}, "unknown key"),
+    at("InCylinders", "/objects/6/color", {"#102030"}, "did you mean \"colors\""),
     at("InRender", "/render/maxdepth", 3, "did you mean \"max_depth\""),
     at("EmptyKey", "/camera/", 3, "unknown key"),
     at("WithSlash", "/camera/a~1b", 3, "unknown key \"a/b\""),
@@ -314,6 +363,7 @@ INSTANTIATE_TEST_SUITE_P(Surroundings, WrongValue, testing::ValuesIn(wrong_surro
 INSTANTIATE_TEST_SUITE_P(Lights, WrongValue, testing::ValuesIn(wrong_lights), name_of);
 INSTANTIATE_TEST_SUITE_P(Materials, WrongValue, testing::ValuesIn(wrong_materials), name_of);
 INSTANTIATE_TEST_SUITE_P(Objects, WrongValue, testing::ValuesIn(wrong_objects), name_of);
+INSTANTIATE_TEST_SUITE_P(Cylinders, WrongValue, testing::ValuesIn(wrong_cylinders), name_of);
 INSTANTIATE_TEST_SUITE_P(Render, WrongValue, testing::ValuesIn(wrong_render), name_of);
 INSTANTIATE_TEST_SUITE_P(Contract, WrongValue, testing::ValuesIn(wrong_contract), name_of);
 INSTANTIATE_TEST_SUITE_P(UnknownKey, WrongValue, testing::ValuesIn(unknown_keys), name_of);

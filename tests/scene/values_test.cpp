@@ -142,6 +142,40 @@ TEST(Values, of_colors_are_those_of_the_spheres_in_order) {
             (std::vector<Rgb>{{0.25, 0.5, 1}, {0, 1, 0}}));
 }
 
+TEST(Values, of_cylinders_are_taken_over) {
+  const json one{{"type", "cylinder"}, {"from", {1, 2, 3}}, {"to", {4, 5, 6}}, {"radius", 0.25}};
+  json open = one;
+  open["caps"] = false;
+  const json many{{"type", "cylinders"},
+                  {"from", {{1, 0, 0}, {2, 0, 0}}},
+                  {"to", {{1, 1, 0}, {2, 2, 0}}},
+                  {"radius", {0.5, 0.75}},
+                  {"caps", false},
+                  {"colors", {{0.25, 0.5, 1}, "#00ff00"}}};
+  json plain = many;
+  plain["radius"] = 0.5;
+  plain.erase("caps");
+  plain.erase("colors");
+  const Scene scene = scene_of(document(camera_json(), {one, open, many, plain}));
+  const auto& closed = std::get<Cylinder>(scene.objects.at(0).shape);
+  EXPECT_EQ(closed.from, (Vec3{1, 2, 3}));
+  EXPECT_EQ(closed.to, (Vec3{4, 5, 6}));
+  EXPECT_EQ(closed.radius, 0.25);
+  EXPECT_TRUE(closed.caps);
+  EXPECT_FALSE(std::get<Cylinder>(scene.objects.at(1).shape).caps);
+  const auto& cylinders = std::get<Cylinders>(scene.objects.at(2).shape);
+  EXPECT_EQ(cylinders.from, (std::vector<Vec3>{{1, 0, 0}, {2, 0, 0}}));
+  EXPECT_EQ(cylinders.to, (std::vector<Vec3>{{1, 1, 0}, {2, 2, 0}}));
+  EXPECT_EQ(cylinders.radius(0), 0.5);
+  EXPECT_EQ(cylinders.radius(1), 0.75);
+  EXPECT_FALSE(cylinders.caps);
+  EXPECT_EQ(cylinders.colors, (std::vector<Rgb>{{0.25, 0.5, 1}, {0, 1, 0}}));
+  const auto& alike = std::get<Cylinders>(scene.objects.at(3).shape);
+  EXPECT_EQ(alike.radius(1), 0.5);
+  EXPECT_TRUE(alike.caps);
+  EXPECT_TRUE(alike.colors.empty());
+}
+
 TEST(Values, a_material_is_found_by_name_wherever_it_stands_in_the_document) {
   const Scene scene = scene_of_text(R"({
     "objects": [{"type": "sphere", "center": [0, 0, 5], "radius": 1, "material": "a"},

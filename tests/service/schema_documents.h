@@ -24,7 +24,11 @@ inline const nlohmann::json full_scene = nlohmann::json::parse(R"({
               {"type": "spheres", "centers": [[0, 0, 0], [1, 0, 0]], "radius": [0.1, 0.2]},
               {"type": "plane", "point": [0, -4, 0], "normal": [0, 1, 0]},
               {"type": "mesh", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]],
-               "triangles": [[0, 1, 2]]}],
+               "triangles": [[0, 1, 2]]},
+              {"type": "cylinder", "from": [0, 0, 0], "to": [0, 3, 0], "radius": 0.5,
+               "caps": true},
+              {"type": "cylinders", "from": [[0, 0, 0], [1, 0, 0]], "to": [[0, 1, 0], [1, 2, 0]],
+               "radius": [0.1, 0.2], "caps": false, "colors": ["#102030", [0, 1, 0.5]]}],
   "render": {"samples": 4, "max_depth": 5, "precision": "auto", "transfer": "linear"}
 })");
 
@@ -73,6 +77,12 @@ inline const std::vector<Change> right_changes{
     set("/objects/2/centers", "[[0, 0, 0], [0, 0, 0]]"),
     set("/objects/3/normal", "[0, -3e-5, 0]"),
     set("/objects/4/triangles", "[]"),
+    set("/objects/2/colors", "[\"#102030\", [0, 0, 1]]"),
+    without("/objects/5/caps"),
+    set("/objects/5/caps", "false"),
+    without("/objects/6/caps"),
+    without("/objects/6/colors"),
+    set("/objects/6/radius", "1e9"),
     set("/materials/red", "{}"),
     set("/materials/red/shininess", "0"),
     set("/render", "{}"),
@@ -168,6 +178,28 @@ inline const std::vector<Change> wrong_changes{
     set("/objects/4/triangles", "[[0, 1, -1]]"),
     set("/objects/4/triangles", "[[0, 1, 0.5]]"),
     set("/objects/4/vertices", "[[0, 0, 0], 1]"),
+    set("/objects/2/colors", "\"#102030\""),
+    set("/objects/2/colors", "[\"red\", \"#102030\"]"),
+    without("/objects/5/from"),
+    without("/objects/5/to"),
+    without("/objects/5/radius"),
+    set("/objects/5/from", "[[0, 0, 0]]"),
+    set("/objects/5/to", "[0, 1]"),
+    set("/objects/5/radius", "0"),
+    set("/objects/5/radius", "[0.5]"),
+    set("/objects/5/caps", "1"),
+    set("/objects/5/caps", "null"),
+    set("/objects/5/colors", "[\"#102030\"]"),
+    without("/objects/6/from"),
+    without("/objects/6/to"),
+    without("/objects/6/radius"),
+    set("/objects/6/from", "[0, 0, 0]"),
+    set("/objects/6/to", "[[0, 1, 0], [1, 2]]"),
+    set("/objects/6/radius", "[0.1, -0.2]"),
+    set("/objects/6/radius", "-1"),
+    set("/objects/6/caps", "[true, false]"),
+    set("/objects/6/colors", "[[0, 1, 1.5], [0, 1, 0.5]]"),
+    set("/objects/6/centers", "[[0, 0, 0], [1, 0, 0]]"),
     set("/render", "[]"),
     set("/render/samples", "0"),
     set("/render/samples", "1.5"),
@@ -187,8 +219,14 @@ inline const std::vector<Change> wrong_beyond_schema{
     set("/camera/look_at", "[0, 8, -20]"),  // differs from origin
     set("/camera/fov", "3.5"),              // modulo 2 pi within (0, pi)
     set("/camera/fov", "3.141592653589793"),
-    set("/objects/0/material", "\"rde\""),       // a name that exists
-    set("/objects/2/radius", "[0.1]"),           // as many as centers
+    set("/objects/0/material", "\"rde\""),  // a name that exists
+    set("/objects/2/radius", "[0.1]"),      // as many as centers
+    set("/objects/2/colors", "[[0, 0, 1]]"),
+    set("/objects/5/to", "[0, 0, 0]"),               // differs from `from`
+    set("/objects/6/to", "[[0, 1, 0], [1, 0, 0]]"),  // each from its own
+    set("/objects/6/to", "[[0, 1, 0]]"),             // as many as `from`
+    set("/objects/6/radius", "[0.1]"),
+    set("/objects/6/colors", "[\"#102030\"]"),
     set("/objects/4/triangles", "[[0, 1, 3]]"),  // indices below the vertices' number
 };
 

@@ -68,6 +68,13 @@ inline json square_json(const Vec3& center, double radius, std::int64_t n, const
           {"material", material}};
 }
 
+inline json cylinder_json(const Vec3& from, const Vec3& to, double radius, bool caps = true,
+                          const json& material = json::object()) {
+  return {{"type", "cylinder"},    {"from", vector_json(from)},
+          {"to", vector_json(to)}, {"radius", radius},
+          {"caps", caps},          {"material", material}};
+}
+
 inline json distant_json(const Vec3& direction, double intensity = 1,
                          const Vec3& color = {1, 1, 1}) {
   return {{"type", "distant"},

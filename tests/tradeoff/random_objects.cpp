@@ -15,6 +15,7 @@ using nlohmann::json;
 
 constexpr int most_spheres = 2000;
 constexpr int most_triangles = 2000;
+constexpr int most_cylinders = 1000;
 
 RandomObject sphere(Dice& dice, double half) {
   const double radius = half * dice.of_any_size(0.04, 0.7);
@@ -57,6 +58,53 @@ RandomObject sphere_square(Dice& dice, double half) {
            {"n", n},
            {"axes", span}},
           fmt::format("sphere_square of n {} in {}", n, span)};
+}
+
+RandomObject cylinder(Dice& dice, double half) {
+  const Vec3 from = dice.point(half);
+  const Vec3 to = from + half * dice.of_any_size(0.05, 1.5) * dice.direction();
+  const double radius = half * dice.of_any_size(0.02, 0.5);
+  const bool caps = dice.happens(0.6);
+  return {{{"type", "cylinder"},
+           {"from", json_of(from)},
+           {"to", json_of(to)},
+           {"radius", json_of(radius)},
+           {"caps", caps}},
+          fmt::format("{} cylinder of radius {:.2g}", caps ? "closed" : "open", radius / half)};
+}
+
+/// Sticks of any direction or columns, of one radius or of many, of the material's colour or of
+/// their own.
+RandomObject cylinders(Dice& dice, double half) {
+  const int count = dice.count_of_any_size(3, most_cylinders);
+  const double spacing = 2 * half / std::cbrt(count);
+  const double length = spacing * dice.of_any_size(0.2, 3);
+  const double radius = spacing * dice.of_any_size(0.02, 0.4);
+  const bool are_upright = dice.happens(0.3);
+  const bool is_uniform = dice.happens(0.3);
+  const bool caps = dice.happens(0.6);
+  const bool has_colors = dice.happens(0.5);
+  json from = json::array();
+  json to = json::array();
+  json radii = json::array();
+  json colors = json::array();
+  for (int i = 0; i < count; ++i) {
+    const Vec3 end = dice.point(half);
+    const Vec3 direction = are_upright ? Vec3{0, 1, 0} : dice.direction();
+    from.push_back(json_of(end));
+    to.push_back(json_of(end + length * dice.within(0.3, 1.7) * direction));
+    radii.push_back(json_of(radius * dice.within(0.4, 1.6)));
+    colors.push_back(json_of(dice.point(0.5) + Vec3{0.5, 0.5, 0.5}));
+  }
+  json object{{"type", "cylinders"},
+              {"from", std::move(from)},
+              {"to", std::move(to)},
+              {"radius", is_uniform ? json_of(radius) : std::move(radii)},
+              {"caps", caps}};
+  if (has_colors) object["colors"] = std::move(colors);
+  return {std::move(object),
+          fmt::format("{} {} cylinders of radius {:.2g}{}", count, caps ? "closed" : "open",
+                      radius / half, has_colors ? " in colors" : "")};
 }
 
 /// A floor or a wall, or anywhere.
@@ -170,9 +218,11 @@ RandomObject boxes(Dice& dice, double half) {
 }  // namespace
 
 std::span<const ObjectKind> object_kinds() {
-  static constexpr std::array<ObjectKind, 7> kinds{{{"sphere of", sphere},
+  static constexpr std::array<ObjectKind, 9> kinds{{{"sphere of", sphere},
                                                     {"spheres", spheres},
                                                     {"sphere_square", sphere_square},
+                                                    {"cylinder of", cylinder},
+                                                    {"cylinders", cylinders},
                                                     {"plane", plane},
                                                     {"triangles", triangles},
                                                     {"bumpy grid", bumpy_grid},

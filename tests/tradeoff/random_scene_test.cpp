@@ -54,15 +54,18 @@ TEST(RandomScene, every_kind_of_object_light_and_mode_occurs) {
       if (scene.summary.find(kind.name) != std::string::npos) found.insert(kind.name);
     const nlohmann::json document = nlohmann::json::parse(scene.document);
     for (const nlohmann::json& light : document["lights"]) found.insert(light["type"]);
-    for (const nlohmann::json& object : document["objects"])
+    for (const nlohmann::json& object : document["objects"]) {
       if (object.contains("axes")) found.insert(object["axes"]);
+      if (object.contains("caps")) found.insert(object["caps"].get<bool>() ? "closed" : "open");
+      if (object.contains("colors")) found.insert("colors");
+    }
     found.insert(document["shadows"]);
     found.insert(document["render"]["transfer"]);
     if (scene.summary.find("mirrors") != std::string::npos) found.insert("mirrors");
   }
   for (const ObjectKind& kind : object_kinds()) EXPECT_TRUE(found.contains(kind.name)) << kind.name;
-  for (const char* const word : {"distant", "point", "xz", "xy", "yz", "black", "ambient", "off",
-                                 "linear", "srgb", "mirrors"})
+  for (const char* const word : {"distant", "point", "xz", "xy", "yz", "closed", "open", "colors",
+                                 "black", "ambient", "off", "linear", "srgb", "mirrors"})
     EXPECT_TRUE(found.contains(word)) << word;
 }
 
@@ -77,6 +80,10 @@ TEST(RandomScene, counts_are_within_what_is_ordinary) {
       if (object.contains("triangles")) {
         EXPECT_GE(object["triangles"].size(), 1U);
         EXPECT_LE(object["triangles"].size(), 2000U);
+      }
+      if (object["type"] == "cylinders") {
+        EXPECT_GE(object["from"].size(), 3U);
+        EXPECT_LE(object["from"].size(), 1000U);
       }
       if (object.contains("n")) {
         EXPECT_GE(object["n"], 1);

@@ -98,6 +98,37 @@ TEST(SingleRayFinder, of_spheres_and_triangles_is_hit_like_brute_force) {
   }
 }
 
+/// Rays without a surface begin at the eye, which cylinders are packed for.
+TEST(SingleRayFinder, of_cylinders_is_hit_like_brute_force) {
+  Random random(28);
+  for (int round = 0; round < 6; ++round) {
+    PackedScene scene;
+    double lost = 0;
+    for (std::uint32_t i = 0; i < 200; ++i) {
+      const Vec3 from = Vec3{0, 0, 3} + random.point(-1, 1);
+      const Vec3 to = from + random.between(0.01, 1) * random.direction();
+      Packing<PackedCylinder> packing{scene.frame, nullptr, i,
+                                      of_kind<CylinderKind>(scene.primitives), lost};
+      pack(Cylinder{from, to, std::abs(random.magnitude(-4, -0.7)), i % 3 != 0}, packing);
+    }
+    WorkerPool pool(2);
+    const SingleRayFinder tree(scene, all_by(Finder::tree), pool);
+    const SingleRayFinder force(scene);
+    int met = 0;
+    for (int i = 0; i < 600; ++i) {
+      Ray ray = ray_towards({}, Vec3{0, 0, 3} + random.point(-1, 1));
+      for (int bounce = 0; bounce < 3; ++bounce) {
+        const auto surface = expect_same_hit(ray, tree, force);
+        if (!surface) break;
+        ++met;
+        const Vec3 direction = random.direction();
+        ray = ray_leaving(*surface, dot(direction, surface->normal) < 0 ? -direction : direction);
+      }
+    }
+    EXPECT_GT(met, 500);
+  }
+}
+
 TEST(SingleRayFinder, of_flat_boxes_is_hit_like_brute_force) {
   Random random(23);
   PackedScene scene;

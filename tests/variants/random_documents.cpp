@@ -21,6 +21,38 @@ std::string random_spheres(int count, double radius, const std::string& material
                      centers, radius, material);
 }
 
+std::string random_cylinders(int count, const std::string& material) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(count));
+  const auto within = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const double size = 8 / std::cbrt(count);
+  std::string sets;
+  for (const bool caps : {true, false}) {
+    std::string from;
+    std::string to;
+    std::string radii;
+    std::string colors;
+    for (int i = 0; i < count; ++i) {
+      const Vec3 a{within(-4, 4), within(-3.5, 4), within(-4, 4)};
+      const Vec3 b = a + size * Vec3{within(-1, 1), within(-1, 1), within(-1, 1)};
+      const double radius = size * within(0.02, 0.3);
+      const Rgb color{within(0.2, 1), within(0.2, 1), within(0.2, 1)};
+      if ((i % 3 == 0) == caps) continue;
+      const char* const comma = radii.empty() ? "" : ",";
+      from += fmt::format("{}[{}, {}, {}]", comma, a.x, a.y, a.z);
+      to += fmt::format("{}[{}, {}, {}]", comma, b.x, b.y, b.z);
+      colors += fmt::format("{}[{}, {}, {}]", comma, color.x, color.y, color.z);
+      radii += fmt::format("{}{}", comma, radius);
+    }
+    sets += fmt::format(
+        R"({}{{"type": "cylinders", "from": [{}], "to": [{}], "radius": [{}], "colors": [{}],
+            "caps": {}, "material": {}}})",
+        sets.empty() ? "" : ",", from, to, radii, colors, caps, material);
+  }
+  return sets;
+}
+
 std::string rough_sheet(int side, const std::string& material) {
   std::mt19937_64 random(static_cast<std::uint64_t>(side));
   std::uniform_real_distribution<double> shift(-0.35, 0.35);

@@ -7,6 +7,9 @@ namespace raytracer::test {
 
 std::string random_spheres(int count, double radius, const std::string& material);
 
+/// Every third one open; thick and thin, long and short, alone in their colours.
+std::string random_cylinders(int count, const std::string& material);
+
 /// A rough sheet of 2 * side * side triangles, each corner shared, that hangs over itself.
 std::string rough_sheet(int side, const std::string& material);
 

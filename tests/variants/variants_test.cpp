@@ -121,6 +121,17 @@ std::vector<NamedScene> scenes() {
         {"large triangles" + under,
          with_objects(random_triangles(90, matt) + "," + random_spheres(40, 0.3, matt), lights)});
   }
+  for (const std::string& lights : {std::string(distant_lights), std::string(point_light),
+                                    std::string(distant_lights) + "," + point_light}) {
+    const std::string under =
+        " under " + std::to_string(std::count(lights.begin(), lights.end(), '{')) + " lights";
+    for (const int count : {6, 90, 1500})
+      for (const std::string& material : {matt, mirror})
+        scenes.push_back({std::to_string(count) + " cylinders" + under + " of " + material,
+                          with_objects(random_cylinders(count, material) + "," + floor + "," +
+                                           random_spheres(20, 0.3, mirror),
+                                       lights)});
+  }
   scenes.push_back({"sheet seen along its corners", straight_sheet()});
   for (const std::string axes : {"xz", "xy", "yz"})
     scenes.push_back(
@@ -219,24 +230,38 @@ TEST(Variants, bytes_are_the_rounded_floats_on_every_instruction_set) {
   }
 }
 
-TEST(Variants, finds_triangles_alike_by_every_finder) {
+/// Also by those that the plan would not choose.
+template <class Kind>
+void expect_alike_by_every_finder() {
   for (const NamedScene& named : scenes()) {
     Scene scene = named.scene;
     scene.render.precision = Precision::double_precision;
     Plan plan = make_plan(scene, this_machine());
-    if (plan.features.primitives[kind_index<TriangleKind>] == 0) continue;
+    const std::size_t count = plan.features.primitives[kind_index<Kind>];
+    if (count == 0) continue;
     const Image expected = reference_image(scene);
-    for (const bool by_bins : {false, true}) {
-      for (const bool by_grids : {false, true}) {
-        FinderRow& row = plan.finders[kind_index<TriangleKind>];
-        row.fill(Finder::tree);
-        if (by_bins) set(row, RayKind::from_eye, Finder::screen_bins);
-        if (by_grids) set(row, RayKind::to_distant_light, Finder::light_grid);
-        EXPECT_EQ(count_wrong(image_by(plan, scene), expected), 0)
-            << named.name << (by_bins ? ", bins" : "") << (by_grids ? ", grids" : "");
+    for (const Finder otherwise : {Finder::tree, Finder::one_by_one}) {
+      if (otherwise == Finder::one_by_one && count > 10 * Kind::few.followed) continue;
+      for (const bool by_bins : {false, true}) {
+        for (const bool by_grids : {false, true}) {
+          FinderRow& row = plan.finders[kind_index<Kind>];
+          row.fill(otherwise);
+          set(row, RayKind::from_eye, by_bins ? Finder::screen_bins : Finder::tree);
+          if (by_grids) set(row, RayKind::to_distant_light, Finder::light_grid);
+          EXPECT_EQ(count_wrong(image_by(plan, scene), expected), 0)
+              << named.name << (by_bins ? ", bins" : "") << (by_grids ? ", grids" : "");
+        }
       }
     }
   }
+}
+
+TEST(Variants, finds_triangles_alike_by_every_finder) {
+  expect_alike_by_every_finder<TriangleKind>();
+}
+
+TEST(Variants, finds_cylinders_alike_by_every_finder) {
+  expect_alike_by_every_finder<CylinderKind>();
 }
 
 TEST(Variants, runs_on_the_instruction_set_that_is_asked_for) {

@@ -1,0 +1,127 @@
+// Cylinders in frame coordinates, and what the plan has to know of them: how near, far and
+// large they are.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/math/compensated.h"
+#include "engine/objects/cylinder/cylinder.h"
+
+namespace raytracer {
+namespace {
+
+/// A quarter of a - b, exactly, which no doubles make overflow, in frame units.
+Split frame_difference(const Vec3& a, const Vec3& b, const Frame& frame) {
+  return scaled(exact_difference(0.25 * a, 0.25 * b), 2 - frame.exponent());
+}
+
+/// a + (first + second) w in twice the precision: what a double holds of it, and the rest.
+Split along_axis(const Split& a, double first, double second, const Split& w) {
+  Split sum;
+  for (const int axis : {0, 1, 2}) {
+    CompensatedSum coordinate;
+    coordinate.add(component(a.high, axis));
+    coordinate.add_product(first, component(w.high, axis));
+    coordinate.add_product(second, component(w.high, axis));
+    coordinate.add(component(a.low, axis));
+    coordinate.add_product(first, component(w.low, axis));
+    component(sum.high, axis) = coordinate.total();
+    component(sum.low, axis) = (coordinate.value - component(sum.high, axis)) + coordinate.rest;
+  }
+  return sum;
+}
+
+bool is_too_small(const PackedCylinder& c) {
+  return !Frame::carries(c.radius) || !Frame::carries(c.high - c.low);
+}
+
+PackedCylinder pack_one(const Vec3& from, const Vec3& to, double radius, bool caps,
+                        const PrimitiveId& id, const Frame& frame) {
+  const Split a = frame_difference(from, frame.eye(), frame);
+  Split w = frame_difference(to, from, frame);
+  const double longest = max_abs(w.high);
+  const double r = frame.frame_from_scene(radius);
+  if (!Frame::carries(longest)) return {a.high, {1, 0, 0}, 0, 0, r, 0, caps, id};
+  const int exponent = std::ilogb(longest);
+  w = scaled(w, -exponent);
+  const double square = dot(w.high, w.high);
+  // The foot is a + (first + second) w: the second step takes away what the first left along w.
+  const double first = -dot(a.high, w.high) / square;
+  const double second = -dot(along_axis(a, first, 0, w).high, w.high) / square;
+  const Split foot = along_axis(a, first, second, w);
+  CompensatedSum eye_c;
+  for (const int axis : {0, 1, 2})
+    eye_c.add_product(component(foot.high, axis), component(foot.high, axis));
+  eye_c.add_product(-r, r);
+  eye_c.add(2 * dot(foot.high, foot.low));
+  const double unit_of_w = std::sqrt(square);
+  const double low = -(first + second) * unit_of_w;
+  const double high = ((std::ldexp(1.0, exponent) - first) - second) * unit_of_w;
+  return {foot.high, unit(w.high), low, std::max(low, high), r, eye_c.total(), caps, id};
+}
+
+/// How far a place is from the endless cylinder's side and from the ends, negative within.
+struct Distances {
+  double side;
+  double ends;
+
+  Distances(const PackedCylinder& c, const Vec3& place) {
+    const Vec3 from_foot = place - c.foot;
+    const double along = dot(from_foot, c.axis);
+    side = length(from_foot - along * c.axis) - c.radius;
+    ends = std::max(c.low - along, along - c.high);
+  }
+
+  /// To the surface; negative inside a closed cylinder.
+  double to_surface(bool has_caps) const {
+    if (!has_caps) return std::hypot(side, std::max(ends, 0.0));
+    if (side < 0 && ends < 0) return std::max(side, ends);
+    return std::hypot(std::max(side, 0.0), std::max(ends, 0.0));
+  }
+};
+
+}  // namespace
+
+void pack(const Cylinder& c, Packing<PackedCylinder>& to) {
+  const PackedCylinder packed = pack_one(c.from, c.to, c.radius, c.caps, {to.object, 0}, to.frame);
+  to.add(packed, !is_too_small(packed));
+}
+
+void pack(const Cylinders& c, Packing<PackedCylinder>& to) {
+  const auto make = [&](std::size_t i) {
+    return pack_one(c.from[i], c.to[i], c.radius(i), c.caps, {to.object, i}, to.frame);
+  };
+  to.add_all(c.from.size(), make, is_too_small, is_too_small);
+}
+
+Box bounds(const PackedCylinder& c) {
+  const Vec3& w = c.axis;
+  const Vec3 reach =
+      Vec3{std::hypot(w.y, w.z), std::hypot(w.x, w.z), std::hypot(w.x, w.y)} * c.radius;
+  Box box;
+  for (const bool is_to : {false, true})
+    box.include(Box{c.end(is_to) - reach, c.end(is_to) + reach});
+  return box;
+}
+
+double nearest_distance(const PackedCylinder& c) { return Distances(c, {}).to_surface(c.has_caps); }
+
+void add_statistics(const PackedCylinder& c, const Viewpoint& from, GeometryStatistics& to) {
+  const Vec3 middle = 0.5 * (c.end(false) + c.end(true)) - from.place;
+  double farthest = 0;
+  for (const bool is_to : {false, true}) {
+    farthest = std::max(farthest, length(c.end(is_to) - from.place));
+    to.note_place(c.end(is_to) - from.scene_origin, c.radius);
+  }
+  double distance = Distances(c, from.place).to_surface(c.has_caps);
+  if (from.place == Vec3{} && c.eye_c == 0 && c.low < 0 && c.high > 0) distance = 0;
+  to.note_surface(distance);
+  to.farthest = std::max(to.farthest, farthest + c.radius);
+  to.smallest = std::min(to.smallest, c.radius);
+  to.least_sine = std::min(to.least_sine, c.radius / farthest);
+  if (2 * c.radius < farthest * from.pixel_angle) to.subpixel += 1;
+  const double reach = 0.5 * (c.high - c.low) + c.radius;
+  const double in_front = length(middle) - reach;
+  to.blocks += from.blocks(in_front > 0 ? reach / in_front : 1e300);
+}
+
+}  // namespace raytracer
