@@ -124,7 +124,9 @@ class Oracle::Search {
       intersect_sphere(relative(s.centers[i], eye()), s.radius(i), i);
   }
 
-  void show(const Plane& p) { intersect_plane(relative(p.point, eye()), unit(QuadVec(p.normal)), 0); }
+  void show(const Plane& p) {
+    intersect_plane(relative(p.point, eye()), unit(QuadVec(p.normal)), 0);
+  }
 
   void show(const Mesh& m) {
     for (std::size_t i = 0; i < m.triangles.size(); ++i) {
@@ -159,7 +161,8 @@ class Oracle::Search {
   }
 
   /// Side and caps, each root on its own; what leaves the outside does not meet it again.
-  void intersect_cylinder(const Vec3& from, const Vec3& to, Quad radius, bool caps, std::size_t part) {
+  void intersect_cylinder(const Vec3& from, const Vec3& to, Quad radius, bool caps,
+                          std::size_t part) {
     if (leaves(part) && from_.kind != Kind::sphere_inside) return;
     const QuadVec along = QuadVec(to) - QuadVec(from);
     const Quad size = length(along);
