@@ -57,7 +57,7 @@ std::vector<Parts> valid_requests() {
     "lights": [{"type": "point", "position": [3, 4, -5], "color": [1, 1, 1], "intensity": 0.8}],
     "materials": {"red": {"color": "#e03020", "reflectivity": 0.3, "shininess": 20}},
     "objects": [{"type": "sphere_square", "center": [0, -1, 0], "radius": 0.2, "n": 6},
-                {"type": "spheres", "centers": [[0, 0, 0], [1, 0, 0]], "radii": [0.5, 0.2]},
+                {"type": "spheres", "centers": [[0, 0, 0], [1, 0, 0]], "radius": [0.5, 0.2]},
                 {"type": "plane", "point": [0, -2, 0], "normal": [0, 1, 0], "material": "red"},
                 {"type": "mesh", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]],
                  "triangles": [[0, 1, 2]]}],
