@@ -15,6 +15,7 @@
 #include <set>
 #include <thread>
 
+#include "tests/bench/command_text.h"
 #include "tests/bench/measure_case.h"
 #include "tests/bench/report.h"
 #include "tests/bench/written_file.h"
@@ -69,19 +70,6 @@ std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
     return app.exit(error);
   }
   return {};
-}
-
-/// The arguments without those that only say where files go.
-std::string command_text(int argc, char** argv) {
-  std::string text = "raytracer_bench";
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--runs" || argument == "--pictures" || argument == "--commit")
-      ++i;
-    else
-      text += ' ' + argument;
-  }
-  return text;
 }
 
 bool is_wanted(const Case& candidate, const Options& options) {
@@ -159,7 +147,10 @@ int main(int argc, char** argv) {
     if (const auto status = parse_arguments(argc, argv, options)) return *status;
     // Not by the main thread: jemalloc 5.3 makes its arena before it has read the options, and
     // gives back its blocks of 8 MB at once; most of the server's threads have others.
-    const auto measure = [&] { return measure_all(options, command_text(argc, argv)); };
+    const auto measure = [&] {
+      return measure_all(options, command_text("raytracer_bench", argc, argv,
+                                               {"--runs", "--pictures", "--commit"}));
+    };
     std::cout << to_markdown(std::async(std::launch::async, measure).get());
   } catch (const std::exception& error) {
     std::cerr << "bench: " << error.what() << '\n';

@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tests/bench/command_text.h"
 #include "tests/bench/scene_documents.h"
 #include "tests/bench/written_file.h"
 #include "tests/tradeoff/report.h"
@@ -92,19 +93,6 @@ std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
     options.budget_repetitions = 3;
   }
   return {};
-}
-
-/// The arguments without those that only say where files go.
-std::string command_text(int argc, char** argv) {
-  std::string text = "raytracer_published_tradeoff";
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--runs" || argument == "--commit")
-      ++i;
-    else
-      text += ' ' + argument;
-  }
-  return text;
 }
 
 std::string text_of(const fs::path& path) {
@@ -226,7 +214,10 @@ int main(int argc, char** argv) {
     if (const auto status = parse_arguments(argc, argv, options)) return *status;
     // Not by the main thread: jemalloc 5.3 makes its arena before it has read the options, and
     // gives back its blocks of 8 MB at once; most of the server's threads have others.
-    const auto measure = [&] { return measure_all(options, command_text(argc, argv)); };
+    const auto measure = [&] {
+      return measure_all(options, bench::command_text("raytracer_published_tradeoff", argc, argv,
+                                                      {"--runs", "--commit"}));
+    };
     std::cout << to_markdown(std::async(std::launch::async, measure).get());
   } catch (const std::exception& error) {
     std::cerr << "published_tradeoff: " << error.what() << '\n';

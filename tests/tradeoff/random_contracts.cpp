@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/measure/stopwatch.h"
+#include "tests/bench/command_text.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/written_file.h"
 #include "tests/tradeoff/random_report.h"
@@ -73,19 +74,6 @@ std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
   return {};
 }
 
-/// The arguments without the commit, which has a place of its own.
-std::string command_text(int argc, char** argv) {
-  std::string text = "raytracer_random_contracts";
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--commit")
-      ++i;
-    else
-      text += ' ' + argument;
-  }
-  return text;
-}
-
 std::vector<std::uint64_t> scene_seeds(const Options& options) {
   if (options.scene_seed) return {*options.scene_seed};
   std::vector<std::uint64_t> seeds;
@@ -135,7 +123,9 @@ int main(int argc, char** argv) {
   try {
     Options options;
     if (const auto status = parse_arguments(argc, argv, options)) return *status;
-    if (options.write.empty()) return measure_all(options, command_text(argc, argv));
+    if (options.write.empty())
+      return measure_all(
+          options, bench::command_text("raytracer_random_contracts", argc, argv, {"--commit"}));
     bench::write_file(options.write, random_scene(*options.scene_seed).document);
     return 0;
   } catch (const std::exception& error) {

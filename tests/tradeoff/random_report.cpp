@@ -7,6 +7,7 @@
 
 #include "tests/bench/markdown_table.h"
 #include "tests/bench/median.h"
+#include "tests/tradeoff/stop_text.h"
 
 namespace raytracer::published {
 namespace {
@@ -30,20 +31,6 @@ std::string share_text(std::size_t part, std::size_t all) {
   if (all == 0) return "-";
   return fmt::format("{} ({:.1f} %)", part,
                      100 * static_cast<double>(part) / static_cast<double>(all));
-}
-
-const char* stop_text(Stop stop) {
-  switch (stop) {
-    case Stop::samples:
-      return "samples";
-    case Stop::target:
-      return "target";
-    case Stop::budget:
-      return "budget";
-    case Stop::cancelled:
-      return "cancelled";
-  }
-  return "";
 }
 
 /// A table of the targets that `is_listed`.

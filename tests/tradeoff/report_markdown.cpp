@@ -8,6 +8,7 @@
 #include "tests/bench/markdown_table.h"
 #include "tests/bench/median.h"
 #include "tests/tradeoff/report.h"
+#include "tests/tradeoff/stop_text.h"
 
 namespace raytracer::published {
 namespace {
@@ -21,20 +22,6 @@ std::string error_text(double error) { return fmt::format("{:.2g}", error); }
 
 std::string error_text(const std::optional<double>& error) {
   return error ? error_text(*error) : "-";
-}
-
-std::string name_of(Stop stop) {
-  switch (stop) {
-    case Stop::samples:
-      return "samples";
-    case Stop::target:
-      return "target";
-    case Stop::budget:
-      return "budget";
-    case Stop::cancelled:
-      return "cancelled";
-  }
-  return {};
 }
 
 std::string heading(const Report& report) {
@@ -126,7 +113,7 @@ std::string contract_section(const Report& report) {
                   kept.estimated_error && kept.rmse > 0
                       ? fmt::format("{:.2f}", *kept.estimated_error / kept.rmse)
                       : "-",
-                  digits(kept.samples_per_pixel), name_of(kept.stop), digits(kept.trace_ms));
+                  digits(kept.samples_per_pixel), stop_text(kept.stop), digits(kept.trace_ms));
   return text;
 }
 
