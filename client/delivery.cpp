@@ -10,8 +10,6 @@
 #include <string_view>
 
 #include "client/atomic_file.h"
-#include "client/inline_image.h"
-#include "client/sixel.h"
 #include "client/terminal_picture.h"
 
 namespace raytracer::client {
@@ -55,44 +53,27 @@ void write_to_standard_output(std::string_view bytes) {
 
 }  // namespace
 
-Delivery::Delivery(const std::optional<std::filesystem::path>& file) : file_(file) {
-  if (file_)
-    check_writable(*file_);
-  else if (::isatty(STDOUT_FILENO) == 1)
-    graphics_ = terminal_graphics();
+Delivery::Delivery(const std::optional<std::filesystem::path>& file)
+    : file_(file), into_terminal_(!file && ::isatty(STDOUT_FILENO) == 1) {
+  if (file_) check_writable(*file_);
 }
 
 ImageFormat Delivery::format() const {
   if (file_) return format_of(*file_).value();
-  const bool as_cells =
-      graphics_ && *graphics_ != TerminalGraphics::kitty && *graphics_ != TerminalGraphics::iterm;
-  return as_cells ? ImageFormat::ppm : ImageFormat::png;
+  return into_terminal_ ? ImageFormat::ppm : ImageFormat::png;
 }
 
 void Delivery::operator()(const RenderedImage& image, const std::string& label) const {
-  if (file_)
+  if (file_) {
     write_atomically(*file_, image.bytes);
-  else
-    write_to_standard_output(graphics_ ? in_terminal(image) : image.bytes);
-  fmt::print(stderr, "{}\n", summary(file_ ? file_->string() : label, image));
-}
-
-std::string Delivery::in_terminal(const RenderedImage& image) const {
-  TerminalSize size = terminal_size(STDOUT_FILENO);
-  size.rows -= 3;  // the line about the image, which may wrap, and the prompt
-  switch (*graphics_) {
-    case TerminalGraphics::kitty:
-      return kitty_image(image.bytes, size);
-    case TerminalGraphics::iterm:
-      return iterm_image(image.bytes, size);
-    case TerminalGraphics::sixel:
-      return sixels(read_ppm(image.bytes), size);
-    case TerminalGraphics::half_blocks:
-      return half_blocks(read_ppm(image.bytes), size);
-    case TerminalGraphics::characters:
-      return characters(read_ppm(image.bytes), size);
+  } else if (into_terminal_) {
+    TerminalSize room = terminal_size(STDOUT_FILENO);
+    room.rows -= 3;  // the line about the image, which may wrap, and the prompt
+    write_to_standard_output(terminal_picture(image.bytes, room));
+  } else {
+    write_to_standard_output(image.bytes);
   }
-  return {};
+  fmt::print(stderr, "{}\n", summary(file_ ? file_->string() : label, image));
 }
 
 }  // namespace raytracer::client

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "client/api.h"
-#include "client/terminal.h"
 
 namespace raytracer::client {
 
@@ -24,10 +23,8 @@ class Delivery {
   void operator()(const RenderedImage& image, const std::string& label) const;
 
  private:
-  std::string in_terminal(const RenderedImage& image) const;
-
   std::optional<std::filesystem::path> file_;
-  std::optional<TerminalGraphics> graphics_;  ///< none: not into a terminal
+  bool into_terminal_;
 };
 
 }  // namespace raytracer::client

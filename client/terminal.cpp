@@ -7,36 +7,23 @@
 #include <string_view>
 
 namespace raytracer::client {
-namespace {
-
-std::string_view variable(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? "" : value;
-}
-
-}  // namespace
 
 TerminalSize terminal_size(int fd) {
-  winsize size{};
-  if (::ioctl(fd, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0) return {};
-  return {size.ws_col, size.ws_row};
+  TerminalSize size;
+  winsize said{};
+  if (::ioctl(fd, TIOCGWINSZ, &said) != 0 || said.ws_col == 0 || said.ws_row == 0) return size;
+  size.columns = said.ws_col;
+  size.rows = said.ws_row;
+  if (said.ws_xpixel >= said.ws_col && said.ws_ypixel >= said.ws_row) {
+    size.column_px = said.ws_xpixel / said.ws_col;
+    size.row_px = said.ws_ypixel / said.ws_row;
+  }
+  return size;
 }
 
-bool takes_control_sequences() { return variable("TERM") != "dumb"; }
-
-TerminalGraphics terminal_graphics() {
-  if (!takes_control_sequences()) return TerminalGraphics::characters;
-  const std::string_view type = variable("TERM");
-  if (!variable("TMUX").empty() || type.starts_with("screen") || type.starts_with("tmux"))
-    return TerminalGraphics::half_blocks;
-  if (!variable("KITTY_WINDOW_ID").empty() || type == "xterm-kitty" || type == "xterm-ghostty")
-    return TerminalGraphics::kitty;
-  const std::string_view program = variable("TERM_PROGRAM");
-  if (program == "iTerm.app" || program == "WezTerm" || variable("LC_TERMINAL") == "iTerm2")
-    return TerminalGraphics::iterm;
-  if (type.starts_with("foot") || type.starts_with("mlterm") || type.starts_with("contour"))
-    return TerminalGraphics::sixel;
-  return TerminalGraphics::half_blocks;
+bool takes_control_sequences() {
+  const char* const type = std::getenv("TERM");
+  return type == nullptr || std::string_view(type) != "dumb";
 }
 
 }  // namespace raytracer::client

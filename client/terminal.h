@@ -6,19 +6,14 @@ namespace raytracer::client {
 struct TerminalSize {
   int columns = 80;
   int rows = 24;
+  int column_px = 10;
+  int row_px = 20;
 };
 
-/// Of the terminal behind the file descriptor; 80 x 24 if it does not say.
+/// Of the terminal behind the file descriptor; the defaults for what it does not say.
 TerminalSize terminal_size(int fd);
 
 /// True if TERM does not say that the terminal takes nothing but text.
 bool takes_control_sequences();
-
-/// How a terminal can be made to show a picture, best first.
-enum class TerminalGraphics { kitty, iterm, sixel, half_blocks, characters };
-
-/// What the terminal says of itself in TERM, TERM_PROGRAM, LC_TERMINAL and KITTY_WINDOW_ID. Inside
-/// tmux or screen, which let no images through, half blocks.
-TerminalGraphics terminal_graphics();
 
 }  // namespace raytracer::client

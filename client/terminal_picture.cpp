@@ -1,11 +1,11 @@
+// The one file with chafa, which draws, and GLib, in whose types it speaks.
 #include "client/terminal_picture.h"
 
-#include <fmt/format.h>
+#include <chafa.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <iterator>
+#include <memory>
+#include <optional>
 
 #include "client/failure.h"
 #include "client/image_format.h"
@@ -13,105 +13,100 @@
 namespace raytracer::client {
 namespace {
 
-std::size_t channel_index(const Pixmap& picture, int x, int y) {
-  return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-              static_cast<std::size_t>(x));
-}
-
-/// How much of the pixel [i, i + 1) lies in [begin, end).
-double overlap(int i, double begin, double end) {
-  return std::min(end, i + 1.0) - std::max(begin, static_cast<double>(i));
-}
-
-/// The mean colour over [x0, x1) x [y0, y1), in pixels.
-std::array<unsigned char, 3> mean(const Pixmap& picture, double x0, double x1, double y0,
-                                  double y1) {
-  std::array<double, 3> sum{};
-  double weights = 0;
-  const int y_end = std::min(static_cast<int>(std::ceil(y1)), picture.height);
-  const int x_end = std::min(static_cast<int>(std::ceil(x1)), picture.width);
-  for (int y = static_cast<int>(y0); y < y_end; ++y) {
-    for (int x = static_cast<int>(x0); x < x_end; ++x) {
-      const double weight = overlap(x, x0, x1) * overlap(y, y0, y1);
-      weights += weight;
-      for (std::size_t c = 0; c < 3; ++c)
-        sum[c] += weight * picture.rgb[channel_index(picture, x, y) + c];
-    }
+template <auto release>
+struct Release {
+  template <typename T>
+  void operator()(T* object) const {
+    release(object);
   }
-  std::array<unsigned char, 3> color{};
-  for (std::size_t c = 0; c < 3; ++c)
-    color[c] = static_cast<unsigned char>(std::lround(sum[c] / weights));
-  return color;
+};
+using TerminalInfo = std::unique_ptr<ChafaTermInfo, Release<chafa_term_info_unref>>;
+using Config = std::unique_ptr<ChafaCanvasConfig, Release<chafa_canvas_config_unref>>;
+using Canvas = std::unique_ptr<ChafaCanvas, Release<chafa_canvas_unref>>;
+using SymbolMap = std::unique_ptr<ChafaSymbolMap, Release<chafa_symbol_map_unref>>;
+
+/// Knows no sequence at all where the terminal takes none.
+TerminalInfo terminal_info() {
+  if (!takes_control_sequences()) return TerminalInfo(chafa_term_info_new());
+  gchar** environment = g_get_environ();
+  const auto variable = [&](const char* name) {
+    const gchar* const value = g_environ_getenv(environment, name);
+    return std::string_view(value == nullptr ? "" : value);
+  };
+  // chafa 1.12 knows kitty by TERM only, and not Ghostty, which takes the same images. In tmux the
+  // variables of the terminal around it are left, but no images get through.
+  const bool takes_kitty_images =
+      variable("TERM") == "xterm-ghostty" || !variable("KITTY_WINDOW_ID").empty();
+  if (takes_kitty_images && variable("TMUX").empty())
+    environment = g_environ_setenv(environment, "TERM", "xterm-kitty", TRUE);
+  TerminalInfo info(chafa_term_db_detect(chafa_term_db_get_default(), environment));
+  g_strfreev(environment);
+  return info;
+}
+
+bool takes(const TerminalInfo& info, ChafaTermSeq sequence) {
+  return chafa_term_info_have_seq(info.get(), sequence) != FALSE;
+}
+
+ChafaPixelMode pixel_mode(const TerminalInfo& info) {
+  if (takes(info, CHAFA_TERM_SEQ_BEGIN_KITTY_IMMEDIATE_IMAGE_V1)) return CHAFA_PIXEL_MODE_KITTY;
+  if (takes(info, CHAFA_TERM_SEQ_BEGIN_ITERM2_IMAGE)) return CHAFA_PIXEL_MODE_ITERM2;
+  if (takes(info, CHAFA_TERM_SEQ_BEGIN_SIXELS)) return CHAFA_PIXEL_MODE_SIXELS;
+  return CHAFA_PIXEL_MODE_SYMBOLS;
+}
+
+/// Of cells; images have all their colours in any case.
+ChafaCanvasMode color_mode(const TerminalInfo& info) {
+  if (takes(info, CHAFA_TERM_SEQ_SET_COLOR_FGBG_DIRECT)) return CHAFA_CANVAS_MODE_TRUECOLOR;
+  if (takes(info, CHAFA_TERM_SEQ_SET_COLOR_FGBG_256)) return CHAFA_CANVAS_MODE_INDEXED_240;
+  if (takes(info, CHAFA_TERM_SEQ_SET_COLOR_FGBG_16)) return CHAFA_CANVAS_MODE_INDEXED_16;
+  return CHAFA_CANVAS_MODE_FGBG;
+}
+
+Config configuration(const TerminalInfo& info, ImageSize image, const TerminalSize& window) {
+  Config config(chafa_canvas_config_new());
+  const ChafaPixelMode pixels = pixel_mode(info);
+  const bool as_image = pixels != CHAFA_PIXEL_MODE_SYMBOLS;
+  chafa_canvas_config_set_pixel_mode(config.get(), pixels);
+  chafa_canvas_config_set_canvas_mode(config.get(),
+                                      as_image ? CHAFA_CANVAS_MODE_TRUECOLOR : color_mode(info));
+  if (!takes_control_sequences()) {
+    const SymbolMap symbols(chafa_symbol_map_new());
+    chafa_symbol_map_add_by_tags(symbols.get(), CHAFA_SYMBOL_TAG_ASCII);
+    chafa_canvas_config_set_symbol_map(config.get(), symbols.get());
+  }
+  const int own_columns =
+      as_image ? (image.width_px + window.column_px - 1) / window.column_px : image.width_px;
+  int columns = std::min(window.columns, own_columns);
+  int rows = std::max(window.rows, 1);
+  chafa_calc_canvas_geometry(
+      image.width_px, image.height_px, &columns, &rows,
+      static_cast<float>(window.column_px) / static_cast<float>(window.row_px), FALSE, FALSE);
+  chafa_canvas_config_set_geometry(config.get(), columns, rows);
+  chafa_canvas_config_set_cell_geometry(config.get(), window.column_px, window.row_px);
+  return config;
 }
 
 }  // namespace
 
-Pixmap read_ppm(std::string_view bytes) {
-  const auto header = netpbm_header(bytes, "P6");
+std::string terminal_picture(std::string_view ppm, const TerminalSize& window) {
+  const std::optional<NetpbmHeader> header = netpbm_header(ppm, "P6");
   if (!header) throw ServerError("the server's answer is not the P6 image that was asked for");
-  Pixmap picture{header->size.width_px, header->size.height_px, {}};
-  const std::string_view pixels = bytes.substr(header->length);
-  if (pixels.size() != channel_index(picture, 0, picture.height))
+  const ImageSize size = header->size;
+  const std::string_view pixels = ppm.substr(header->length);
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(size.width_px);
+  if (pixels.size() != row_bytes * static_cast<std::size_t>(size.height_px))
     throw ServerError("the server's image is not whole");
-  picture.rgb.assign(pixels.begin(), pixels.end());
-  return picture;
-}
 
-Pixmap shrink(const Pixmap& picture, int width, int height) {
-  Pixmap small{width, height, {}};
-  small.rgb.reserve(channel_index(small, 0, height));
-  const double step_x = static_cast<double>(picture.width) / width;
-  const double step_y = static_cast<double>(picture.height) / height;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      for (const unsigned char channel :
-           mean(picture, x * step_x, (x + 1) * step_x, y * step_y, (y + 1) * step_y))
-        small.rgb.push_back(channel);
-  return small;
-}
-
-Pixmap fitted(const Pixmap& picture, const TerminalSize& size, double column_px, double row_px) {
-  const double scale = std::min({1.0, column_px * std::max(size.columns, 1) / picture.width,
-                                 row_px * std::max(size.rows, 1) / picture.height});
-  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(length * scale)); };
-  return shrink(picture, scaled(picture.width), scaled(picture.height));
-}
-
-std::string half_blocks(const Pixmap& picture, const TerminalSize& size) {
-  const Pixmap small = fitted(picture, size, 1, 2);
-
-  std::string text;
-  const auto color = [&](const char* layer, int x, int y) {
-    const std::size_t i = channel_index(small, x, y);
-    fmt::format_to(std::back_inserter(text), "\033[{};2;{};{};{}m", layer, small.rgb[i],
-                   small.rgb[i + 1], small.rgb[i + 2]);
-  };
-  for (int y = 0; y < small.height; y += 2) {
-    for (int x = 0; x < small.width; ++x) {
-      color("38", x, y);
-      if (y + 1 < small.height) color("48", x, y + 1);
-      text += "▀";
-    }
-    text += "\033[0m\n";
-  }
-  return text;
-}
-
-std::string characters(const Pixmap& picture, const TerminalSize& size) {
-  constexpr std::string_view from_dark_to_light = " .:-=+*#%@";
-  const Pixmap pixels = fitted(picture, size, 1, 2);
-  const Pixmap small = shrink(pixels, pixels.width, std::max(1, pixels.height / 2));
-  std::string text;
-  for (int y = 0; y < small.height; ++y) {
-    for (int x = 0; x < small.width; ++x) {
-      const std::size_t i = channel_index(small, x, y);
-      // Luma of Rec. 709, in thousandths.
-      const int luma = (213 * small.rgb[i] + 715 * small.rgb[i + 1] + 72 * small.rgb[i + 2]) / 1000;
-      text += from_dark_to_light[static_cast<std::size_t>(luma) * from_dark_to_light.size() / 256];
-    }
-    text += '\n';
-  }
-  return text;
+  const TerminalInfo info = terminal_info();
+  const Canvas canvas(chafa_canvas_new(configuration(info, size, window).get()));
+  chafa_canvas_draw_all_pixels(canvas.get(), CHAFA_PIXEL_RGB8,
+                               reinterpret_cast<const guint8*>(pixels.data()), size.width_px,
+                               size.height_px, static_cast<int>(row_bytes));
+  GString* const printed = chafa_canvas_print(canvas.get(), info.get());
+  std::string text(printed->str, printed->len);
+  g_string_free(printed, TRUE);
+  return text + '\n';
 }
 
 }  // namespace raytracer::client

@@ -1,4 +1,5 @@
-// In a terminal: the picture in 24-bit half blocks, no larger than the window, and a progress bar.
+// In a terminal: the picture in the best way that it has, no larger than the window, and a progress
+// bar.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,21 +23,29 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const std::string half_block = "▀";
 const char* const no_terminal = "there is no terminal: mount /dev/pts";
 
-/// The lines that hold a part of the picture, each as its count of half blocks.
+/// The lines without their colours.
+std::vector<std::string> plain_lines(const std::string& screen) {
+  static const std::regex control("\x1b\\[[0-9;?]*[A-Za-z]|\r");
+  std::istringstream text(std::regex_replace(screen, control, ""));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The widths in characters of the picture's lines, which come before the line that names its size.
 std::vector<int> picture_rows(const std::string& screen) {
-  std::vector<int> rows;
-  std::istringstream lines(screen);
-  for (std::string line; std::getline(lines, line);) {
-    int count = 0;
-    for (std::size_t at = line.find(half_block); at != std::string::npos;
-         at = line.find(half_block, at + 1))
-      ++count;
-    if (count > 0) rows.push_back(count);
+  std::vector<int> widths;
+  for (const std::string& line : plain_lines(screen)) {
+    if (line.find(" samples per pixel") != std::string::npos) break;
+    // Each character of UTF-8 has one byte that continues none.
+    if (!line.empty())
+      widths.push_back(static_cast<int>(std::count_if(line.begin(), line.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80;
+      })));
   }
-  return rows;
+  return widths;
 }
 
 class Terminal : public Client {
@@ -66,8 +75,7 @@ TEST_F(Terminal, small_picture_is_shown_pixel_by_pixel) {
   if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string screen = shown({"render", scene_}, 80, 24);
   EXPECT_EQ(picture_rows(screen), std::vector<int>(6, 16)) << "16 x 12 pixels are 6 lines of 16";
-  // The corner is the background, above and below.
-  EXPECT_NE(screen.find("\x1b[38;2;0;0;255m\x1b[48;2;0;0;255m" + half_block), std::string::npos);
+  EXPECT_NE(screen.find("38;2;0;0;255m"), std::string::npos) << "where is the blue background?";
   EXPECT_NE(screen.find("\x1b[0m"), std::string::npos) << "the colours outlast the picture";
 }
 
@@ -87,6 +95,16 @@ TEST_F(Terminal, large_picture_fits_the_window) {
   }
 }
 
+TEST_F(Terminal, colours_are_those_that_it_has) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
+  const std::string in_256 = shown({"render", scene_}, 80, 24, {{"TERM", "xterm"}});
+  EXPECT_NE(in_256.find("38;5;"), std::string::npos) << in_256;
+  EXPECT_EQ(in_256.find("38;2;"), std::string::npos) << in_256;
+  const std::string in_16 = shown({"render", scene_}, 80, 24, {{"TERM", "linux"}});
+  EXPECT_EQ(in_16.find("38;"), std::string::npos) << in_16;
+  EXPECT_EQ(picture_rows(in_16), std::vector<int>(6, 16));
+}
+
 TEST_F(Terminal, no_bytes_of_an_image_file_reach_it) {
   if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string screen = shown({"render", scene_}, 80, 24);
@@ -98,13 +116,13 @@ TEST_F(Terminal, no_bytes_of_an_image_file_reach_it) {
 TEST_F(Terminal, what_came_of_it_is_said_below_the_picture) {
   if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string screen = shown({"render", scene_}, 80, 24);
-  EXPECT_GT(screen.find("16 x 12"), screen.rfind(half_block)) << screen;
+  EXPECT_GT(screen.find("16 x 12"), screen.rfind("\x1b[0m")) << screen;
 }
 
 TEST_F(Terminal, picture_in_a_file_is_not_shown_too) {
   if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string screen = shown({"render", scene_, "-o", folder_ / "image.png"}, 80, 24);
-  EXPECT_EQ(screen.find(half_block), std::string::npos);
+  EXPECT_EQ(picture_rows(screen), std::vector<int>());
   EXPECT_FALSE(read_file(folder_ / "image.png").empty());
 }
 
@@ -154,46 +172,34 @@ TEST_F(Terminal, without_one_there_is_no_bar) {
   EXPECT_EQ(outcome.err.find('['), std::string::npos) << outcome.err;
 }
 
-constexpr const char* png_signature_in_base64 = "iVBORw0KGgo";
-
-TEST_F(Terminal, one_that_decodes_images_gets_the_png) {
+TEST_F(Terminal, one_that_decodes_images_gets_one) {
   if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
-  const auto begin = [](const std::string& before) { return before + png_signature_in_base64; };
+  // 16 x 12 pixels: two cells of 10 x 20, which the image fills.
   for (const Environment& kitty :
-       {Environment{{"TERM", "xterm-kitty"}}, Environment{{"KITTY_WINDOW_ID", "1"}}}) {
+       {Environment{{"TERM", "xterm-kitty"}}, Environment{{"KITTY_WINDOW_ID", "1"}},
+        Environment{{"TERM", "xterm-ghostty"}}}) {
     const std::string screen = shown({"render", scene_}, 80, 24, kitty);
-    EXPECT_NE(screen.find(begin("\x1b_Gf=100,a=T,q=2,c=2,m=0;")), std::string::npos) << screen;
+    EXPECT_NE(screen.find("\x1b_Ga=T,f=32,s=20,v=20,c=2,r=1"), std::string::npos) << screen;
   }
   const std::string screen = shown({"render", scene_}, 80, 24, {{"TERM_PROGRAM", "iTerm.app"}});
-  EXPECT_NE(screen.find("\x1b]1337;File=inline=1;size="), std::string::npos) << screen;
-  EXPECT_NE(screen.find(begin(";width=2;preserveAspectRatio=1:")), std::string::npos) << screen;
+  EXPECT_NE(screen.find("\x1b]1337;File=inline=1;width=2;height=1"), std::string::npos) << screen;
 }
 
-TEST_F(Terminal, large_image_for_kitty_comes_in_chunks) {
+TEST_F(Terminal, large_image_fits_its_rows) {
   if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string screen = shown({"render", "demo"}, 80, 24, {{"TERM", "xterm-kitty"}});
-  static const std::regex chunk("\x1b_G([^;]*);([A-Za-z0-9+/=]*)\x1b\\\\");
-  std::vector<std::string> keys;
-  for (std::sregex_iterator match(screen.begin(), screen.end(), chunk), end; match != end;
-       ++match) {
-    keys.push_back(match->str(1));
-    EXPECT_LE(match->length(2), 4096);
-  }
-  ASSERT_GE(keys.size(), 3U);
-  EXPECT_EQ(keys.front(), "f=100,a=T,q=2,c=58,m=1") << "21 rows of 700 x 500";
-  EXPECT_EQ(keys.back(), "m=0");
+  EXPECT_NE(screen.find(",c=58,r=21,"), std::string::npos) << "21 rows of 700 x 500";
+  EXPECT_NE(screen.find("m=0\x1b\\"), std::string::npos) << "the image does not end";
 }
 
 TEST_F(Terminal, one_with_sixels_gets_them) {
   if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string screen = shown({"render", scene_}, 80, 24, {{"TERM", "foot"}});
-  EXPECT_NE(screen.find("\x1bP0;1q\"1;1;16;12#0;2;0;0;0"), std::string::npos) << screen;
-  // Colour 5 is pure blue, the background's: its first band begins with a corner.
-  EXPECT_NE(screen.find("#5!"), std::string::npos);
-  EXPECT_NE(screen.find("-\x1b\\"), std::string::npos) << "the sixels do not end";
+  EXPECT_NE(screen.find("\x1bP0;1;0q\"1;1;20;"), std::string::npos) << screen;
+  EXPECT_NE(screen.find("\x1b\\"), std::string::npos) << "the sixels do not end";
 }
 
-TEST_F(Terminal, multiplexer_gets_half_blocks) {
+TEST_F(Terminal, multiplexer_gets_blocks) {
   if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string screen =
       shown({"render", scene_}, 80, 24, {{"KITTY_WINDOW_ID", "1"}, {"TMUX", "/tmp/x"}});
@@ -203,14 +209,10 @@ TEST_F(Terminal, multiplexer_gets_half_blocks) {
 TEST_F(Terminal, dumb_one_gets_characters) {
   if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   const std::string screen = shown({"render", scene_}, 80, 24, {{"TERM", "dumb"}});
-  EXPECT_EQ(screen.find('\x1b'), std::string::npos);
-  std::istringstream lines(screen);
-  std::string line;
-  for (int row = 0; row < 6; ++row) {
-    ASSERT_TRUE(std::getline(lines, line));
-    EXPECT_EQ(line.find_first_not_of(" .:-=+*#%@\r"), std::string::npos) << line;
-    EXPECT_EQ(line.size(), 17U) << "16 columns and the terminal's carriage return";
-  }
+  EXPECT_TRUE(std::all_of(screen.begin(), screen.end(), [](char c) {
+    return (c >= ' ' && c <= '~') || c == '\r' || c == '\n';
+  })) << screen;
+  EXPECT_EQ(picture_rows(screen), std::vector<int>(6, 16));
 }
 
 TEST_F(Terminal, dumb_one_gets_no_control_sequences) {

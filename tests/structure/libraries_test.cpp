@@ -67,6 +67,11 @@ TEST(Libraries, digests_are_in_two_files) {
   });
 }
 
+TEST(Libraries, pictures_in_terminals_are_drawn_in_one_file) {
+  expect_users("chafa.h",
+               [](const std::string& path) { return path == "client/terminal_picture.cpp"; });
+}
+
 TEST(Libraries, command_lines_are_read_in_one_place_of_each_program) {
   expect_users("CLI/CLI.hpp", [](const std::string& path) {
     return path == "server/config.cpp" || path == "client/arguments.cpp" ||
