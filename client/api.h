@@ -3,35 +3,15 @@
 
 #include <chrono>
 #include <memory>
-#include <optional>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
-#include "client/arguments.h"
-#include "client/failure.h"
-#include "client/image_format.h"
 #include "client/interrupts.h"
+#include "client/scene_text.h"
+#include "client/server_choice.h"
 
 namespace raytracer::client {
-
-/// One thing that is wrong with a scene.
-struct SceneError {
-  std::string pointer;  ///< JSON Pointer (RFC 6901)
-  std::string detail;
-};
-
-/// The server understood and refused: the scene or the arguments are wrong.
-class Refused : public InputError {
- public:
-  Refused(const std::string& detail, std::vector<SceneError> errors)
-      : InputError(detail), errors_(std::move(errors)) {}
-  /// Every error of the scene; empty if it is no JSON or something else is wrong.
-  const std::vector<SceneError>& errors() const { return errors_; }
-
- private:
-  std::vector<SceneError> errors_;
-};
 
 struct ShippedScene {
   std::string name;
@@ -55,8 +35,8 @@ struct RenderedImage {
   std::string server_timing;
 };
 
-/// One daemon. Every function may throw ServerError (the message names the URL), Refused, and
-/// Interrupted.
+/// One server. Every function may throw ServerError (the message names the URL), InputError for
+/// what the server refuses, with a line for each error of a scene, and Interrupted.
 class Api {
  public:
   /// Does not connect yet. `interrupts` outlives it and cuts its requests short.
@@ -66,19 +46,19 @@ class Api {
   Api& operator=(const Api&) = delete;
 
   std::vector<ShippedScene> scenes();
-  /// The document of a scene that scenes() lists.
-  std::string scene_document(const std::string& name);
+  /// Throws InputError that lists the names if there is none of this one.
+  SceneText shipped_scene(const std::string& name);
 
-  /// Throws Refused if the scene is not valid; renders nothing.
-  void validate(const std::string& scene_text);
+  /// Returns if the scene is valid; renders nothing.
+  void validate(const SceneText& scene);
 
   /// The server's plan for the scene, a JSON text.
-  std::string plan(const std::string& scene_text, const Overrides& overrides);
+  std::string plan(const SceneText& scene, const Overrides& overrides);
 
   /// `query` may say the task; without it the job is a render.
-  Job start_job(const std::string& scene_text, const Overrides& query);
+  Job start_job(const SceneText& scene, const Overrides& query);
   Job job(const std::string& id);
-  RenderedImage job_image(const std::string& id, ImageFormat format);
+  RenderedImage job_image(const std::string& id, std::string_view media_type);
   /// What a job that is no render has made, a JSON text.
   std::string job_result(const std::string& id);
   /// Waits between two questions.

@@ -1,23 +1,19 @@
-// The commands, one source file each. Every one throws InputError, ServerError or Interrupted.
+// The commands, one source file each: it adds the command to the command line, with its options and
+// what it does, which throws InputError, ServerError or Interrupted. main.cpp lists them.
 #pragma once
 
-#include "client/arguments.h"
+#include "client/server_choice.h"
+
+namespace CLI {
+class App;
+}
 
 namespace raytracer::client {
 
-/// Renders and delivers the image; one line about it on standard error.
-void render(const RenderArguments& arguments, const ServerChoice& server);
-
-/// Prints what the server would do with the scene, each choice with its reason.
-void plan(const PlanArguments& arguments, const ServerChoice& server);
-
-/// Measures what accuracy costs on the scene; writes the curve, or prints it.
-void tradeoff(const TradeoffArguments& arguments, const ServerChoice& server);
-
-/// Prints "SCENE: valid", or throws with every error.
-void validate(const ValidateArguments& arguments, const ServerChoice& server);
-
-/// Prints the shipped scenes, each with its description.
-void list_scenes(const ServerChoice& server);
+void add_render(CLI::App& app, const ServerChoice& server);
+void add_plan(CLI::App& app, const ServerChoice& server);
+void add_tradeoff(CLI::App& app, const ServerChoice& server);
+void add_validate(CLI::App& app, const ServerChoice& server);
+void add_scenes(CLI::App& app, const ServerChoice& server);
 
 }  // namespace raytracer::client

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "client/failure.h"
@@ -9,79 +10,104 @@
 namespace raytracer::client {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::ordered_json;
 
-CurveSettings read_settings(const json& object) {
-  CurveSettings settings;
-  if (object.contains("samples")) settings.samples = object.at("samples").get<int>();
-  if (object.contains("target_rmse")) settings.target_rmse = object.at("target_rmse").get<double>();
-  if (object.contains("max_depth")) settings.max_depth = object.at("max_depth").get<int>();
-  settings.precision = object.value("precision", "");
-  settings.shadows = object.value("shadows", "");
-  return settings;
+std::string word_of(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-CurvePoint read_point(const json& object) {
-  return {read_settings(object.at("settings")), object.at("trace_ms").get<double>(),
-          object.at("rmse").get<double>(),      object.at("max_error").get<double>(),
-          object.at("off_share").get<double>(), object.at("changes_picture").get<bool>(),
-          object.at("pareto").get<bool>()};
+std::string name_of(const Json& settings) {
+  std::vector<std::string> words;
+  for (const auto& [key, value] : settings.items()) {
+    if (key == "samples")
+      words.push_back(value.dump() + (value == 1 ? " sample" : " samples"));
+    else if (key == "target_rmse")
+      words.push_back("target " + value.dump());
+    else if (key == "shadows")
+      words.emplace_back("no shadows");
+    else if (key == "max_depth")
+      words.push_back(value == 0 ? "no reflections" : value.dump() + " reflections");
+    else
+      words.push_back(word_of(value));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
-void append(std::string& list, const char* separator, const std::string& part) {
-  list += (list.empty() ? "" : separator) + part;
+std::string options_of(const Json& settings) {
+  std::vector<std::string> options;
+  for (const auto& [key, value] : settings.items()) {
+    std::string option = "--" + key;
+    std::replace(option.begin(), option.end(), '_', '-');
+    options.push_back(option + ' ' + word_of(value));
+  }
+  return fmt::format("{}", fmt::join(options, " "));
+}
+
+CurvePoint read_point(const Json& point) {
+  const Json& settings = point.at("settings");
+  return {name_of(settings),
+          options_of(settings),
+          settings.contains("target_rmse"),
+          settings.value("precision", "") == "double",
+          point.at("trace_ms").get<double>(),
+          point.at("rmse").get<double>(),
+          point.at("max_error").get<double>(),
+          point.at("off_share").get<double>(),
+          point.at("changes_picture").get<bool>(),
+          point.at("pareto").get<bool>()};
+}
+
+/// What `read` makes of the text; its errors become ServerError.
+template <typename Read>
+auto read_json(const std::string& text, Read read) {
+  try {
+    return read(Json::parse(text));
+  } catch (const Json::exception& error) {
+    throw ServerError(fmt::format("the server's answer is no curve: {}", error.what()));
+  }
 }
 
 }  // namespace
 
 Curve read_curve(const std::string& text) {
-  try {
-    const json object = json::parse(text);
-    const json& reference = object.at("reference");
-    Curve curve{object.at("width").get<int>(),
-                object.at("height").get<int>(),
-                object.at("threads").get<int>(),
+  return read_json(text, [](const Json& json) {
+    const Json& reference = json.at("reference");
+    Curve curve{json.at("width").get<int>(),
+                json.at("height").get<int>(),
+                json.at("threads").get<int>(),
                 reference.at("samples").get<int>(),
                 reference.at("estimated_error").get<double>(),
                 {}};
-    for (const json& point : object.at("points")) curve.points.push_back(read_point(point));
+    for (const Json& point : json.at("points")) curve.points.push_back(read_point(point));
+    std::stable_sort(
+        curve.points.begin(), curve.points.end(),
+        [](const CurvePoint& a, const CurvePoint& b) { return a.trace_ms < b.trace_ms; });
     return curve;
-  } catch (const json::exception& error) {
-    throw ServerError(fmt::format("the server's answer is no curve: {}", error.what()));
-  }
+  });
 }
 
-std::string in_words(const CurveSettings& settings) {
-  std::string words;
-  if (settings.samples)
-    append(words, ", ",
-           fmt::format("{} sample{}", *settings.samples, *settings.samples == 1 ? "" : "s"));
-  if (settings.target_rmse) append(words, ", ", fmt::format("target {:g}", *settings.target_rmse));
-  if (!settings.precision.empty()) append(words, ", ", settings.precision);
-  if (settings.shadows == "off") append(words, ", ", "no shadows");
-  if (settings.max_depth)
-    append(words, ", ",
-           *settings.max_depth == 0 ? "no reflections"
-                                    : fmt::format("{} reflections", *settings.max_depth));
-  return words;
-}
-
-std::string as_options(const CurveSettings& settings) {
-  std::string options;
-  if (settings.samples) append(options, " ", fmt::format("--samples {}", *settings.samples));
-  if (settings.target_rmse)
-    append(options, " ", fmt::format("--target-rmse {:g}", *settings.target_rmse));
-  if (!settings.precision.empty()) append(options, " ", "--precision " + settings.precision);
-  if (settings.max_depth) append(options, " ", fmt::format("--max-depth {}", *settings.max_depth));
-  return options;
+std::string curve_csv(const std::string& text) {
+  constexpr std::array settings{"samples", "target_rmse", "precision", "shadows", "max_depth"};
+  constexpr std::array figures{"trace_ms",        "rmse",  "max_error", "off_share",
+                               "changes_picture", "pareto"};
+  return read_json(text, [&](const Json& json) {
+    std::string csv = fmt::format("{},{}\n", fmt::join(settings, ","), fmt::join(figures, ","));
+    for (const Json& point : json.at("points")) {
+      std::vector<std::string> cells;
+      for (const char* const key : settings)
+        cells.push_back(word_of(point.at("settings").value(key, Json(""))));
+      for (const char* const key : figures) cells.push_back(point.at(key).dump());
+      csv += fmt::format("{}\n", fmt::join(cells, ","));
+    }
+    return csv;
+  });
 }
 
 const CurvePoint* cheapest(const Curve& curve, double rmse) {
-  const CurvePoint* best = nullptr;
-  for (const CurvePoint& point : curve.points)
-    if (!point.changes_picture && point.rmse <= rmse && (!best || point.trace_ms < best->trace_ms))
-      best = &point;
-  return best;
+  const auto found = std::find_if(
+      curve.points.begin(), curve.points.end(),
+      [rmse](const CurvePoint& point) { return !point.changes_picture && point.rmse <= rmse; });
+  return found == curve.points.end() ? nullptr : &*found;
 }
 
 }  // namespace raytracer::client

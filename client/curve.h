@@ -1,23 +1,17 @@
 // What accuracy costs on a scene, as a server measured it: settings with their times and errors.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace raytracer::client {
 
-/// What a picture was made with, over the scene's own; what is not named is the scene's.
-struct CurveSettings {
-  std::optional<int> samples;
-  std::optional<double> target_rmse;
-  std::string precision;  ///< "single", "double"; empty: the server's choice
-  std::string shadows;    ///< "off" or empty
-  std::optional<int> max_depth;
-};
-
+/// A picture that was made with some settings over the scene's own.
 struct CurvePoint {
-  CurveSettings settings;
+  std::string name;     ///< "4 samples, single", "target 0.01", "1 sample, no shadows"
+  std::string options;  ///< "--samples 4 --precision single": makes it with `raytracer render`
+  bool has_target = false;
+  bool is_double = false;
   double trace_ms = 0;
   double rmse = 0;
   double max_error = 0;
@@ -31,26 +25,16 @@ struct Curve {
   int height_px = 0;
   int thread_count = 0;
   int reference_samples = 0;
-  double reference_error = 0;  ///< estimated, of what the points were compared with
-  std::vector<CurvePoint> points;
+  double reference_error = 0;      ///< estimated, of what the points were compared with
+  std::vector<CurvePoint> points;  ///< the fastest first
 };
-
-/// One value of each point, in their order.
-inline std::vector<double> values_of(const std::vector<CurvePoint>& points,
-                                     double CurvePoint::*value) {
-  std::vector<double> values;
-  for (const CurvePoint& point : points) values.push_back(point.*value);
-  return values;
-}
 
 /// Reads GET /jobs/ID/result. Throws ServerError if it is no curve.
 Curve read_curve(const std::string& json);
 
-/// "4 samples, single", "target 0.01", "1 sample, no shadows"
-std::string in_words(const CurveSettings& settings);
-
-/// "--samples 4 --precision single": what makes this picture with `raytracer render`.
-std::string as_options(const CurveSettings& settings);
+/// The same as a table: a line of names, then a line for each point, empty where the scene's own
+/// value stands.
+std::string curve_csv(const std::string& json);
 
 /// The fastest point that keeps the picture and has at most this rmse; null if there is none.
 const CurvePoint* cheapest(const Curve& curve, double rmse);

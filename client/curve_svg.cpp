@@ -26,59 +26,38 @@ constexpr std::string_view style =
     .other { stroke: var(--other) } .other.best { fill: var(--other) }
 )";
 
-/// What was set, as the drawing tells it apart.
-enum class Kind { single, in_double, target, other };
-
-struct KindRow {
-  Kind kind;
+/// What was set, as the drawing tells it apart: by colour, and by the outline of its mark.
+struct Kind {
   std::string_view css_class;
   std::string_view name;
+  std::string_view outline;  ///< as an SVG path, from the point
 };
 
-constexpr std::array<KindRow, 4> kinds{{{Kind::single, "single", "samples, single precision"},
-                                        {Kind::in_double, "double", "samples, double precision"},
-                                        {Kind::target, "target", "target error"},
-                                        {Kind::other, "other", "parts of the picture left out"}}};
+constexpr Kind single{"single", "samples, single precision",
+                      "m-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0 -9 0z"};
+constexpr Kind in_double{"double", "samples, double precision", "m0 -5.5l5 9h-10z"};
+constexpr Kind target{"target", "target error", "m-4 -4h8v8h-8z"};
+constexpr Kind incomplete{"other", "parts of the picture left out",
+                          "m0 -5.5l5.5 5.5l-5.5 5.5l-5.5 -5.5z"};
 
-const KindRow& row_of(const CurvePoint& point) {
-  const Kind kind = point.changes_picture                  ? Kind::other
-                    : point.settings.target_rmse           ? Kind::target
-                    : point.settings.precision == "double" ? Kind::in_double
-                                                           : Kind::single;
-  return *std::find_if(kinds.begin(), kinds.end(),
-                       [kind](const KindRow& row) { return row.kind == kind; });
+const Kind& kind_of(const CurvePoint& point) {
+  if (point.changes_picture) return incomplete;
+  if (point.has_target) return target;
+  return point.is_double ? in_double : single;
 }
 
-/// The outline of a kind's mark around (x, y): circle, triangle, square, diamond.
-std::string outline(Kind kind, double x, double y) {
-  switch (kind) {
-    case Kind::single:
-      return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\"", x, y);
-    case Kind::in_double:
-      return fmt::format("<path d=\"M{:.1f} {:.1f}l5 9h-10z\"", x, y - 5.5);
-    case Kind::target:
-      return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"8\"", x - 4, y - 4);
-    case Kind::other:
-      break;
-  }
-  return fmt::format("<path d=\"M{:.1f} {:.1f}l5.5 5.5l-5.5 5.5l-5.5 -5.5z\"", x, y - 5.5);
-}
-
-std::string mark(const KindRow& row, bool is_best, double x, double y, const std::string& title) {
-  return fmt::format("  {} class=\"point {}{}\">{}</{}>\n", outline(row.kind, x, y), row.css_class,
-                     is_best ? " best" : "",
-                     title.empty() ? "" : "<title>" + svg_escaped(title) + "</title>",
-                     row.kind == Kind::single   ? "circle"
-                     : row.kind == Kind::target ? "rect"
-                                                : "path");
+std::string mark(const Kind& kind, bool is_best, double x, double y, const std::string& title) {
+  return fmt::format("  <path class=\"point {}{}\" d=\"M{:.1f} {:.1f}{}\">{}</path>\n",
+                     kind.css_class, is_best ? " best" : "", x, y, kind.outline,
+                     title.empty() ? "" : "<title>" + svg_escaped(title) + "</title>");
 }
 
 std::string legend() {
   constexpr double x = LogPlot::right + 32;
   double y = LogPlot::top + 8;
   std::string text;
-  for (const KindRow& row : kinds) {
-    text += mark(row, false, x, y - 4, "") + svg_text(x + 14, y, "", row.name);
+  for (const Kind& kind : {single, in_double, target, incomplete}) {
+    text += mark(kind, false, x, y - 4, "") + svg_text(x + 14, y, "", kind.name);
     y += 22;
   }
   y += 10;
@@ -135,12 +114,12 @@ std::string marks(const std::vector<CurvePoint>& points, const LogPlot& plot) {
     const double y = plot.y(point.rmse);
     if (point.pareto && !point.changes_picture) {
       line += fmt::format("{}{:.1f} {:.1f}", line.empty() ? "M" : "L", x, y);
-      names += placed.place(x, y, in_words(point.settings));
+      names += placed.place(x, y, point.name);
     }
-    drawn += mark(row_of(point), point.pareto, x, y,
+    drawn += mark(kind_of(point), point.pareto, x, y,
                   fmt::format("{}: {:.3g} ms, rmse {:.2g}, largest {:.2g}, {:.2g} % off by more "
                               "than 1/255",
-                              in_words(point.settings), point.trace_ms, point.rmse, point.max_error,
+                              point.name, point.trace_ms, point.rmse, point.max_error,
                               100 * point.off_share));
   }
   return fmt::format("  <path class=\"front\" d=\"{}\"/>\n{}{}", line, drawn, names);
@@ -149,18 +128,20 @@ std::string marks(const std::vector<CurvePoint>& points, const LogPlot& plot) {
 }  // namespace
 
 std::string curve_svg(const Curve& curve, const std::string& label) {
-  std::vector<CurvePoint> points = curve.points;
-  std::sort(points.begin(), points.end(),
-            [](const CurvePoint& a, const CurvePoint& b) { return a.trace_ms < b.trace_ms; });
-  const LogPlot plot(values_of(points, &CurvePoint::trace_ms),
-                     values_of(points, &CurvePoint::rmse));
+  std::vector<double> times_ms;
+  std::vector<double> errors;
+  for (const CurvePoint& point : curve.points) {
+    times_ms.push_back(point.trace_ms);
+    errors.push_back(point.rmse);
+  }
+  const LogPlot plot(times_ms, errors);
   const std::string measured = fmt::format(
       "{} x {} pixels on {} thread{}; errors against {} samples per pixel in double precision, "
       "off by at most {:.1g} by estimate",
       curve.width_px, curve.height_px, curve.thread_count, curve.thread_count == 1 ? "" : "s",
       curve.reference_samples, curve.reference_error);
   return plot.document("What accuracy costs: " + label, measured, style,
-                       marks(points, plot) + legend());
+                       marks(curve.points, plot) + legend());
 }
 
 }  // namespace raytracer::client

@@ -1,4 +1,4 @@
-// A curve as people read it in a terminal: a table, a plot of characters, and what to choose.
+// A curve as people read it in a terminal: a table, and what to choose.
 #pragma once
 
 #include <string>

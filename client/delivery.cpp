@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
+#include <algorithm>
 #include <sstream>
 #include <string_view>
 
-#include "client/atomic_file.h"
+#include "client/image_format.h"
+#include "client/terminal.h"
 #include "client/terminal_picture.h"
 
 namespace raytracer::client {
@@ -45,27 +44,25 @@ std::string summary(const std::string& place, const RenderedImage& image) {
   return line;
 }
 
-void write_to_standard_output(std::string_view bytes) {
-  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
-  if (!written || std::fflush(stdout) != 0)
-    throw InputError(fmt::format("standard output: cannot be written: {}", std::strerror(errno)));
-}
-
 }  // namespace
 
-Delivery::Delivery(const std::optional<std::filesystem::path>& file)
+Delivery::Delivery(const std::optional<OutputFile>& file)
     : file_(file), into_terminal_(!file && ::isatty(STDOUT_FILENO) == 1) {
-  if (file_) check_writable(*file_);
+  if (file_) file_->check_writable();
 }
 
-ImageFormat Delivery::format() const {
-  if (file_) return format_of(*file_).value();
-  return into_terminal_ ? ImageFormat::ppm : ImageFormat::png;
+std::string_view Delivery::media_type() const {
+  if (!file_) return into_terminal_ ? ppm_format.media_type : png_format.media_type;
+  return std::find_if(image_formats.begin(), image_formats.end(),
+                      [ending = file_->ending()](const ImageFormat& format) {
+                        return format.ending == ending;
+                      })
+      ->media_type;
 }
 
 void Delivery::operator()(const RenderedImage& image, const std::string& label) const {
   if (file_) {
-    write_atomically(*file_, image.bytes);
+    file_->write(image.bytes);
   } else if (into_terminal_) {
     TerminalSize room = terminal_size(STDOUT_FILENO);
     room.rows -= 3;  // the line about the image, which may wrap, and the prompt
@@ -73,7 +70,7 @@ void Delivery::operator()(const RenderedImage& image, const std::string& label) 
   } else {
     write_to_standard_output(image.bytes);
   }
-  fmt::print(stderr, "{}\n", summary(file_ ? file_->string() : label, image));
+  fmt::print(stderr, "{}\n", summary(file_ ? file_->path.string() : label, image));
 }
 
 }  // namespace raytracer::client

@@ -6,18 +6,6 @@
 namespace raytracer::client {
 namespace {
 
-struct FormatRow {
-  ImageFormat format;
-  std::string_view ending;
-  std::string_view media_type;
-};
-
-constexpr std::array<FormatRow, 3> formats{{
-    {ImageFormat::png, ".png", "image/png"},
-    {ImageFormat::ppm, ".ppm", "image/x-portable-pixmap"},
-    {ImageFormat::pfm, ".pfm", "image/x-portable-floatmap"},
-}};
-
 /// A big-endian integer of a PNG; 0 where the bytes end.
 int png_integer(std::string_view bytes, std::size_t at) {
   unsigned value = 0;
@@ -26,26 +14,6 @@ int png_integer(std::string_view bytes, std::size_t at) {
 }
 
 }  // namespace
-
-std::string lower_case_ending(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
-}
-
-std::optional<ImageFormat> format_of(const std::filesystem::path& path) {
-  const std::string ending = lower_case_ending(path);
-  for (const FormatRow& row : formats)
-    if (ending == row.ending) return row.format;
-  return std::nullopt;
-}
-
-std::string_view media_type(ImageFormat format) {
-  for (const FormatRow& row : formats)
-    if (row.format == format) return row.media_type;
-  return {};
-}
 
 std::optional<NetpbmHeader> netpbm_header(std::string_view bytes, std::string_view magic) {
   if (!bytes.starts_with(magic)) return std::nullopt;

@@ -1,25 +1,21 @@
-// The image formats by ending, by media type, and the size that a file's header says.
+// The image formats by ending and media type, and the size that a file's header says.
 #pragma once
 
-#include <filesystem>
+#include <array>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace raytracer::client {
 
-enum class ImageFormat { png, ppm, pfm };
+struct ImageFormat {
+  std::string_view ending;
+  std::string_view media_type;
+};
 
-inline constexpr std::string_view known_endings = ".png, .ppm and .pfm";
-
-/// ".png" of "picture.PNG"
-std::string lower_case_ending(const std::filesystem::path& path);
-
-/// The format that the path's ending names, in upper or lower case.
-std::optional<ImageFormat> format_of(const std::filesystem::path& path);
-
-/// "image/png"
-std::string_view media_type(ImageFormat format);
+inline constexpr ImageFormat png_format{".png", "image/png"};
+inline constexpr ImageFormat ppm_format{".ppm", "image/x-portable-pixmap"};
+inline constexpr ImageFormat pfm_format{".pfm", "image/x-portable-floatmap"};
+inline constexpr std::array image_formats{png_format, ppm_format, pfm_format};
 
 struct ImageSize {
   int width_px = 0;

@@ -2,12 +2,13 @@
 // nothing of rendering.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <variant>
+#include <sstream>
 
-#include "client/arguments.h"
+#include "client/command_line.h"
 #include "client/commands.h"
 #include "client/failure.h"
 
@@ -15,17 +16,41 @@ namespace {
 
 using namespace raytracer::client;
 
-void run(const Arguments& arguments) {
-  if (const auto* command = std::get_if<RenderArguments>(&arguments.command))
-    render(*command, arguments.server);
-  else if (const auto* planned = std::get_if<PlanArguments>(&arguments.command))
-    plan(*planned, arguments.server);
-  else if (const auto* measured = std::get_if<TradeoffArguments>(&arguments.command))
-    tradeoff(*measured, arguments.server);
-  else if (const auto* other = std::get_if<ValidateArguments>(&arguments.command))
-    validate(*other, arguments.server);
-  else
-    list_scenes(arguments.server);
+constexpr const char* purpose = "Renders scenes on a raytracer-server.";
+constexpr const char* footer =
+    "Without --server, a command starts a server of its own on a free loopback port\n"
+    "and stops it at the end.\n"
+    "\n"
+    "Exit status: 0 success; 1 invalid scene or arguments; 2 server unreachable or\n"
+    "failed; 128 + N interrupted by signal N.";
+
+/// Reads the command line and does what it says.
+void run(int argc, char** argv) {
+  CLI::App app(purpose, "raytracer");
+  app.footer(footer);
+  app.set_help_flag("-h,--help", "Print this help");
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app.get_formatter()->column_width(34);
+  app.require_subcommand(0, 1);
+  app.callback([&app] {  // called last: a name that is no command has then been refused as such
+    if (app.get_subcommands().empty()) throw CLI::RequiredError("A command");
+  });
+  ServerChoice server;
+  add_server_options(app, server);
+  for (const auto add_command : {add_render, add_plan, add_tradeoff, add_validate, add_scenes})
+    add_command(app, server);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {  // --help
+    std::ostringstream text;
+    app.exit(request, text);
+    fmt::print("{}", text.str());
+  } catch (const CLI::ExtrasError&) {  // its own words name them in the reverse order
+    throw InputError(fmt::format("'{}' is no command and no option here; see raytracer --help",
+                                 app.remaining(true).front()));
+  } catch (const CLI::ParseError& error) {
+    throw InputError(fmt::format("{}; see raytracer --help", error.what()));
+  }
 }
 
 }  // namespace
@@ -33,11 +58,7 @@ void run(const Arguments& arguments) {
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a server or a reader that leaves is an error with a message
   try {
-    const auto asked = read_arguments(argc, argv);
-    if (const auto* help = std::get_if<HelpText>(&asked))
-      fmt::print("{}", help->text);
-    else
-      run(std::get<Arguments>(asked));
+    run(argc, argv);
     if (std::fflush(stdout) != 0) throw InputError("standard output: cannot be written");
     return 0;
   } catch (const InputError& error) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "client/failure.h"
 #include "client/progress_bar.h"
 
 namespace raytracer::client {
@@ -20,8 +21,7 @@ void OwnedJob::wait(const std::string& doing) {
     pause = std::min(pause * 3 / 2, milliseconds(200));
   }
   if (job_.status != "done")
-    throw ServerError(fmt::format("the {} was {}{}{}",
-                                  doing == "rendering" ? "render" : "measurement", job_.status,
+    throw ServerError(fmt::format("{}: the server's job is {}{}{}", doing, job_.status,
                                   job_.detail.empty() ? "" : ": ", job_.detail));
 }
 

@@ -4,7 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,17 +16,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <sstream>
-#include <string_view>
 #include <thread>
-#include <vector>
 
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
 #ifdef __APPLE__
 #include <mach-o/dyld.h>
-extern char** environ;
 #endif
 
 #include "client/failure.h"
@@ -41,9 +37,12 @@ using std::chrono::steady_clock;
 constexpr const char* daemon_name = "raytracer-server";
 constexpr milliseconds start_limit{15000};
 constexpr milliseconds stop_limit{2000};
+constexpr milliseconds pause{2};
+constexpr int not_found = 127;  // as shells say it
 
-/// The directory of the client's own executable; empty if the system does not say.
-fs::path own_directory() {
+/// Where the daemon is if it is beside the client's own executable; empty if the system does not
+/// say where that is.
+std::string path_beside_client() {
   std::error_code error;
 #ifdef __APPLE__
   std::array<char, 4096> buffer{};
@@ -53,69 +52,14 @@ fs::path own_directory() {
 #else
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
 #endif
-  return error ? fs::path() : self.parent_path();
+  return error ? "" : (self.parent_path() / daemon_name).string();
 }
 
-/// The daemon beside the client, or the first on PATH.
-fs::path find_daemon() {
-  std::vector<fs::path> directories;
-  if (fs::path own = own_directory(); !own.empty()) directories.push_back(std::move(own));
-  const char* path = std::getenv("PATH");
-  std::istringstream list(path == nullptr ? "" : path);
-  for (std::string directory; std::getline(list, directory, ':');)
-    directories.emplace_back(directory.empty() ? "." : directory);
-  for (const fs::path& directory : directories) {
-    fs::path candidate = directory / daemon_name;
-    std::error_code error;
-    if (fs::is_regular_file(candidate, error) && ::access(candidate.c_str(), X_OK) == 0)
-      return candidate;
-  }
-  throw ServerError(
-      fmt::format("there is no {} beside this program and none on PATH: build or install it, or "
-                  "name a running one with --server or RAYTRACER_SERVER",
-                  daemon_name));
-}
-
-/// The environment without what would make the daemon listen elsewhere or ask for a token.
-std::vector<char*> daemon_environment() {
-  std::vector<char*> kept;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string_view name = *entry;
-    if (!name.starts_with("RAYTRACER_HOST=") && !name.starts_with("RAYTRACER_PORT=") &&
-        !name.starts_with("RAYTRACER_TOKEN="))
-      kept.push_back(*entry);
-  }
-  kept.push_back(nullptr);
-  return kept;
-}
-
-/// The two ends of a pipe, closed at the end; no other child gets them.
-struct Pipe {
-  std::array<int, 2> ends{-1, -1};
-
-  Pipe() {
-    if (::pipe(ends.data()) != 0)
-      throw ServerError(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
-    for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
-  }
-  ~Pipe() {
-    ::close(ends[0]);
-    close_write_end();
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  void close_write_end() {
-    if (ends[1] >= 0) ::close(ends[1]);
-    ends[1] = -1;
-  }
-};
-
-/// In the child: becomes the daemon, or ends with status 127.
-[[noreturn]] void become_daemon(const char* path, char* const* environment, int output, int log,
-                                pid_t parent) {
+/// In the child: becomes the daemon, or ends with not_found.
+[[noreturn]] void become_daemon(const char* beside_client, int output, pid_t parent) {
 #ifdef __linux__
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(127);  // it has died before prctl
+  if (::getppid() != parent) ::_exit(not_found);  // it has died before prctl
 #else
   static_cast<void>(parent);
 #endif
@@ -123,13 +67,12 @@ struct Pipe {
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
   ::signal(SIGPIPE, SIG_DFL);
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  ::dup2(nothing, STDIN_FILENO);
+  ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
-  ::dup2(log, STDERR_FILENO);
-  const std::array<const char*, 6> arguments{path, "--host", "127.0.0.1", "--port", "0", nullptr};
-  ::execve(path, const_cast<char* const*>(arguments.data()), environment);
-  ::_exit(127);
+  ::dup2(output, STDERR_FILENO);
+  for (const char* const path : {beside_client, daemon_name})
+    ::execlp(path, daemon_name, "--host", "127.0.0.1", "--port", "0", nullptr);
+  ::_exit(not_found);
 }
 
 std::string describe(int wait_status) {
@@ -141,25 +84,12 @@ std::string describe(int wait_status) {
 
 }  // namespace
 
-PrivateDaemon::PrivateDaemon(const Interrupts& interrupts) : log_(std::tmpfile(), &std::fclose) {
-  if (!log_)
+PrivateDaemon::PrivateDaemon(const Interrupts& interrupts) : output_(std::tmpfile(), &std::fclose) {
+  if (!output_)
     throw ServerError(fmt::format("cannot make a temporary file: {}", std::strerror(errno)));
-  const std::string path = find_daemon().string();
-  const std::vector<char*> environment = daemon_environment();
-  Pipe output;
-  const pid_t parent = ::getpid();
-  pid_ = ::fork();
-  if (pid_ < 0) throw ServerError(fmt::format("cannot start {}: {}", path, std::strerror(errno)));
-  if (pid_ == 0)
-    become_daemon(path.c_str(), environment.data(), output.ends[1], ::fileno(log_.get()), parent);
-  output.close_write_end();
+  start();
   try {
-    url_ = wait_until_listening(output.ends[0], interrupts);
-    if (url_.empty()) {
-      const std::string end = exit_report();
-      throw ServerError(fmt::format("{} did not start: {}", path,
-                                    end.empty() ? "it did not say that it listens" : end));
-    }
+    wait_until_listening(interrupts);
   } catch (...) {
     stop();
     throw;
@@ -168,59 +98,71 @@ PrivateDaemon::PrivateDaemon(const Interrupts& interrupts) : log_(std::tmpfile()
 
 PrivateDaemon::~PrivateDaemon() { stop(); }
 
-std::string PrivateDaemon::wait_until_listening(int output, const Interrupts& interrupts) {
-  constexpr std::string_view greeting = "listening on ";
-  const auto deadline = steady_clock::now() + start_limit;
-  std::string said;
-  while (steady_clock::now() < deadline) {
-    interrupts.check();
-    pollfd readable{output, POLLIN, 0};
-    if (::poll(&readable, 1, 50) <= 0) continue;
-    std::array<char, 512> buffer{};
-    const ssize_t count = ::read(output, buffer.data(), buffer.size());
-    if (count <= 0) {
-      has_ended(true);  // it has closed its output: it ends, and says on its log why
-      return {};
-    }
-    said.append(buffer.data(), static_cast<std::size_t>(count));
-    const std::size_t begin = said.find(greeting);
-    const std::size_t end = begin == said.npos ? said.npos : said.find('\n', begin);
-    if (end != said.npos)
-      return said.substr(begin + greeting.size(), end - begin - greeting.size());
-  }
-  return {};
+void PrivateDaemon::start() {
+  ::unsetenv("RAYTRACER_TOKEN");  // it would ask the client for one; the flags stand over the rest
+  const std::string beside_client = path_beside_client();
+  const pid_t parent = ::getpid();
+  pid_ = ::fork();
+  if (pid_ == 0) become_daemon(beside_client.c_str(), ::fileno(output_.get()), parent);
+  if (pid_ < 0)
+    throw ServerError(fmt::format("cannot start {}: {}", daemon_name, std::strerror(errno)));
 }
 
-bool PrivateDaemon::has_ended(bool wait) {
-  const auto deadline = steady_clock::now() + stop_limit;
-  while (!ended_ && pid_ > 0) {
-    ended_ = ::waitpid(pid_, &wait_status_, WNOHANG) != 0;
-    if (ended_ || !wait || steady_clock::now() > deadline) break;
-    std::this_thread::sleep_for(milliseconds(2));
+void PrivateDaemon::wait_until_listening(const Interrupts& interrupts) {
+  constexpr std::string_view greeting = "listening on ";
+  const auto deadline = steady_clock::now() + start_limit;
+  while (!has_ended() && steady_clock::now() < deadline) {
+    const std::string said = last_words();
+    const std::size_t begin = said.find(greeting);
+    const std::size_t end = begin == said.npos ? said.npos : said.find('\n', begin);
+    if (end != said.npos) {
+      url_ = said.substr(begin + greeting.size(), end - begin - greeting.size());
+      return;
+    }
+    interrupts.sleep(pause);
   }
+  if (ended_ && WIFEXITED(wait_status_) && WEXITSTATUS(wait_status_) == not_found)
+    throw ServerError(
+        fmt::format("there is no {} beside this program and none on PATH: build or install it, or "
+                    "name a running one with --server or RAYTRACER_SERVER",
+                    daemon_name));
+  throw ServerError(fmt::format("{} did not start: {}", daemon_name,
+                                ended_ ? exit_report() : "it did not say that it listens"));
+}
+
+bool PrivateDaemon::has_ended() {
+  ended_ = ended_ || ::waitpid(pid_, &wait_status_, WNOHANG) != 0;
   return ended_;
 }
 
 void PrivateDaemon::stop() {
-  if (pid_ <= 0 || has_ended(false)) return;
+  if (has_ended()) return;
   ::kill(pid_, SIGTERM);
-  if (has_ended(true)) return;
+  const auto deadline = steady_clock::now() + stop_limit;
+  while (!has_ended() && steady_clock::now() < deadline) std::this_thread::sleep_for(pause);
+  if (ended_) return;
   ::kill(pid_, SIGKILL);
   ::waitpid(pid_, &wait_status_, 0);
-  ended_ = true;
 }
 
 std::string PrivateDaemon::exit_report() {
-  if (!has_ended(false)) return {};
-  constexpr long most_bytes = 1000;
-  std::string log;
-  std::fseek(log_.get(), 0, SEEK_END);
-  const long size = std::ftell(log_.get());
-  std::fseek(log_.get(), std::max(0L, size - most_bytes), SEEK_SET);
-  for (int c = std::fgetc(log_.get()); c != EOF; c = std::fgetc(log_.get()))
-    log += static_cast<char>(c);
-  while (log.ends_with('\n')) log.pop_back();
-  return fmt::format("it {}{}{}", describe(wait_status_), log.empty() ? "" : " and said:\n", log);
+  if (!has_ended()) return {};
+  std::string words = last_words();
+  while (words.ends_with('\n')) words.pop_back();
+  return fmt::format("it {}{}{}", describe(wait_status_), words.empty() ? "" : " and said:\n",
+                     words);
+}
+
+std::string PrivateDaemon::last_words() const {
+  const int file = ::fileno(output_.get());
+  struct stat status {};
+  ::fstat(file, &status);
+  std::string words(1000, '\0');
+  const off_t begin = std::max<off_t>(0, status.st_size - static_cast<off_t>(words.size()));
+  // Not by seeking: the daemon writes where this would leave off.
+  const ssize_t count = ::pread(file, words.data(), words.size(), begin);
+  words.resize(static_cast<std::size_t>(std::max<ssize_t>(0, count)));
+  return words;
 }
 
 }  // namespace raytracer::client

@@ -30,11 +30,13 @@ class PrivateDaemon {
   std::string exit_report();
 
  private:
-  std::string wait_until_listening(int output, const Interrupts& interrupts);
+  void start();
+  void wait_until_listening(const Interrupts& interrupts);
   void stop();
-  bool has_ended(bool wait);
+  bool has_ended();
+  std::string last_words() const;
 
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> log_;  ///< its standard error, unnamed
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> output_;  ///< all that it prints, unnamed
   pid_t pid_ = -1;
   int wait_status_ = 0;
   bool ended_ = false;

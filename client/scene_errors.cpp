@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string>
+#include <nlohmann/json.hpp>
 #include <string_view>
+#include <vector>
 
-#include "client/pointer_position.h"
+#include "client/pointer_lines.h"
 
 namespace raytracer::client {
 namespace {
-
-/// Every position is looked for from the scene's beginning: beyond this many bytes in all (about
-/// a second) the pointers have to do.
-constexpr std::size_t most_bytes_scanned = 500'000'000;
 
 /// The option that put the value of `pointer` over the scene's own; empty if none did.
 std::string overriding_option(const std::string& pointer, const Overrides& overrides) {
@@ -22,16 +19,6 @@ std::string overriding_option(const std::string& pointer, const Overrides& overr
   if (!in_place || !overrides.contains(name)) return {};
   std::replace(name.begin(), name.end(), '_', '-');
   return "--" + name;
-}
-
-std::string place_of(const SceneError& error, const SceneSource& scene, const Overrides& overrides,
-                     bool with_position) {
-  std::string option = overriding_option(error.pointer, overrides);
-  if (!option.empty()) return option;
-  if (!with_position || error.pointer.empty()) return scene.label;
-  const TextPosition position = position_of(scene.text, error.pointer);
-  if (position.line == 0) return scene.label;
-  return fmt::format("{}:{}:{}", scene.label, position.line, position.column);
 }
 
 /// In one line, whatever the document calls its keys: nothing in it moves the terminal's cursor.
@@ -50,16 +37,31 @@ std::string printable(std::string_view text) {
 
 }  // namespace
 
-InputError explain(const Refused& refused, const SceneSource& scene, const Overrides& overrides) {
-  if (refused.errors().empty()) return InputError(scene.label + ": " + refused.what());
-  const bool with_position =
-      scene.editable && scene.text.size() * refused.errors().size() <= most_bytes_scanned;
-  std::string lines;
-  for (const SceneError& error : refused.errors())
-    lines += fmt::format("{}{}: {}{}{}", lines.empty() ? "" : "\n",
-                         place_of(error, scene, overrides, with_position), printable(error.pointer),
-                         error.pointer.empty() ? "" : ": ", printable(error.detail));
-  return InputError(lines);
+std::string explain(const std::string& problem, const SceneText& scene,
+                    const Overrides& overrides) {
+  const auto document = nlohmann::json::parse(problem, nullptr, false);
+  if (!document.is_object()) return scene.label + ": was refused, without a reason";
+  const auto errors = document.value("errors", nlohmann::json::array());
+  if (errors.empty())
+    return fmt::format("{}: {}", scene.label, document.value("detail", "was refused"));
+
+  std::vector<std::string> pointers;
+  for (const auto& error : errors) pointers.push_back(error.value("pointer", ""));
+  std::map<std::string, int> lines;
+  if (scene.editable) lines = lines_of(pointers, scene.text);
+  const auto place_of = [&](std::string pointer) {
+    if (std::string option = overriding_option(pointer, overrides); !option.empty()) return option;
+    if (pointer.empty()) return scene.label;
+    while (!pointer.empty() && !lines.contains(pointer)) pointer.erase(pointer.rfind('/'));
+    const auto line = lines.find(pointer);
+    return line == lines.end() ? scene.label : fmt::format("{}:{}", scene.label, line->second);
+  };
+  std::vector<std::string> text;
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    text.push_back(fmt::format("{}: {}{}{}", place_of(pointers[i]), printable(pointers[i]),
+                               pointers[i].empty() ? "" : ": ",
+                               printable(errors[i].value("detail", ""))));
+  return fmt::format("{}", fmt::join(text, "\n"));
 }
 
 }  // namespace raytracer::client

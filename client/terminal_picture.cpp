@@ -89,11 +89,11 @@ Config configuration(const TerminalInfo& info, ImageSize image, const TerminalSi
 
 }  // namespace
 
-std::string terminal_picture(std::string_view ppm, const TerminalSize& window) {
-  const std::optional<NetpbmHeader> header = netpbm_header(ppm, "P6");
+std::string terminal_picture(std::string_view image, const TerminalSize& window) {
+  const std::optional<NetpbmHeader> header = netpbm_header(image, "P6");
   if (!header) throw ServerError("the server's answer is not the P6 image that was asked for");
   const ImageSize size = header->size;
-  const std::string_view pixels = ppm.substr(header->length);
+  const std::string_view pixels = image.substr(header->length);
   const std::size_t row_bytes = 3 * static_cast<std::size_t>(size.width_px);
   if (pixels.size() != row_bytes * static_cast<std::size_t>(size.height_px))
     throw ServerError("the server's image is not whole");

@@ -13,6 +13,6 @@ namespace raytracer::client {
 /// takes no more of them than it has pixels. What the terminal is its environment says: TERM,
 /// TERM_PROGRAM,
 /// ... Throws ServerError if the bytes are no P6, or not whole.
-std::string terminal_picture(std::string_view ppm, const TerminalSize& size);
+std::string terminal_picture(std::string_view image, const TerminalSize& size);
 
 }  // namespace raytracer::client

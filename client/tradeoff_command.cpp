@@ -2,12 +2,14 @@
 // table or text.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
 #include <string>
 
-#include "client/atomic_file.h"
+#include "client/command_line.h"
 #include "client/commands.h"
 #include "client/curve.h"
-#include "client/curve_format.h"
 #include "client/curve_svg.h"
 #include "client/curve_text.h"
 #include "client/owned_job.h"
@@ -16,40 +18,49 @@
 namespace raytracer::client {
 namespace {
 
-std::string file_of(const std::string& json, CurveFormat format, const std::string& label) {
-  switch (format) {
-    case CurveFormat::svg:
-      return curve_svg(read_curve(json), label);
-    case CurveFormat::csv:
-      return csv(read_curve(json));
-    case CurveFormat::json:
-      break;
+struct TradeoffArguments {
+  std::string scene;
+  std::optional<OutputFile> output;  ///< none: as text on standard output
+  Overrides overrides;
+};
+
+std::string file_of(const std::string& json, const std::string& ending, const std::string& label) {
+  if (ending == ".svg") return curve_svg(read_curve(json), label);
+  return ending == ".csv" ? curve_csv(json) : json;
+}
+
+void tradeoff(const TradeoffArguments& arguments, const ServerChoice& server) {
+  if (arguments.output) arguments.output->check_writable();
+  Overrides query = arguments.overrides;
+  query["task"] = "tradeoff";
+  std::string json;
+  const SceneText scene =
+      with_scene(arguments.scene, server, [&](Api& api, const SceneText& measured) {
+        OwnedJob job(api, api.start_job(measured, query));
+        job.wait("measuring");
+        json = api.job_result(job.id());
+      });
+
+  const Curve curve = read_curve(json);
+  if (!arguments.output) {
+    fmt::print("{}", curve_text(curve, scene.label));
+    return;
   }
-  return json;
+  arguments.output->write(file_of(json, arguments.output->ending(), scene.label));
+  fmt::print(stderr, "{}: {} settings of {}\n", arguments.output->path.string(),
+             curve.points.size(), scene.label);
 }
 
 }  // namespace
 
-void tradeoff(const TradeoffArguments& arguments, const ServerChoice& server) {
-  if (arguments.output) check_writable(*arguments.output);
-  Overrides query = arguments.overrides;
-  query["task"] = "tradeoff";
-  std::string json;
-  const SceneSource scene = with_scene(arguments.scene, arguments.overrides, server,
-                                       [&](Api& api, const SceneSource& measured) {
-                                         OwnedJob job(api, api.start_job(measured.text, query));
-                                         job.wait("measuring");
-                                         json = api.job_result(job.id());
-                                       });
-
-  if (!arguments.output) {
-    fmt::print("{}", curve_text(read_curve(json), scene.label));
-    return;
-  }
-  const CurveFormat format = curve_format_of(*arguments.output).value();
-  write_atomically(*arguments.output, file_of(json, format, scene.label));
-  fmt::print(stderr, "{}: {} settings of {}\n", arguments.output->string(),
-             read_curve(json).points.size(), scene.label);
+void add_tradeoff(CLI::App& app, const ServerChoice& server) {
+  const auto arguments = std::make_shared<TradeoffArguments>();
+  CLI::App& command =
+      add_scene_command(app, "tradeoff", "Measure error against tracing time", arguments->scene);
+  add_output_option(command, arguments->output, "Curve file: .svg, .json or .csv [text]",
+                    {".svg", ".json", ".csv"});
+  add_picture_options(command, arguments->overrides);
+  command.callback([arguments, &server] { tradeoff(*arguments, server); });
 }
 
 }  // namespace raytracer::client

@@ -1,16 +1,24 @@
 // raytracer validate: what the server says about a scene, without rendering it.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "client/command_line.h"
 #include "client/commands.h"
 #include "client/with_server.h"
 
 namespace raytracer::client {
 
-void validate(const ValidateArguments& arguments, const ServerChoice& server) {
-  const SceneSource scene =
-      with_scene(arguments.scene, {}, server,
-                 [](Api& api, const SceneSource& checked) { api.validate(checked.text); });
-  fmt::print("{}: valid\n", scene.label);
+void add_validate(CLI::App& app, const ServerChoice& server) {
+  const auto name = std::make_shared<std::string>();
+  add_scene_command(app, "validate", "Check a scene without rendering it", *name)
+      .callback([name, &server] {
+        const SceneText scene = with_scene(
+            *name, server, [](Api& api, const SceneText& checked) { api.validate(checked); });
+        fmt::print("{}: valid\n", scene.label);
+      });
 }
 
 }  // namespace raytracer::client

@@ -1,12 +1,10 @@
 #include "client/with_server.h"
 
 #include <optional>
-#include <string>
 
 #include "client/failure.h"
 #include "client/interrupts.h"
 #include "client/private_daemon.h"
-#include "client/scene_errors.h"
 
 namespace raytracer::client {
 
@@ -14,8 +12,7 @@ void with_server(const ServerChoice& choice, const std::function<void(Api&)>& us
   Interrupts interrupts;
   std::optional<PrivateDaemon> daemon;
   if (!choice.url) daemon.emplace(interrupts);
-  Api api(choice.url ? *choice.url : read_server_url(daemon->url(), "the private server's address"),
-          choice.token, interrupts);
+  Api api(choice.url ? *choice.url : read_server_url(daemon->url()), choice.token, interrupts);
   try {
     use(api);
   } catch (const ServerError&) {
@@ -25,17 +22,12 @@ void with_server(const ServerChoice& choice, const std::function<void(Api&)>& us
   }
 }
 
-SceneSource with_scene(const std::string& name, const Overrides& overrides,
-                       const ServerChoice& choice,
-                       const std::function<void(Api&, const SceneSource&)>& use) {
-  std::optional<SceneSource> scene = read_scene_file(name);
+SceneText with_scene(const std::string& name, const ServerChoice& choice,
+                     const std::function<void(Api&, const SceneText&)>& use) {
+  std::optional<SceneText> scene = read_scene_file(name);
   with_server(choice, [&](Api& api) {
-    if (!scene) scene = fetch_shipped_scene(name, api);
-    try {
-      use(api, *scene);
-    } catch (const Refused& refused) {
-      throw explain(refused, *scene, overrides);
-    }
+    if (!scene) scene = api.shipped_scene(name);
+    use(api, *scene);
   });
   return *std::move(scene);
 }

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "client/api.h"
-#include "client/arguments.h"
-#include "client/scene_source.h"
+#include "client/scene_text.h"
+#include "client/server_choice.h"
 
 namespace raytracer::client {
 
@@ -15,9 +16,8 @@ namespace raytracer::client {
 void with_server(const ServerChoice& choice, const std::function<void(Api&)>& use);
 
 /// The same with the scene that `name` means: a file, which is read first, "-", or a shipped one.
-/// What the server refuses about it is thrown as explain() has it. Returns the scene.
-SceneSource with_scene(const std::string& name, const Overrides& overrides,
-                       const ServerChoice& choice,
-                       const std::function<void(Api&, const SceneSource&)>& use);
+/// Returns the scene.
+SceneText with_scene(const std::string& name, const ServerChoice& choice,
+                     const std::function<void(Api&, const SceneText&)>& use);
 
 }  // namespace raytracer::client

@@ -30,8 +30,6 @@ struct Given {
 struct Setting {
   std::string flag;
   std::string variable;
-  std::string placeholder;
-  std::string help;
   std::string from_flag{};
   CLI::Option* option = nullptr;
 
@@ -71,8 +69,6 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;  // the options refer to the settings
   CommandLine& operator=(const CommandLine&) = delete;
 
-  const CLI::App& app() const { return app_; }
-
   /// A text to print, if one was asked for. Throws ConfigError.
   std::optional<Printout> parse(int argc, const char* const* argv) {
     try {
@@ -97,18 +93,17 @@ class CommandLine {
 
  private:
   /// The option takes a text; `help` is followed by the default and the variable.
-  const Setting* add(std::string flag, std::string variable, std::string placeholder,
+  const Setting* add(std::string flag, std::string variable, const std::string& placeholder,
                      std::string_view help, std::string_view default_text) {
-    Setting& setting =
-        settings_.emplace_back(Setting{std::move(flag), std::move(variable), std::move(placeholder),
-                                       fmt::format("{} [{}]", help, default_text)});
-    setting.option = app_.add_option(setting.flag, setting.from_flag,
-                                     fmt::format("{}, or {}", setting.help, setting.variable));
-    setting.option->type_name(setting.placeholder);
+    Setting& setting = settings_.emplace_back(Setting{std::move(flag), std::move(variable)});
+    setting.option =
+        app_.add_option(setting.flag, setting.from_flag,
+                        fmt::format("{}\n[{}] (or {})", help, default_text, setting.variable));
+    setting.option->type_name(placeholder);
     return &setting;
   }
 
-  CLI::App app_{"Renders scenes over HTTP. A flag stands over its variable."};
+  CLI::App app_{"Renders scenes over HTTP. Options override their environment variables."};
   std::deque<Setting> settings_;  ///< addresses stay
 };
 
@@ -116,21 +111,24 @@ CommandLine::CommandLine() {
   const Config defaults;
   app_.set_version_flag("--version",
                         fmt::format("raytracer-server {} (build {})", version, build_id));
-  app_.add_flag("--quiet", quiet, "no line on standard error for each request");
+  app_.add_flag("--quiet", quiet, "Do not log requests to standard error");
   host = add("--host", "RAYTRACER_HOST", "ADDRESS",
-             "address to listen on; beyond loopback a token is required", defaults.host);
-  port = add("--port", "RAYTRACER_PORT", "PORT", "port to listen on; 0 takes a free one",
+             "Address to listen on; beyond loopback --token is required", defaults.host);
+  port = add("--port", "RAYTRACER_PORT", "PORT", "Port to listen on; 0 takes a free one",
              std::to_string(defaults.port));
-  threads = add("--threads", "RAYTRACER_THREADS", "COUNT", "threads that trace", "every core");
+  threads =
+      add("--threads", "RAYTRACER_THREADS", "COUNT", "Number of threads that trace", "every core");
   for (const LimitRow& row : limit_table)
-    limits.push_back(add(row.flag, row.variable, "COUNT", fmt::format("most {}", row.meaning),
+    limits.push_back(add(row.flag, row.variable, "COUNT",
+                         fmt::format("Maximum number of {}", row.meaning),
                          std::to_string(defaults.limits.*row.value)));
   for (const SizeRow& row : size_table)
-    sizes.push_back(add(row.flag, row.variable, "COUNT", fmt::format("most {}", row.meaning),
+    sizes.push_back(add(row.flag, row.variable, "COUNT",
+                        fmt::format("Maximum number of {}", row.meaning),
                         std::to_string(defaults.*row.value)));
   token = add("--token", "RAYTRACER_TOKEN", "TOKEN",
-              "bearer token that requests must carry; safer in its variable, "
-              "which other users cannot list",
+              "Bearer token that requests must carry; other users can list it here,\nbut not in "
+              "its variable",
               "none");
 }
 
@@ -168,8 +166,6 @@ std::variant<Config, Printout> read_config(int argc, const char* const* argv,
   require_token_beyond_loopback(config);
   return config;
 }
-
-void show_flags(const std::function<void(const CLI::App&)>& look) { look(CommandLine().app()); }
 
 bool is_loopback(const std::string& host) {
   if (host == "localhost") return true;

@@ -12,10 +12,6 @@
 
 #include "engine/engine.h"
 
-namespace CLI {
-class App;
-}
-
 namespace raytracer {
 
 struct Config {
@@ -41,12 +37,11 @@ struct SizeRow {
 
 // Each of those who wait holds a connection, and most systems give a process 1,024 descriptors.
 inline constexpr std::array<SizeRow, 3> size_table{
-    {{"--max-queue", "RAYTRACER_MAX_QUEUE", "renders waiting", &Config::max_queue, 500},
-     {"--max-kept", "RAYTRACER_MAX_KEPT", "bytes of posted scenes that are kept", &Config::max_kept,
+    {{"--max-queue", "RAYTRACER_MAX_QUEUE", "queued renders", &Config::max_queue, 500},
+     {"--max-kept", "RAYTRACER_MAX_KEPT", "bytes of posted scenes to keep", &Config::max_kept,
       1LL << 40},
      {"--max-cache", "RAYTRACER_MAX_CACHE",
-      "bytes of finished images, and as many of scenes read from long bodies, to answer again from",
-      &Config::max_cache, 1LL << 40}}};
+      "bytes of images to cache, and as many of parsed scenes", &Config::max_cache, 1LL << 40}}};
 
 /// Says which flag or variable, its value, and what is allowed.
 class ConfigError : public std::runtime_error {
@@ -64,9 +59,6 @@ using Environment = std::function<const char*(const char* variable)>;
 /// Throws ConfigError. A variable that is set but empty counts as not set.
 std::variant<Config, Printout> read_config(int argc, const char* const* argv,
                                            const Environment& environment);
-
-/// Gives the table of flags that --help prints, for the manual and the completions.
-void show_flags(const std::function<void(const CLI::App&)>& look);
 
 /// Whether only this machine can reach a server that listens on `host`.
 bool is_loopback(const std::string& host);

@@ -121,7 +121,7 @@ TEST_F(TradeoffCommand, picture_without_an_error_is_drawn_too) {
 TEST_F(TradeoffCommand, other_endings_are_refused_by_name) {
   for (const std::string name : {"curve.png", "curve"}) {
     const Outcome outcome = run_with_server({"tradeoff", "-", "-o", folder_ / name}, lit_scene);
-    expect_input_error(outcome, ".svg, .json and .csv");
+    expect_input_error(outcome, ".svg, .json, .csv");
     EXPECT_FALSE(fs::exists(folder_ / name));
   }
   expect_input_error(

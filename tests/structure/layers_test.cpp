@@ -173,13 +173,9 @@ TEST(Layers, server_includes_one_header_of_the_engine) {
   EXPECT_GT(count, 0);
 }
 
-/// A tool of the build, which joins both programs' tables of options.
-bool is_manual(const SourceFile& file) { return file.path.starts_with("client/manual/"); }
-
 TEST(Layers, client_includes_neither_engine_nor_server) {
   int count = 0;
   for (const SourceFile& file : source_files({"client"})) {
-    if (is_manual(file)) continue;
     for (const std::string& include : file.own_includes()) {
       EXPECT_TRUE(include.starts_with("client/")) << file.path << " includes " << include;
       ++count;
@@ -190,18 +186,10 @@ TEST(Layers, client_includes_neither_engine_nor_server) {
 
 TEST(Layers, client_links_neither_engine_nor_server) {
   for (const SourceFile& file : source_files({"client"})) {
-    if (is_manual(file) || !file.path.ends_with("CMakeLists.txt")) continue;
+    if (!file.path.ends_with("CMakeLists.txt")) continue;
     EXPECT_EQ(file.text.find("raytracer_engine"), std::string::npos) << file.path;
     EXPECT_EQ(file.text.find("raytracer_service"), std::string::npos) << file.path;
   }
-}
-
-TEST(Layers, manual_sees_tables_of_options_and_names_of_scenes_only) {
-  for (const SourceFile& file : source_files({"client/manual"}))
-    for (const std::string& include : file.own_includes())
-      EXPECT_TRUE(include.starts_with("client/manual/") || include == "client/arguments.h" ||
-                  include == "server/config.h" || include == "server/catalog.h")
-          << file.path << " includes " << include;
 }
 
 TEST(Layers, includes_name_files_from_the_root) {

@@ -42,7 +42,8 @@ TEST(Libraries, json_is_where_json_is_read_or_written) {
            path == "client/api.cpp" ||                   // reads answers
            path == "client/plan_text.cpp" ||             // reads plans
            path == "client/curve.cpp" ||                 // reads curves
-           path == "client/pointer_position.cpp";        // finds places in scenes
+           path == "client/scene_errors.cpp" ||          // reads problems
+           path == "client/pointer_lines.cpp";           // finds places in scenes
   });
 }
 
@@ -72,10 +73,11 @@ TEST(Libraries, pictures_in_terminals_are_drawn_in_one_file) {
                [](const std::string& path) { return path == "client/terminal_picture.cpp"; });
 }
 
-TEST(Libraries, command_lines_are_read_in_one_place_of_each_program) {
+TEST(Libraries, command_lines_are_read_in_one_place_of_the_server_and_by_each_command) {
   expect_users("CLI/CLI.hpp", [](const std::string& path) {
-    return path == "server/config.cpp" || path == "client/arguments.cpp" ||
-           path == "client/manual/program.cpp";  // reads their tables
+    return path == "server/config.cpp" || path == "client/main.cpp" ||
+           path == "client/command_line.cpp" ||  // the options that commands share
+           (path.starts_with("client/") && path.ends_with("_command.cpp"));
   });
 }
 

@@ -1,0 +1,38 @@
+// What commands have in common on the command line.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/output_file.h"
+#include "client/scene_text.h"
+#include "client/server_choice.h"
+
+namespace CLI {
+class App;
+}
+
+namespace raytracer::client {
+
+/// The options that say which server, of every command; with them the variables RAYTRACER_SERVER
+/// and RAYTRACER_TOKEN.
+void add_server_options(CLI::App& app, ServerChoice& server);
+
+CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& purpose);
+
+/// A command that is about a scene: a file, "-", or a shipped scene's name.
+CLI::App& add_scene_command(CLI::App& app, const std::string& name, const std::string& purpose,
+                            std::string& scene);
+
+/// Options that say how accurate a picture is to be.
+void add_accuracy_options(CLI::App& command, Overrides& overrides);
+
+/// Options that say which picture.
+void add_picture_options(CLI::App& command, Overrides& overrides);
+
+/// -o, with a file whose ending is one of `endings`.
+void add_output_option(CLI::App& command, std::optional<OutputFile>& output,
+                       const std::string& help, const std::vector<std::string>& endings);
+
+}  // namespace raytracer::client
