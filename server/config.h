@@ -48,7 +48,7 @@ inline constexpr std::array<SizeRow, 3> size_table{
       "bytes of finished images, and as many of scenes read from long bodies, to answer again from",
       &Config::max_cache, 1LL << 40}}};
 
-/// Says which flag or variable, its value, and what is allowed.
+/// Says which flag and variable, the value, and what is allowed.
 class ConfigError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -58,17 +58,10 @@ struct Printout {
   std::string text;
 };
 
-/// Looks a variable up, as getenv does.
-using Environment = std::function<const char*(const char* variable)>;
-
 /// Throws ConfigError. A variable that is set but empty counts as not set.
-std::variant<Config, Printout> read_config(int argc, const char* const* argv,
-                                           const Environment& environment);
+std::variant<Config, Printout> read_config(int argc, const char* const* argv);
 
 /// Gives the table of flags that --help prints, for the manual and the completions.
 void show_flags(const std::function<void(const CLI::App&)>& look);
-
-/// Whether only this machine can reach a server that listens on `host`.
-bool is_loopback(const std::string& host);
 
 }  // namespace raytracer
