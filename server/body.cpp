@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "engine/engine.h"
-#include "server/header_text.h"
 #include "server/problem.h"
+#include "server/request_text.h"
 
 namespace raytracer {
 namespace {

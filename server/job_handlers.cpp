@@ -13,9 +13,9 @@
 #include "server/answer.h"
 #include "server/handlers.h"
 #include "server/image_answer.h"
+#include "server/job_events.h"
 #include "server/negotiate.h"
 #include "server/problem.h"
-#include "server/query.h"
 #include "server/scene_request.h"
 #include "server/tradeoff.h"
 
@@ -80,7 +80,11 @@ void answer_image_so_far(Services& services, Call& call, const Image& image, Ima
   call.response.set_header("Cache-Control", "no-store");
 }
 
-JobTask require_task(const std::string& name) {
+/// Takes `task` out of the query, which is known to jobs only.
+JobTask take_task(httplib::Params& params) {
+  const auto [begin, end] = params.equal_range("task");
+  const std::string name = begin == end ? "render" : begin->second;
+  if (begin != end) params.erase(begin);
   for (const JobTask task : {JobTask::render, JobTask::tradeoff})
     if (name == name_of(task)) return task;
   throw HttpError({400, fmt::format("The query parameter \"task\" is \"{}\" but must be render or "
@@ -91,12 +95,13 @@ JobTask require_task(const std::string& name) {
 }  // namespace
 
 void post_job(Services& services, Call& call) {
-  RenderQuery query = read_query(call.request.target, QueryOf::job);
-  const JobTask task = require_task(query.task);
-  if (task == JobTask::tradeoff) query = curve_query(std::move(query));
-  SceneRequest request = read_scene_request(call, query, services);
-  if (task == JobTask::tradeoff) require_room_for_curve(request.scene, services.config.limits);
-  const auto job = services.jobs.accept(task, std::move(request));
+  httplib::Params params = call.request.params;
+  const JobTask task = take_task(params);
+  const bool is_curve = task == JobTask::tradeoff;
+  const RenderQuery query = is_curve ? read_curve_query(params) : read_query(params);
+  SceneView view = read_scene_request(call, query, services);
+  if (is_curve) require_room_for_curve(view.scene, services.config.limits);
+  const auto job = services.jobs.accept(task, std::move(view));
   answer_json(call.response, 202, to_json(*job));
   call.response.set_header("Location", "/jobs/" + job->id);
   call.response.set_header("Cache-Control", "no-store");
@@ -118,12 +123,11 @@ void get_job_image(Services& services, Call& call) {
   const Rendering* const rendering = job->rendering();
   if (!rendering) refuse_without("image", *job);
   const Representation wanted = represent(job->digest, format, services.renderer_id);
-  if (answer_not_modified(call, wanted)) return;
-  if (call.is_head()) return answer_image_head(call, wanted);
+  if (answer_without_image(call, wanted)) return;
   const auto image = std::make_shared<const FinishedImage>(
-      finish_image(*rendering, job->queue_ms(), format, services.pool));
+      finish_image(*rendering, job->state().queue_ms, format, services.pool));
   services.metrics.took(Stage::encode, image->stages.encode_ms);
-  answer_image(call, {image}, job->parse_ms, wanted);
+  answer_image(call, {image, image->stages}, job->parse_ms, wanted);
 }
 
 void get_job_result(Services& services, Call& call) {

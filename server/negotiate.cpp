@@ -1,59 +1,44 @@
 #include "server/negotiate.h"
 
-#include <array>
-#include <string>
+#include <span>
+#include <vector>
 
-#include "server/header_text.h"
+#include "server/request_text.h"
 
 namespace raytracer {
 namespace {
 
-constexpr std::array formats{ImageFormat::png, ImageFormat::ppm, ImageFormat::pfm};
-
-/// A weight in thousandths (RFC 9110: "0" or "1" with up to three decimals); nothing if malformed.
-std::optional<int> read_weight(std::string_view text) {
-  if (text.empty() || text.size() > 5 || (text[0] != '0' && text[0] != '1')) return {};
-  if (text.size() > 1 && text[1] != '.') return {};
-  int weight = text[0] == '1' ? 1000 : 0;
-  int place = 100;
-  for (const char digit : text.substr(text.size() > 1 ? 2 : 1)) {
-    if (digit < '0' || digit > '9') return {};
-    weight += place * (digit - '0');
-    place /= 10;
-  }
-  if (weight > 1000) return {};
-  return weight;
-}
-
-/// One element of the field, such as "image/*;q=0.8".
-struct MediaRange {
-  std::string type;  ///< in lower case
-  int weight = 1000;
-};
-
-std::optional<MediaRange> read_range(std::string_view element) {
-  MediaRange range;
-  bool is_first = true;
-  bool is_readable = true;
-  for_each_part(element, ';', [&](std::string_view part) {
-    if (is_first) {
-      range.type = lower_case(part);
-    } else if (lower_case(part.substr(0, 2)) == "q=") {
-      const std::optional<int> weight = read_weight(part.substr(2));
-      is_readable = is_readable && weight.has_value();
-      range.weight = weight.value_or(0);
+/// The weight that a media range's parameters give it, 1 if they say none; nothing if it cannot be
+/// read.
+std::optional<double> weight_of(std::span<const std::string_view> parameters) {
+  for (const std::string_view parameter : parameters)
+    if (lower_case(parameter.substr(0, 2)) == "q=") {
+      const std::optional<double> weight = read_double(parameter.substr(2));
+      return weight && *weight >= 0 && *weight <= 1 ? weight : std::nullopt;
     }
-    is_first = false;
-  });
-  if (!is_readable) return {};
-  return range;
+  return 1;
 }
 
 /// 3 for the type itself, 2 for its family, 1 for anything, 0 if the range is about other types.
-int specificity(std::string_view range, ImageFormat format) {
-  if (range == media_type(format)) return 3;
+int specificity(std::string_view range, std::string_view type) {
+  if (range == type) return 3;
   if (range == "image/*") return 2;
   return range == "*/*" ? 1 : 0;
+}
+
+/// What the field's most specific range about the type gives it.
+double weight_in(std::string_view accept, std::string_view type) {
+  double weight = 0;
+  int specificity_so_far = 0;
+  for (const std::string_view element : parts_of(accept, ',')) {
+    const std::vector<std::string_view> parts = parts_of(element, ';');
+    const std::optional<double> own = weight_of(std::span(parts).subspan(1));
+    const int how_specific = specificity(lower_case(parts[0]), type);
+    if (!own || how_specific <= specificity_so_far) continue;
+    specificity_so_far = how_specific;
+    weight = *own;
+  }
+  return weight;
 }
 
 }  // namespace
@@ -72,24 +57,13 @@ std::string_view media_type(ImageFormat format) {
 
 std::optional<ImageFormat> choose_format(std::string_view accept) {
   if (trimmed(accept).empty()) return ImageFormat::png;
-  std::array<int, formats.size()> weights{};
-  std::array<int, formats.size()> specificities{};
-  for_each_part(accept, ',', [&](std::string_view element) {
-    const std::optional<MediaRange> range = read_range(element);
-    if (!range) return;
-    for (std::size_t i = 0; i < formats.size(); ++i) {
-      const int how_specific = specificity(range->type, formats[i]);
-      if (how_specific <= specificities[i]) continue;
-      specificities[i] = how_specific;
-      weights[i] = range->weight;
-    }
-  });
   std::optional<ImageFormat> best;
-  int best_weight = 0;
-  for (std::size_t i = 0; i < formats.size(); ++i) {
-    if (weights[i] <= best_weight) continue;
-    best_weight = weights[i];
-    best = formats[i];
+  double best_weight = 0;
+  for (const ImageFormat format : {ImageFormat::png, ImageFormat::ppm, ImageFormat::pfm}) {
+    const double weight = weight_in(accept, media_type(format));
+    if (weight <= best_weight) continue;
+    best_weight = weight;
+    best = format;
   }
   return best;
 }

@@ -43,6 +43,11 @@ std::size_t bytes_of(const KnownScene& known) {
 
 }  // namespace
 
+std::optional<std::string> SceneView::picture_digest() const {
+  if (scene.render.budget_ms) return {};
+  return raytracer::picture_digest(known->content_digest, scene);
+}
+
 Scenes::Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_kept,
                std::size_t most_read)
     : catalog_(catalog), limits_(limits), kept_(most_kept), read_(most_read) {}

@@ -7,12 +7,14 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "engine/engine.h"
 #include "server/catalog.h"
 #include "server/lru_cache.h"
+#include "server/quota.h"
 
 namespace raytracer {
 
@@ -32,6 +34,12 @@ struct KeptScene {
 struct SceneView {
   std::shared_ptr<const KnownScene> known;
   Scene scene;
+  double parse_ms = 0;         ///< to find or read the scene, and to judge the view
+  Quota::Share body_memory{};  ///< of the body that came with the request
+
+  /// What decides the picture, if the same request would give the same bytes again. A time budget
+  /// does not: how far it gets differs from run to run.
+  std::optional<std::string> picture_digest() const;
 };
 
 /// Every member function may be called from any thread.

@@ -3,7 +3,7 @@
 #include <openssl/crypto.h>
 
 #include "server/etag.h"
-#include "server/header_text.h"
+#include "server/request_text.h"
 
 namespace raytracer {
 

@@ -38,7 +38,7 @@ TEST(Libraries, json_is_where_json_is_read_or_written) {
            path == "server/catalog.cpp" ||               // reads the shipped scenes' descriptions
            path == "server/openapi.h" ||                 // writes OpenAPI (forward declarations)
            path == "server/openapi.cpp" ||               //
-           path == "server/query.cpp" ||                 // reads numbers as JSON writes them
+           path == "server/request_text.cpp" ||          // reads numbers as JSON writes them
            path == "client/api.cpp" ||                   // reads answers
            path == "client/plan_text.cpp" ||             // reads plans
            path == "client/curve.cpp" ||                 // reads curves
