@@ -65,15 +65,14 @@ std::shared_ptr<const void> Admission::add_waiter() {
 
 void Admission::require_place() const {
   if (may_wait()) return;
-  throw HttpError({429,
-                   fmt::format("{} renders wait already (--max-queue); try again later",
-                               waiting_.size() + extra_waiters_),
-                   {},
-                   {{"Retry-After", std::to_string(retry_after_s())}}});
+  refuse(429,
+         fmt::format("{} renders wait already (--max-queue); try again later",
+                     waiting_.size() + extra_waiters_),
+         {{"Retry-After", std::to_string(retry_after_s())}});
 }
 
 void Admission::require_open() const {
-  if (closed_) throw HttpError({503, "The server is shutting down and takes no new work"});
+  if (closed_) refuse(503, "The server is shutting down and takes no new work");
 }
 
 void Admission::close() {

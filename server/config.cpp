@@ -12,7 +12,6 @@
 #include <thread>
 
 #include "engine/engine.h"
-#include "server/token.h"
 
 namespace raytracer {
 namespace {
@@ -123,14 +122,18 @@ CommandLine::CommandLine(Config& config) {
   add({"--token", "RAYTRACER_TOKEN"}, "TOKEN",
       "bearer token that requests must carry; safer in its variable, which other users cannot list",
       "none", [&config](const std::string& text, const Source& source) {
-        if (!is_token(text)) source.refuse("a non-empty text of letters, digits and -._~+/=");
+        // RFC 6750's b64token: what can travel in an Authorization field.
+        constexpr std::string_view allowed =
+            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~+/=";
+        if (text.empty() || text.find_first_not_of(allowed) != text.npos)
+          source.refuse("a non-empty text of letters, digits and -._~+/=");
         config.token = text;
       });
 }
 
 }  // namespace
 
-std::variant<Config, Printout> read_config(int argc, const char* const* argv) {
+std::variant<Config, std::string> read_config(int argc, const char* const* argv) {
   Config config;
   config.threads = std::max(1U, std::thread::hardware_concurrency());
   CommandLine line(config);
@@ -139,7 +142,7 @@ std::variant<Config, Printout> read_config(int argc, const char* const* argv) {
   } catch (const CLI::Success& request) {
     std::ostringstream text;
     line.app().exit(request, text, text);
-    return Printout{text.str()};
+    return text.str();
   } catch (const CLI::ParseError& error) {
     throw ConfigError(fmt::format("{} (--help lists the flags)", error.what()));
   }

@@ -53,13 +53,9 @@ class ConfigError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// --help or --version: a text to print instead of serving.
-struct Printout {
-  std::string text;
-};
-
-/// Throws ConfigError. A variable that is set but empty counts as not set.
-std::variant<Config, Printout> read_config(int argc, const char* const* argv);
+/// A text to print instead of serving, for --help and --version. Throws ConfigError. A variable
+/// that is set but empty counts as not set.
+std::variant<Config, std::string> read_config(int argc, const char* const* argv);
 
 /// Gives the table of flags that --help prints, for the manual and the completions.
 void show_flags(const std::function<void(const CLI::App&)>& look);

@@ -3,23 +3,53 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "server/answer.h"
 #include "server/etag.h"
-#include "server/negotiate.h"
 #include "server/problem.h"
 #include "server/request_text.h"
 
 namespace raytracer {
 namespace {
 
+/// The weight that a media range's parameters give it, 1 if they say none; nothing if it cannot be
+/// read.
+std::optional<double> weight_of(std::span<const std::string_view> parameters) {
+  for (const std::string_view parameter : parameters)
+    if (lower_case(parameter.substr(0, 2)) == "q=") {
+      const std::optional<double> weight = read_double(parameter.substr(2));
+      return weight && *weight >= 0 && *weight <= 1 ? weight : std::nullopt;
+    }
+  return 1;
+}
+
+/// 3 for the type itself, 2 for its family, 1 for anything, 0 if the range is about other types.
+int specificity(std::string_view range, std::string_view type) {
+  if (range == type) return 3;
+  if (range == "image/*") return 2;
+  return range == "*/*" ? 1 : 0;
+}
+
+/// What the field's most specific range about the type gives it.
+double weight_in(std::string_view accept, std::string_view type) {
+  double weight = 0;
+  int specificity_so_far = 0;
+  for (const std::string_view element : parts_of(accept, ',')) {
+    const std::vector<std::string_view> parts = parts_of(element, ';');
+    const std::optional<double> own = weight_of(std::span(parts).subspan(1));
+    const int how_specific = specificity(lower_case(parts[0]), type);
+    if (!own || how_specific <= specificity_so_far) continue;
+    specificity_so_far = how_specific;
+    weight = *own;
+  }
+  return weight;
+}
+
 void set_caching(httplib::Response& response, const Representation& wanted) {
   response.set_header("Vary", "Accept");
-  if (!wanted.tag) {
-    response.set_header("Cache-Control", "no-store");
-    return;
-  }
+  if (!wanted.tag) return;
   response.set_header("ETag", *wanted.tag);
   // May be stored, but is to be asked for again: another build draws another picture.
   response.set_header("Cache-Control", "no-cache");
@@ -38,6 +68,11 @@ std::string server_timing(const Delivery& delivery, double parse_ms) {
 
 }  // namespace
 
+std::string_view media_type(ImageFormat format) {
+  if (format == ImageFormat::ppm) return "image/x-portable-pixmap";
+  return format == ImageFormat::pfm ? "image/x-portable-floatmap" : "image/png";
+}
+
 Representation represent(const std::optional<std::string>& picture_digest, ImageFormat format,
                          std::string_view renderer_id) {
   Representation wanted{format, {}};
@@ -52,11 +87,20 @@ bool forbids_cache(const httplib::Request& request) {
 }
 
 ImageFormat require_format(const httplib::Request& request) {
-  const std::optional<ImageFormat> format = choose_format(header_list(request, "Accept"));
-  if (format) return *format;
-  throw HttpError({406, fmt::format("None of the accepted types is offered: {}, {}, {}",
-                                    media_type(ImageFormat::png), media_type(ImageFormat::ppm),
-                                    media_type(ImageFormat::pfm))});
+  const std::string accept = header_list(request, "Accept");
+  if (trimmed(accept).empty()) return ImageFormat::png;
+  std::optional<ImageFormat> best;
+  double best_weight = 0;
+  for (const ImageFormat format : {ImageFormat::png, ImageFormat::ppm, ImageFormat::pfm}) {
+    const double weight = weight_in(accept, media_type(format));
+    if (weight <= best_weight) continue;
+    best_weight = weight;
+    best = format;
+  }
+  if (best) return *best;
+  refuse(406, fmt::format("None of the accepted types is offered: {}, {}, {}",
+                          media_type(ImageFormat::png), media_type(ImageFormat::ppm),
+                          media_type(ImageFormat::pfm)));
 }
 
 bool answer_without_image(Call& call, const Representation& wanted) {

@@ -12,7 +12,12 @@
 
 namespace raytracer {
 
-/// The format that the call's Accept asks for. Throws HttpError 406.
+std::string_view media_type(ImageFormat format);
+
+/// The format that the request's Accept prefers (RFC 9110, 12.5.1): the highest weight, the most
+/// specific range deciding each format's weight and png, ppm, pfm the order of equals. Without the
+/// field everything is accepted; ranges that cannot be read count for nothing. Throws HttpError
+/// 406.
 ImageFormat require_format(const httplib::Request& request);
 
 /// What is to be answered.

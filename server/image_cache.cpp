@@ -37,7 +37,7 @@ class ImageCache::Waiter {
   std::atomic<bool> has_left_{false};
 };
 
-Delivery ImageCache::fetch(const std::optional<std::string>& tag, const ConnectionEndpoints& client,
+Delivery ImageCache::fetch(const std::optional<std::string>& tag, const httplib::Request& client,
                            const Make& make) {
   auto flight = std::make_shared<SingleFlight>();
   bool is_first = true;
@@ -53,8 +53,7 @@ Delivery ImageCache::fetch(const std::optional<std::string>& tag, const Connecti
     ++flight->waiter_count;
   }
   Waiter waiter(*this, *flight);
-  const DisconnectWatch::Registration registration(disconnect_watch_, client,
-                                                   [&] { waiter.leave(); });
+  const auto watched = disconnect_watch_.watch(client, [&] { waiter.leave(); });
   return is_first ? make_for_all(tag, make, *flight) : wait_for(*flight, waiter);
 }
 
@@ -81,7 +80,7 @@ Delivery ImageCache::wait_for(const SingleFlight& flight, const Waiter& waiter) 
   const auto begin = std::chrono::steady_clock::now();
   const auto place = admission_.add_waiter();
   while (flight.image.wait_for(between_looks) != std::future_status::ready)
-    if (waiter.has_left()) throw HttpError(client_closed_request());
+    if (waiter.has_left()) refuse(499, "The client has left");
   const std::chrono::duration<double, std::milli> waited = std::chrono::steady_clock::now() - begin;
   Stages stages;
   stages.queue_ms = waited.count();

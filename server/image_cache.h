@@ -16,7 +16,6 @@
 
 #include "engine/engine.h"
 #include "server/admission.h"
-#include "server/connection.h"
 #include "server/disconnect_watch.h"
 #include "server/finished_image.h"
 #include "server/lru_cache.h"
@@ -43,7 +42,7 @@ class ImageCache {
   /// The picture with this entity tag, after a wait if need be; without a tag it is neither looked
   /// for, shared nor kept. Throws HttpError: what `make` throws, to all who wait for that; 429 if
   /// too many wait; 499 if the client has left.
-  Delivery fetch(const std::optional<std::string>& tag, const ConnectionEndpoints& client,
+  Delivery fetch(const std::optional<std::string>& tag, const httplib::Request& client,
                  const Make& make);
 
   LruCounts cache_counts() const { return memory_.counts(); }

@@ -12,10 +12,6 @@ std::string_view name_of(JobStatus status) {
 
 std::string_view name_of(JobTask task) { return task == JobTask::render ? "render" : "tradeoff"; }
 
-bool has_ended(JobStatus status) {
-  return status != JobStatus::queued && status != JobStatus::running;
-}
-
 Job::Job(std::string job_id, JobTask job_task, SceneView view)
     : id(std::move(job_id)),
       task(job_task),
@@ -27,40 +23,39 @@ Job::Job(std::string job_id, JobTask job_task, SceneView view)
 
 JobState Job::state() const {
   const std::scoped_lock lock(mutex_);
+  JobState state = state_;
   const std::chrono::duration<double, std::milli> elapsed =
-      (has_ended(status_) ? ended_ : Clock::now()) - accepted_;
-  const double fraction =
-      task == JobTask::tradeoff ? curve_progress_.fraction() : progress_.fraction.load();
-  return {status_, status_ == JobStatus::done ? 1 : fraction, elapsed.count(), queue_ms_, detail_};
+      (has_ended(state.status) ? ended_ : Clock::now()) - accepted_;
+  state.elapsed_ms = elapsed.count();
+  state.progress = state.status == JobStatus::done ? 1
+                   : task == JobTask::tradeoff     ? curve_progress_.fraction()
+                                                   : progress_.fraction.load();
+  return state;
 }
 
 void Job::wait_for_end(std::chrono::milliseconds longest) const {
   std::unique_lock lock(mutex_);
-  end_came_.wait_for(lock, longest, [this] { return has_ended(status_); });
+  end_came_.wait_for(lock, longest, [this] { return has_ended(state_.status); });
 }
 
-const Rendering* Job::rendering() const {
+const JobResult* Job::result() const {
   const std::scoped_lock lock(mutex_);
-  return task == JobTask::render && status_ == JobStatus::done ? &rendering_ : nullptr;
-}
-
-const Curve* Job::curve() const {
-  const std::scoped_lock lock(mutex_);
-  return task == JobTask::tradeoff && status_ == JobStatus::done ? &curve_ : nullptr;
+  return state_.status == JobStatus::done ? &result_ : nullptr;
 }
 
 void Job::begin() {
   const std::scoped_lock lock(mutex_);
-  queue_ms_ = slot_->queue_ms();
-  status_ = JobStatus::running;
+  state_.queue_ms = slot_->queue_ms();
+  state_.status = JobStatus::running;
 }
 
-void Job::end(JobStatus status, std::string detail) {
+void Job::end(JobStatus status, std::string detail, JobResult result) {
   {
     const std::scoped_lock lock(mutex_);
-    status_ = status;
-    detail_ = std::move(detail);
+    state_.status = status;
+    state_.detail = std::move(detail);
     ended_ = Clock::now();
+    result_ = std::move(result);
   }
   end_came_.notify_all();
   view_.reset();
@@ -69,7 +64,8 @@ void Job::end(JobStatus status, std::string detail) {
 
 std::size_t Job::result_bytes() const {
   const std::scoped_lock lock(mutex_);
-  return rendering_.image.values.size() * sizeof(float);
+  const auto* const rendering = std::get_if<Rendering>(&result_);
+  return rendering ? rendering->image.values.size() * sizeof(float) : 0;
 }
 
 }  // namespace raytracer

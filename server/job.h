@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "engine/engine.h"
 #include "server/admission.h"
@@ -31,7 +32,10 @@ enum class JobTask { render, tradeoff };
 std::string_view name_of(JobTask task);
 
 /// Whether it will change no more.
-bool has_ended(JobStatus status);
+inline bool has_ended(JobStatus status) { return status >= JobStatus::done; }
+
+/// Nothing if it was stopped before there was any.
+using JobResult = std::variant<std::monostate, Rendering, Curve>;
 
 /// What a job is like at one moment.
 struct JobState {
@@ -59,19 +63,17 @@ class Job {
   /// Returns when the job has ended, or after `longest`.
   void wait_for_end(std::chrono::milliseconds longest) const;
 
-  /// The rendering, once a render is done; null before.
-  const Rendering* rendering() const;
+  /// What came of it; null unless it is done. Constant from then on.
+  const JobResult* result() const;
   /// A render's picture as far as it has come; nothing if there is nothing to see yet, or it ended.
   std::optional<Image> image_so_far() const { return progress_.preview.so_far(); }
-  /// Once a tradeoff is done; null before.
-  const Curve* curve() const;
 
  private:
   friend class Jobs;
   using Clock = std::chrono::steady_clock;
 
   void begin();
-  void end(JobStatus status, std::string detail);
+  void end(JobStatus status, std::string detail, JobResult result = {});
   std::size_t result_bytes() const;
 
   std::optional<SceneView> view_;            ///< until it ended; only who runs it reads it
@@ -81,13 +83,10 @@ class Job {
 
   mutable std::mutex mutex_;
   mutable std::condition_variable end_came_;
-  JobStatus status_ = JobStatus::queued;
-  std::string detail_;
+  JobState state_;  ///< but for what state() computes
   const Clock::time_point accepted_ = Clock::now();
   Clock::time_point ended_{};
-  double queue_ms_ = 0;
-  Rendering rendering_;  ///< written before `done`, constant from then on
-  Curve curve_;          ///< the same
+  JobResult result_;
 };
 
 }  // namespace raytracer

@@ -62,11 +62,9 @@ void answer_events(Call& call, Quota& streams, std::shared_ptr<const Job> job,
                    std::function<std::string(const Job&)> describe) {
   constexpr const char* media_type = "text/event-stream";
   call.response.status = 200;
-  call.response.set_header("Cache-Control", "no-store");
   if (call.is_head()) return call.response.set_header("Content-Type", media_type);
   const auto stream = std::make_shared<EventStream>(
-      EventStream{streams.take(1), std::move(job), std::move(describe),
-                  find_socket(endpoints_of(call.request))});
+      EventStream{streams.take(1), std::move(job), std::move(describe), find_socket(call.request)});
   const auto next = [stream](std::size_t, httplib::DataSink& sink) { return stream->step(sink); };
   if (call.request.version != "HTTP/1.0")
     return call.response.set_chunked_content_provider(media_type, next);

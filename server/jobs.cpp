@@ -30,12 +30,12 @@ HttpError unknown_job(const std::string& id) {
 }  // namespace
 
 Jobs::Jobs(Admission& admission, WorkerPool& pool, const Limits& limits, Metrics& metrics,
-           std::function<void(std::string_view)> note)
+           RequestLog& log)
     : admission_(admission),
       pool_(pool),
       limits_(limits),
       metrics_(metrics),
-      note_(std::move(note)),
+      log_(log),
       threads_(std::numeric_limits<std::size_t>::max()) {}  // admission bounds them
 
 Jobs::~Jobs() {
@@ -83,37 +83,34 @@ std::map<JobStatus, std::size_t> Jobs::counts() const {
 
 void Jobs::run(Job& job) {
   try {
-    const bool is_done = job.slot_->wait_until_admitted() && make_result(job);
+    JobResult result;
+    if (job.slot_->wait_until_admitted()) result = make_result(job);
+    const bool is_done = result.index() != 0;
     if (!is_done) metrics_.add("renders_cancelled_total");
-    job.end(is_done ? JobStatus::done : JobStatus::cancelled, is_done ? "" : "stopped");
+    job.end(is_done ? JobStatus::done : JobStatus::cancelled, is_done ? "" : "stopped",
+            std::move(result));
   } catch (const HttpError& refusal) {
     metrics_.add("renders_cancelled_total");
     job.end(JobStatus::cancelled, refusal.problem().detail);
   } catch (const std::exception& error) {
-    note_(fmt::format("job {} failed: {}", job.id, error.what()));
+    log_.note(fmt::format("job {} failed: {}", job.id, error.what()));
     job.end(JobStatus::failed, "The render failed inside the server; its log says why");
   }
 }
 
-/// False if it was stopped before there was one.
-bool Jobs::make_result(Job& job) {
+JobResult Jobs::make_result(Job& job) {
   job.begin();
   metrics_.observe("queue_duration_seconds", job.slot_->queue_ms() / 1000);
   const Scene& scene = job.view_->scene;
   if (job.task == JobTask::tradeoff) {
     std::optional<Curve> curve =
         measure_curve(scene, limits_, most_curve_ms, pool_, job.curve_progress_);
-    if (!curve) return false;
-    const std::scoped_lock lock(job.mutex_);
-    job.curve_ = std::move(*curve);
-    return true;
+    return curve ? JobResult(*std::move(curve)) : JobResult();
   }
   Rendering rendering = render(scene, limits_, pool_, job.progress_);
-  if (rendering.stop == Stop::cancelled) return false;
+  if (rendering.stop == Stop::cancelled) return {};
   metrics_.rendered(rendering, job.digest);
-  const std::scoped_lock lock(job.mutex_);
-  job.rendering_ = std::move(rendering);
-  return true;
+  return rendering;
 }
 
 void Jobs::keep(const std::shared_ptr<Job>& job) {

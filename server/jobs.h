@@ -8,17 +8,16 @@
 
 #include <cstddef>
 #include <deque>
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
-#include <string_view>
 
 #include "engine/engine.h"
 #include "server/admission.h"
 #include "server/job.h"
 #include "server/metrics.h"
+#include "server/request_log.h"
 #include "server/thread_per_task.h"
 
 namespace raytracer {
@@ -26,9 +25,9 @@ namespace raytracer {
 /// Every member function may be called from any thread.
 class Jobs {
  public:
-  /// `note` is told of exceptions.
+  /// All must outlive it.
   Jobs(Admission& admission, WorkerPool& pool, const Limits& limits, Metrics& metrics,
-       std::function<void(std::string_view)> note);
+       RequestLog& log);
   /// Cancels what is not done.
   ~Jobs();
   Jobs(const Jobs&) = delete;
@@ -48,14 +47,14 @@ class Jobs {
 
  private:
   void run(Job& job);
-  bool make_result(Job& job);
+  JobResult make_result(Job& job);
   void keep(const std::shared_ptr<Job>& job);
 
   Admission& admission_;
   WorkerPool& pool_;
-  const Limits limits_;
+  const Limits& limits_;
   Metrics& metrics_;
-  const std::function<void(std::string_view)> note_;
+  RequestLog& log_;
 
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<Job>> jobs_;

@@ -15,12 +15,15 @@
 
 #include "server/answer.h"
 #include "server/body.h"
+#include "server/connection.h"
 #include "server/problem.h"
 #include "server/request_validation.h"
 #include "server/thread_per_task.h"
 
 namespace raytracer {
 namespace {
+
+constexpr std::size_t most_connections = 2048;  // more wait for one of them to end
 
 // Nothing but this server's own files runs in the page; nobody else's page may frame it.
 constexpr const char* content_security_policy =
@@ -69,21 +72,6 @@ std::string bracketed(const std::string& host) {
   return host.find(':') == std::string::npos ? host : fmt::format("[{}]", host);
 }
 
-std::string why_not_bound(int error, const std::string& host, int port) {
-  const std::string where = fmt::format("{}:{}", bracketed(host), port);
-  if (error == EADDRINUSE)
-    return fmt::format(
-        "{} is taken by another program: stop that one, or choose another --port "
-        "(RAYTRACER_PORT); 0 takes a free one",
-        where);
-  if (error == EACCES)
-    return fmt::format("{} is not allowed to this user: choose a --port above 1023", where);
-  return fmt::format(
-      "cannot listen on {}: --host (RAYTRACER_HOST) must be an address of this "
-      "machine ({})",
-      where, error == 0 ? "the name is not known" : std::strerror(error));
-}
-
 }  // namespace
 
 Listener::Listener(const Config& config, const RouteTable& routes, RequestLog& log,
@@ -94,7 +82,7 @@ Listener::Listener(const Config& config, const RouteTable& routes, RequestLog& l
 }
 
 void Listener::set_options() {
-  server_.new_task_queue = [] { return new ThreadPerTask(most_connections()); };
+  server_.new_task_queue = [] { return new ThreadPerTask(descriptor_limit(most_connections)); };
   // Without SO_REUSEPORT, httplib's default: a second server would share the port in silence.
   server_.set_socket_options([this](socket_t socket) {
     const int yes = 1;
@@ -155,6 +143,8 @@ void Listener::set_handlers() {
                                 response.get_header_value("Content-Length") == "0");
     if (has_no_length) response.headers.erase("Content-Length");
     response.headers.erase("Accept-Ranges");
+    // What a handler says nothing about is true for a moment.
+    if (!response.has_header("Cache-Control")) response.set_header("Cache-Control", "no-store");
     // Texts are compressed for those who accept it; images, which are not, vary by Accept.
     if (response.status == 200 && !response.has_header("Vary"))
       response.set_header("Vary", "Accept-Encoding");
@@ -165,9 +155,9 @@ void Listener::set_handlers() {
 
 template <typename Step>
 bool Listener::succeeds(Call& call, const Step& step) {
-  const auto refuse = [&](const Problem& problem) {
+  const auto answer = [&](const Problem& problem) {
     if (problem.status == 413 || problem.status == 429 || problem.status == 503)
-      metrics_.add("http_requests_refused_total", 1, {{"status", std::to_string(problem.status)}});
+      metrics_.add("http_requests_refused_total", 1, {std::to_string(problem.status)});
     answer_problem(call.response, problem, after_refusal(call));
     return false;
   };
@@ -175,11 +165,11 @@ bool Listener::succeeds(Call& call, const Step& step) {
     step();
     return true;
   } catch (const HttpError& refusal) {
-    return refuse(refusal.problem());
+    return answer(refusal.problem());
   } catch (const std::exception& error) {
     log_.note(
         fmt::format("{} {} failed: {}", call.request.method, call.request.path, error.what()));
-    return refuse(internal_error());
+    return answer(internal_error());
   }
 }
 
@@ -235,12 +225,9 @@ void Listener::finish(const httplib::Request& request, const httplib::Response& 
     const Route* const route = routes_.find(request.method, request.path);
     const std::string method = route ? route->method : "other";
     const std::string pattern = route ? route->pattern : "none";
-    metrics_.add(
-        "http_requests_total", 1,
-        {{"method", method}, {"route", pattern}, {"status", std::to_string(response.status)}});
-    metrics_.observe("http_request_duration_seconds", took_s,
-                     {{"method", method}, {"route", pattern}});
-    if (closes_connection(response)) linger(find_socket(endpoints_of(request)));
+    metrics_.add("http_requests_total", 1, {method, pattern, std::to_string(response.status)});
+    metrics_.observe("http_request_duration_seconds", took_s, {method, pattern});
+    if (closes_connection(response)) linger(find_socket(request));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "raytracer-server: no line for a request: %s\n", error.what());
   }
@@ -253,7 +240,12 @@ std::string Listener::bind() {
     port_ = server_.bind_to_any_port(config_.host);
   else
     port_ = server_.bind_to_port(config_.host, config_.port) ? config_.port : -1;
-  if (port_ < 0) throw ConfigError(why_not_bound(errno, config_.host, config_.port));
+  if (const int error = errno; port_ < 0)
+    throw ConfigError(
+        fmt::format("cannot listen on {}:{} ({}): choose another --host (RAYTRACER_HOST) or --port "
+                    "(RAYTRACER_PORT); 0 takes a free port",
+                    bracketed(config_.host), config_.port,
+                    error == 0 ? "the name is not known" : std::strerror(error)));
   // httplib's backlog of 5 lets a burst of connections wait a second for TCP to try again.
   ::listen(listening_socket_, 511);
   return fmt::format("http://{}:{}", bracketed(config_.host), port_);

@@ -34,8 +34,8 @@ int serve(const Config& config) {
 
 int main(int argc, char** argv) try {
   const auto outcome = read_config(argc, argv);
-  if (const auto* printout = std::get_if<Printout>(&outcome)) {
-    std::fputs(printout->text.c_str(), stdout);
+  if (const auto* printout = std::get_if<std::string>(&outcome)) {
+    std::fputs(printout->c_str(), stdout);
     return EXIT_SUCCESS;
   }
   return serve(std::get<Config>(outcome));

@@ -9,12 +9,12 @@ namespace raytracer {
 namespace {
 
 /// name="value", separated by commas, as it stands between braces.
-std::string text_of(Metrics::Labels labels) {
+std::string label_text(const MetricFamily& family, std::span<const std::string> values) {
   std::string text;
-  for (const auto& [name, value] : labels) {
-    if (!text.empty()) text += ',';
-    text.append(name).append("=\"");
-    for (const char c : value) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0) text += ',';
+    text.append(family.labels[i]).append("=\"");
+    for (const char c : values[i]) {
       if (c == '\\' || c == '"') text += '\\';
       if (c == '\n')
         text += "\\n";
@@ -53,58 +53,52 @@ void append_histogram(std::string& text, const MetricFamily& family, const std::
   append_sample(text, family, "_count", labels, static_cast<double>(count));
 }
 
-constexpr std::array<std::string_view, 5> stage_names{"parse", "plan", "build", "trace", "encode"};
-
 }  // namespace
 
 /// What is known to come is shown from the start, as 0.
 Metrics::Metrics() {
-  for (const MetricName name : std::initializer_list<MetricName>{
-           "renders_total", "renders_cancelled_total", "renders_shared_total",
-           "pixels_rendered_total", "samples_rendered_total", "pixels_clamped_total",
-           "pixels_nan_total", "queue_duration_seconds", "trace_actual_to_predicted_ratio",
-           "trace_predicted_seconds_total", "trace_actual_seconds_total"})
-    add(name, 0);
+  for (std::size_t row = 0; row < metric_table.size(); ++row)
+    if (metric_table[row].labels[0].empty() && type_of(metric_table[row]) != "gauge")
+      series(row, {});
   for (const std::string_view status : {"413", "429", "503"})
-    add("http_requests_refused_total", 0, {{"status", status}});
-  for (const std::string_view stage : stage_names)
-    add("stage_duration_seconds", 0, {{"stage", stage}});
+    add("http_requests_refused_total", 0, {status});
+  for (const std::string_view stage : {"parse", "plan", "build", "trace", "encode"})
+    add("stage_duration_seconds", 0, {stage});
 }
 
-Metrics::Series& Metrics::series(MetricName name, Labels labels) {
-  Series& series = series_[name.row()][text_of(labels)];
-  series.buckets.resize(metric_table[name.row()].bounds.size() + 1);
+Metrics::Series& Metrics::series(std::size_t row, LabelValues values) {
+  Series& series = series_[row][{values.begin(), values.end()}];
+  series.buckets.resize(metric_table[row].bounds.size() + 1);
   return series;
 }
 
-void Metrics::add(MetricName name, double amount, Labels labels) {
+void Metrics::add(MetricName name, double amount, LabelValues values) {
   const std::scoped_lock lock(mutex_);
-  series(name, labels).value += amount;
+  series(name.row(), values).value += amount;
 }
 
-void Metrics::set(MetricName name, double value, Labels labels) {
+void Metrics::set(MetricName name, double value, LabelValues values) {
   const std::scoped_lock lock(mutex_);
-  series(name, labels).value = value;
+  series(name.row(), values).value = value;
 }
 
-void Metrics::observe(MetricName name, double value, Labels labels) {
+void Metrics::observe(MetricName name, double value, LabelValues values) {
   const std::span<const double> bounds = metric_table[name.row()].bounds;
   const auto bucket = std::lower_bound(bounds.begin(), bounds.end(), value) - bounds.begin();
   const std::scoped_lock lock(mutex_);
-  Series& observed = series(name, labels);
+  Series& observed = series(name.row(), values);
   ++observed.buckets[static_cast<std::size_t>(bucket)];
   observed.value += value;
 }
 
-void Metrics::took(Stage stage, double ms) {
-  observe("stage_duration_seconds", ms / 1000,
-          {{"stage", stage_names[static_cast<std::size_t>(stage)]}});
+void Metrics::took(std::string_view stage, double ms) {
+  observe("stage_duration_seconds", ms / 1000, {stage});
 }
 
 void Metrics::rendered(const RenderReport& report, const std::optional<std::string>& digest) {
-  took(Stage::plan, report.plan_ms);
-  took(Stage::build, report.build_ms);
-  took(Stage::trace, report.trace_ms);
+  took("plan", report.plan_ms);
+  took("build", report.build_ms);
+  took("trace", report.trace_ms);
   const auto pixels = static_cast<double>(report.pixel_count);
   add("renders_total");
   add("pixels_rendered_total", pixels);
@@ -130,11 +124,13 @@ std::string Metrics::text() const {
     if (series_[row].empty()) continue;
     fmt::format_to(std::back_inserter(text), "# HELP raytracer_{0} {1}\n# TYPE raytracer_{0} {2}\n",
                    family.name, family.help, type_of(family));
-    for (const auto& [labels, series] : series_[row])
+    for (const auto& [values, series] : series_[row]) {
+      const std::string labels = label_text(family, values);
       if (family.bounds.empty())
         append_sample(text, family, "", labels, series.value);
       else
         append_histogram(text, family, labels, series.buckets, series.value);
+    }
   }
   return text;
 }

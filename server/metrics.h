@@ -10,7 +10,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "engine/engine.h"
@@ -22,6 +21,7 @@ namespace raytracer {
 struct MetricFamily {
   std::string_view name;  ///< without the "raytracer_" that all begin with
   std::string_view help;
+  std::array<std::string_view, 3> labels{};  ///< the names of as many as there are
   std::span<const double> bounds{};
 };
 
@@ -31,13 +31,21 @@ inline constexpr std::array<double, 12> ratio_bounds{0.25, 0.5,  0.7, 0.8, 0.9, 
                                                      1.1,  1.25, 1.5, 2,   4,   10};
 
 inline constexpr std::array<MetricFamily, 29> metric_table{{
-    {"http_requests_total", "Requests answered, by route and status."},
-    {"http_request_duration_seconds", "From a request's header to the end of its answer, by route.",
+    {"http_requests_total",
+     "Requests answered, by route and status.",
+     {"method", "route", "status"}},
+    {"http_request_duration_seconds",
+     "From a request's header to the end of its answer, by route.",
+     {"method", "route"},
      duration_bounds_s},
     {"http_requests_refused_total",
-     "Requests refused: over a limit (413), no room (429), shutting down (503)."},
-    {"queue_duration_seconds", "What renders and plans waited in the queue.", duration_bounds_s},
-    {"stage_duration_seconds", "The stages of renders.", duration_bounds_s},
+     "Requests refused: over a limit (413), no room (429), shutting down (503).",
+     {"status"}},
+    {"queue_duration_seconds",
+     "What renders and plans waited in the queue.",
+     {},
+     duration_bounds_s},
+    {"stage_duration_seconds", "The stages of renders.", {"stage"}, duration_bounds_s},
     {"renders_total", "Renders done."},
     {"renders_cancelled_total",
      "Renders stopped because their client left, their job was deleted, or the server ended."},
@@ -50,6 +58,7 @@ inline constexpr std::array<MetricFamily, 29> metric_table{{
      "Pixels of the renders done with a sample that was no number: 0, or a fault here."},
     {"trace_actual_to_predicted_ratio",
      "Trace time over the time predicted, of renders whose plan was asked for before.",
+     {},
      ratio_bounds},
     {"trace_predicted_seconds_total",
      "Trace time predicted, of renders whose plan was asked for before."},
@@ -58,14 +67,16 @@ inline constexpr std::array<MetricFamily, 29> metric_table{{
     {"renders_running", "Renders and plans in an admission slot."},
     {"queue_length", "Renders and plans that wait for an admission slot."},
     {"queue_limit", "The most that may wait (--max-queue)."},
-    {"jobs", "Jobs that are not forgotten, by status."},
+    {"jobs", "Jobs that are not forgotten, by status.", {"status"}},
     {"event_streams_open", "Event streams about jobs."},
-    {"cache_hits_total", "Look-ups that found it."},
-    {"cache_misses_total", "Look-ups that did not."},
-    {"cache_evictions_total", "What went because the memory was full."},
-    {"cache_entries", "What is kept now."},
-    {"cache_bytes", "The memory that it takes."},
-    {"build_info", "What this server is; its value is always 1."},
+    {"cache_hits_total", "Look-ups that found it.", {"cache"}},
+    {"cache_misses_total", "Look-ups that did not.", {"cache"}},
+    {"cache_evictions_total", "What went because the memory was full.", {"cache"}},
+    {"cache_entries", "What is kept now.", {"cache"}},
+    {"cache_bytes", "The memory that it takes.", {"cache"}},
+    {"build_info",
+     "What this server is; its value is always 1.",
+     {"version", "build_id", "instruction_set"}},
     {"render_threads", "Threads that trace (--threads)."},
     {"process_resident_memory_bytes", "Memory that the process holds."},
     {"process_threads", "Threads of the process."},
@@ -83,24 +94,23 @@ class MetricName {
   std::size_t row_ = 0;
 };
 
-/// The parts of a render's time, as Server-Timing names them.
-enum class Stage { parse, plan, build, trace, encode };
-
 /// Every member function may be called from any thread.
 class Metrics {
  public:
-  using Labels = std::initializer_list<std::pair<std::string_view, std::string_view>>;
+  /// Of the family's labels, in their order.
+  using LabelValues = std::initializer_list<std::string_view>;
 
   Metrics();
 
   /// Of a counter.
-  void add(MetricName name, double amount = 1, Labels labels = {});
+  void add(MetricName name, double amount = 1, LabelValues values = {});
   /// Of a gauge, or of a counter that is kept elsewhere.
-  void set(MetricName name, double value, Labels labels = {});
+  void set(MetricName name, double value, LabelValues values = {});
   /// Of a histogram.
-  void observe(MetricName name, double value, Labels labels = {});
+  void observe(MetricName name, double value, LabelValues values = {});
 
-  void took(Stage stage, double ms);
+  /// A part of a render's time, as Server-Timing names it.
+  void took(std::string_view stage, double ms);
 
   /// A rendering is done. `digest` says whose, if the same scene may have been planned before.
   void rendered(const RenderReport& report, const std::optional<std::string>& digest);
@@ -119,11 +129,11 @@ class Metrics {
   };
 
   /// With the mutex held.
-  Series& series(MetricName name, Labels labels);
+  Series& series(std::size_t row, LabelValues values);
 
   mutable std::mutex mutex_;
-  /// Of each family, by what stands between the braces.
-  std::array<std::map<std::string, Series>, metric_table.size()> series_;
+  /// Of each family, by the values of its labels.
+  std::array<std::map<std::vector<std::string>, Series>, metric_table.size()> series_;
   LruCache<double> predicted_ms_{64};  ///< of the scenes planned last, by digest; one counts 1
 };
 

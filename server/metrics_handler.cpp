@@ -21,7 +21,7 @@ void set_load(Metrics& metrics, const Services& services) {
   metrics.set("event_streams_open", static_cast<double>(services.event_streams.taken()));
   std::map<JobStatus, std::size_t> jobs = services.jobs.counts();
   for (const JobStatus status : job_statuses)
-    metrics.set("jobs", static_cast<double>(jobs[status]), {{"status", name_of(status)}});
+    metrics.set("jobs", static_cast<double>(jobs[status]), {name_of(status)});
 }
 
 void set_caches(Metrics& metrics, const Services& services) {
@@ -30,7 +30,7 @@ void set_caches(Metrics& metrics, const Services& services) {
         {"kept_scenes", services.scenes.kept()},
         {"read_scenes", services.scenes.read_lately()}}) {
     const auto set = [&, cache = name](MetricName metric, auto value) {
-      metrics.set(metric, static_cast<double>(value), {{"cache", cache}});
+      metrics.set(metric, static_cast<double>(value), {cache});
     };
     set("cache_hits_total", counts.hits);
     set("cache_misses_total", counts.misses);
@@ -41,10 +41,7 @@ void set_caches(Metrics& metrics, const Services& services) {
 }
 
 void set_process(Metrics& metrics, const Services& services) {
-  metrics.set("build_info", 1,
-              {{"version", version},
-               {"build_id", build_id},
-               {"instruction_set", this_machine().instruction_set.name}});
+  metrics.set("build_info", 1, {version, build_id, this_machine().instruction_set.name});
   metrics.set("render_threads", static_cast<double>(services.config.threads));
   // What the system says about this process, where it does: Linux.
   std::ifstream status("/proc/self/status");
@@ -66,7 +63,6 @@ void get_metrics(Services& services, Call& call) {
   set_caches(services.metrics, services);
   set_process(services.metrics, services);
   answer_bytes(call.response, services.metrics.text(), "text/plain; version=0.0.4; charset=utf-8");
-  call.response.set_header("Cache-Control", "no-store");
 }
 
 }  // namespace raytracer

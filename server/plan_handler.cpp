@@ -12,8 +12,11 @@ namespace raytracer {
 
 void post_plan(Services& services, Call& call) {
   const SceneView view = read_scene_request(call, read_query(call.request.params), services);
+  RenderProgress progress;
+  const auto watched =
+      services.disconnect_watch.watch(call.request, [&] { services.admission.stop(progress); });
   std::optional<Forecast> foreseen;
-  run_admitted(services, call, [&](RenderProgress& progress) {
+  run_admitted(services, progress, [&] {
     foreseen = forecast(view.scene, services.config.limits, services.machine_costs, services.pool,
                         progress);
     return foreseen.has_value();
@@ -21,8 +24,6 @@ void post_plan(Services& services, Call& call) {
   services.metrics.predicted(view.picture_digest(), foreseen->prediction);
   answer_bytes(call.response, explain(view.scene, foreseen->plan, foreseen->prediction),
                "application/json");
-  // Its times are those of a moment.
-  call.response.set_header("Cache-Control", "no-store");
 }
 
 }  // namespace raytracer

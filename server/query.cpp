@@ -12,15 +12,14 @@
 namespace raytracer {
 namespace {
 
-[[noreturn]] void refuse(std::string detail) { throw HttpError({400, std::move(detail)}); }
-
 /// One parameter as it came, to be read as what it should be.
 struct Parameter {
   const std::string& name;
   const std::string& text;
 
   [[noreturn]] void refuse_for(std::string_view rule) const {
-    refuse(fmt::format("The query parameter \"{}\" is \"{}\" but must be {}", name, text, rule));
+    refuse(400,
+           fmt::format("The query parameter \"{}\" is \"{}\" but must be {}", name, text, rule));
   }
 };
 
@@ -88,8 +87,8 @@ constexpr std::array<Row, 13> rows{{
 const Row& row_of(std::string_view name) {
   for (const Row& row : rows)
     if (row.name == name) return row;
-  refuse(fmt::format("Unknown query parameter \"{}\"; did you mean \"{}\"?", name,
-                     nearest_key(name, query_names())));
+  refuse(400, fmt::format("Unknown query parameter \"{}\"; did you mean \"{}\"?", name,
+                          nearest_key(name, query_names())));
 }
 
 }  // namespace
@@ -104,19 +103,18 @@ RenderQuery read_query(const httplib::Params& params) {
   RenderQuery query;
   for (const auto& [name, text] : params) {
     if (params.count(name) > 1)
-      refuse(fmt::format("The query parameter \"{}\" is given more than once", name));
+      refuse(400, fmt::format("The query parameter \"{}\" is given more than once", name));
     const Row& row = row_of(name);
     if (row.needs_scene && params.count("scene") == 0)
-      refuse(
-          fmt::format("The query parameter \"{}\" goes with \"scene=NAME\" only: "
-                      "a posted document says its own camera",
-                      name));
+      refuse(400, fmt::format("The query parameter \"{}\" goes with \"scene=NAME\" only: "
+                              "a posted document says its own camera",
+                              name));
     row.apply(query, {name, text});
   }
   const Overrides& over = query.overrides;
   if (over.samples && (over.target_rmse || over.budget_ms))
-    refuse(
-        fmt::format("The query parameters \"samples\" and \"{}\" do not go together: leave one out",
+    refuse(400, fmt::format(
+                    "The query parameters \"samples\" and \"{}\" do not go together: leave one out",
                     over.target_rmse ? "target_rmse" : "budget_ms"));
   return query;
 }

@@ -7,7 +7,7 @@ namespace raytracer {
 Quota::Share Quota::take(std::int64_t amount) {
   std::int64_t taken = taken_;
   do {
-    if (amount > most_ - taken) throw HttpError({429, refusal_, {}, {{"Retry-After", "1"}}});
+    if (amount > most_ - taken) refuse(429, refusal_, {{"Retry-After", "1"}});
   } while (!taken_.compare_exchange_weak(taken, taken + amount));
   return {this, [this, amount](const void*) { taken_ -= amount; }};
 }

@@ -23,7 +23,7 @@ void post_or_get_render(Services& services, Call& call) {
     });
     services.metrics.rendered(rendering, digest);
     FinishedImage image = finish_image(rendering, queue_ms, format, services.pool);
-    services.metrics.took(Stage::encode, image.stages.encode_ms);
+    services.metrics.took("encode", image.stages.encode_ms);
     return image;
   };
   const auto make = [&](RenderProgress& progress) {
@@ -32,8 +32,8 @@ void post_or_get_render(Services& services, Call& call) {
     return needs_floats ? make_with(render, progress) : make_with(render_bytes, progress);
   };
   const bool from_cache = !forbids_cache(call.request);
-  const Delivery delivery = services.image_cache.fetch(from_cache ? wanted.tag : std::nullopt,
-                                                       endpoints_of(call.request), make);
+  const Delivery delivery =
+      services.image_cache.fetch(from_cache ? wanted.tag : std::nullopt, call.request, make);
   if (delivery.cache == "shared") services.metrics.add("renders_shared_total");
   answer_image(call, delivery, view.parse_ms, wanted);
 }

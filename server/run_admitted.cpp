@@ -8,8 +8,8 @@ namespace {
 [[noreturn]] void refuse_stopped(Services& services) {
   services.metrics.add("renders_cancelled_total");
   if (services.admission.is_closed())
-    throw HttpError({503, "The server shut down before the work was finished"});
-  throw HttpError(client_closed_request());
+    refuse(503, "The server shut down before the work was finished");
+  refuse(499, "The client has left");
 }
 
 }  // namespace
@@ -21,15 +21,6 @@ double run_admitted(Services& services, RenderProgress& progress,
   services.metrics.observe("queue_duration_seconds", slot.queue_ms() / 1000);
   if (!work()) refuse_stopped(services);
   return slot.queue_ms();
-}
-
-void run_admitted(Services& services, const Call& call,
-                  const std::function<bool(RenderProgress&)>& work) {
-  RenderProgress progress;
-  const DisconnectWatch::Registration registration(services.disconnect_watch,
-                                                   endpoints_of(call.request),
-                                                   [&] { services.admission.stop(progress); });
-  run_admitted(services, progress, [&] { return work(progress); });
 }
 
 }  // namespace raytracer

@@ -26,21 +26,20 @@ void get_scene(Services& services, Call& call) {
 
 void post_scene(Services& services, Call& call) {
   if (!call.request.params.empty())
-    throw HttpError({400, "POST /scenes takes no query: views of the scene say theirs later"});
+    refuse(400, "POST /scenes takes no query: views of the scene say theirs later");
   PostedDocument posted = read_document(call, services);
   const SceneView view = find_scene(posted.text, {}, services);
   const Scene& scene = view.known->scene;
-  const auto [id, bytes] = services.scenes.keep({view.known, std::move(posted.text)});
+  const auto kept = services.scenes.keep(view.known, std::move(posted.text));
   answer_json(call.response, 201,
-              {{"id", id},
+              {{"id", kept->id},
                {"objects", count_objects(scene)},
                {"lights", scene.lights.size()},
                {"width", scene.camera.width},
                {"height", scene.camera.height},
-               {"bytes", bytes},
-               {"render", "/render?scene=" + id}});
-  call.response.set_header("Location", "/scenes/" + id);
-  call.response.set_header("Cache-Control", "no-store");
+               {"bytes", kept->bytes},
+               {"render", "/render?scene=" + kept->id}});
+  call.response.set_header("Location", "/scenes/" + kept->id);
 }
 
 }  // namespace raytracer

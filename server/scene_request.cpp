@@ -11,7 +11,7 @@ namespace raytracer {
 PostedDocument read_document(Call& call, Services& services) {
   services.admission.require_open();
   PostedDocument posted;
-  const std::int64_t length = body_length(call.request);
+  const std::int64_t length = body_length(call.request).value_or(0);
   posted.memory = services.body_memory.take(length);
   posted.text = read_body(call, length);
   return posted;
@@ -22,17 +22,16 @@ SceneView find_scene(std::string_view document, const RenderQuery& query, Servic
   SceneView view = query.scene ? services.scenes.at(*query.scene, query.overrides)
                                : services.scenes.read(document, query.overrides);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-  services.metrics.took(Stage::parse, took.count());
+  services.metrics.took("parse", took.count());
   view.parse_ms = took.count();
   return view;
 }
 
 SceneView read_scene_request(Call& call, const RenderQuery& query, Services& services) {
   if (!query.scene && !call.content)
-    throw HttpError(
-        {400,
-         "Which scene? Name one of GET /scenes, or the id of one that was posted there, "
-         "as ?scene=NAME, or POST a document"});
+    refuse(400,
+           "Which scene? Name one of GET /scenes, or the id of one that was posted there, "
+           "as ?scene=NAME, or POST a document");
   if (query.scene) {
     services.admission.require_open();
     return find_scene({}, query, services);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "engine/engine.h"
 #include "server/admission.h"
@@ -35,8 +34,7 @@ struct Services {
         machine_costs(measure_machine_costs(pool)),
         scenes(catalog, config.limits, config.max_kept, config.max_cache),
         image_cache(config.max_cache, admission, disconnect_watch),
-        jobs(admission, pool, config.limits, metrics,
-             [this](std::string_view text) { log.note(text); }) {}
+        jobs(admission, pool, config.limits, metrics, log) {}
 
   const Config config;
   RequestLog log;

@@ -1,20 +1,10 @@
 #include "server/thread_per_task.h"
 
-#include <sys/resource.h>
-
-#include <algorithm>
 #include <chrono>
 #include <system_error>
 #include <utility>
 
 namespace raytracer {
-
-std::size_t most_connections() {
-  constexpr rlim_t most = 2048;
-  rlimit descriptors{};
-  if (getrlimit(RLIMIT_NOFILE, &descriptors) != 0) return most;
-  return static_cast<std::size_t>(std::min(descriptors.rlim_cur, most));
-}
 
 void ThreadPerTask::enqueue(std::function<void()> task) {
   std::vector<std::thread> ended;

@@ -19,10 +19,6 @@
 
 namespace raytracer {
 
-/// How many connections are served at once: as many as the process may have descriptors, and no
-/// more than 2,048. More wait for one of them to end.
-std::size_t most_connections();
-
 /// Also what httplib hands its connections to. shutdown() comes before the end.
 class ThreadPerTask : public httplib::TaskQueue {
  public:

@@ -61,9 +61,9 @@ Json contract_json(const CurvePoint& point) {
 RenderQuery read_curve_query(const httplib::Params& params) {
   for (const char* const varied : {"samples", "target_rmse", "budget_ms", "precision"})
     if (params.count(varied) > 0)
-      throw HttpError({400, fmt::format("The query parameter \"{}\" does not go with "
-                                        "\"task=tradeoff\", which tries many values: leave it out",
-                                        varied)});
+      refuse(400, fmt::format("The query parameter \"{}\" does not go with "
+                              "\"task=tradeoff\", which tries many values: leave it out",
+                              varied));
   RenderQuery query = read_query(params);
   query.overrides.samples = 1;
   return query;

@@ -245,10 +245,10 @@ TEST(MetricsOfDisconnects, count_the_render_of_a_client_that_left) {
 TEST(MetricsText, escapes_labels_and_counts_up_to_each_bound) {
   raytracer::Metrics metrics;
   for (const double seconds : {0.05, 0.1, 0.25, 5000.0})
-    metrics.observe("http_request_duration_seconds", seconds, {{"a", "quote\" back\\ line\n"}});
+    metrics.observe("http_request_duration_seconds", seconds, {"quote\" back\\ line\n", "/x"});
   const std::string text = metrics.text();
   const std::string name = "raytracer_http_request_duration_seconds";
-  const std::string label = R"({a="quote\" back\\ line\n")";
+  const std::string label = R"({method="quote\" back\\ line\n",route="/x")";
   for (const std::string& line : std::initializer_list<std::string>{
            "# TYPE " + name + " histogram\n", name + "_bucket" + label + ",le=\"0.03\"} 0\n",
            name + "_bucket" + label + ",le=\"0.1\"} 2\n",
