@@ -2,6 +2,9 @@
 //
 // Running renders share the worker pool tile by tile, so a few at once keep it busy while short
 // ones still pass long ones. An unbounded queue would end in clients that time out and retry.
+//
+// Whoever is admitted renders on its own thread: to wake up another takes as long as a small
+// picture.
 #pragma once
 
 #include <atomic>
@@ -17,23 +20,47 @@
 
 namespace raytracer {
 
-class AdmissionSlot;
-
-/// One of those who wait beside the queue, until nobody holds it any more.
-using AdmissionWaiter = std::shared_ptr<const void>;
-
 /// Every member function may be called from any thread.
 class Admission {
+  using Clock = std::chrono::steady_clock;
+
  public:
   Admission(std::size_t most_running, std::size_t most_waiting);
 
-  /// Takes the last slot, running or waiting. `progress` must outlive the AdmissionSlot.
-  /// Throws HttpError: 429 with Retry-After if the queue is full, 503 after close().
-  AdmissionSlot enter(RenderProgress& progress);
+  /// A place in the queue, then an admission slot among those who run, until the end of its life.
+  class Slot {
+   public:
+    /// Takes the last place. Both must outlive it.
+    /// Throws HttpError: 429 with Retry-After if the queue is full, 503 after close().
+    Slot(Admission& admission, RenderProgress& progress);
+    ~Slot();
+    Slot(const Slot&) = delete;
+    Slot& operator=(const Slot&) = delete;
 
-  /// For who waits for somebody else's render: one of those who wait, without a slot of its own.
-  /// Throws HttpError as enter() does. The waiter must not outlive this.
-  AdmissionWaiter add_waiter();
+    /// Returns true once it is admitted, false if it was stopped before.
+    /// Throws HttpError 503 if the queue is closed before.
+    bool wait_until_admitted();
+
+    /// From entering to the admission, in milliseconds.
+    double queue_ms() const;
+
+   private:
+    friend class Admission;
+
+    Admission& admission_;
+    RenderProgress& progress_;
+    const Clock::time_point entered_ = Clock::now();
+    Clock::time_point started_{};  ///< when it was admitted
+    bool is_running_ = false;
+    std::condition_variable changed_;  ///< its own: an admission wakes nobody else
+  };
+
+  /// Ends one's waiting at once, and its work within a tile; also before it enters.
+  void stop(RenderProgress& progress);
+
+  /// For who waits for somebody else's render: one of those who wait, without a slot of its own,
+  /// until nobody holds it any more. Throws HttpError as Slot does. It must not outlive this.
+  std::shared_ptr<const void> add_waiter();
 
   /// Throws the 503 of a closed queue: for a look before a body is read.
   void require_open() const;
@@ -49,19 +76,15 @@ class Admission {
   };
   Load load() const;
 
-  bool is_closed() const;
+  bool is_closed() const { return closed_; }
   bool is_full() const;
   /// True once nobody runs or waits; false if that takes longer than `timeout`.
   bool wait_until_empty(std::chrono::milliseconds timeout) const;
 
  private:
-  friend class AdmissionSlot;
-  struct Entry;
-  using Clock = std::chrono::steady_clock;
-
-  bool may_wait() const;
-  [[noreturn]] void refuse_full() const;
-  void leave(Entry& entry);
+  // With the mutex held.
+  void require_place() const;
+  bool may_wait() const { return waiting_.size() + extra_waiters_ < most_waiting_; }
   void let_in_next();
   long retry_after_s() const;
 
@@ -69,34 +92,11 @@ class Admission {
   const std::size_t most_waiting_;
   mutable std::mutex mutex_;
   mutable std::condition_variable emptied_;
-  std::vector<Entry*> running_;
-  std::deque<Entry*> waiting_;
+  std::vector<Slot*> running_;
+  std::deque<Slot*> waiting_;
   std::atomic<std::size_t> extra_waiters_{0};
   std::atomic<bool> closed_{false};  ///< set with the mutex held
   double mean_render_s_ = 1;         ///< of late, the newest counting most
-};
-
-/// A place in the queue, then an admission slot: among those who run; given back at the end of its
-/// life.
-class AdmissionSlot {
- public:
-  AdmissionSlot(AdmissionSlot&&) noexcept;
-  AdmissionSlot& operator=(AdmissionSlot&&) = delete;
-  ~AdmissionSlot();
-
-  /// Returns true once it is admitted, false soon after `progress.stop` was set.
-  /// Throws HttpError 503 if the queue is closed before.
-  bool wait_until_admitted();
-
-  /// From entering to the admission, in milliseconds.
-  double queue_ms() const;
-
- private:
-  friend class Admission;
-  AdmissionSlot(Admission& admission, std::unique_ptr<Admission::Entry> entry);
-
-  Admission* admission_;
-  std::unique_ptr<Admission::Entry> entry_;
 };
 
 }  // namespace raytracer

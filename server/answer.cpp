@@ -29,7 +29,6 @@ void answer_problem(httplib::Response& response, const Problem& problem,
   response.body.clear();
   response.status = problem.status;
   for (const auto& [name, value] : problem.headers) response.set_header(name, value);
-  response.set_header("Cache-Control", "no-store");
   const std::string media_type = "application/problem+json";
   if (afterwards == ConnectionReuse::close)
     set_closing_content(response, to_json(problem), media_type);

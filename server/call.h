@@ -8,8 +8,6 @@
 #include <string>
 #include <string_view>
 
-#include "server/connection.h"
-
 namespace raytracer {
 
 struct Call {
@@ -34,10 +32,6 @@ inline std::string header_list(const httplib::Request& request, const std::strin
     list += field->second;
   }
   return list;
-}
-
-inline ConnectionEndpoints endpoints_of(const httplib::Request& request) {
-  return {request.remote_addr, request.remote_port, request.local_addr, request.local_port};
 }
 
 }  // namespace raytracer

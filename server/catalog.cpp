@@ -42,9 +42,9 @@ const ShippedScene& Catalog::at(std::string_view name) const {
     if (scene.name == name) return scene;
     names.push_back(scene.name);
   }
-  throw HttpError({404, fmt::format("There is no scene \"{}\"; did you mean \"{}\"? GET /scenes "
-                                    "lists them",
-                                    name, nearest_key(name, names))});
+  refuse(404, fmt::format("There is no scene \"{}\"; did you mean \"{}\"? GET /scenes "
+                          "lists them",
+                          name, nearest_key(name, names)));
 }
 
 }  // namespace raytracer

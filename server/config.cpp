@@ -7,51 +7,42 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <cstdint>
-#include <deque>
-#include <optional>
+#include <memory>
 #include <sstream>
 #include <thread>
 
 #include "engine/engine.h"
-#include "server/token.h"
 
 namespace raytracer {
 namespace {
 
-/// A value and where it came from, for messages: "--port" or "RAYTRACER_PORT".
-struct Given {
-  std::string source;
-  std::string text;
-};
-
-/// One flag with its variable. The values stay texts until they are judged, so that a message can
-/// say which of the two was wrong.
-struct Setting {
+/// What sets a value: "--port (RAYTRACER_PORT)" in messages.
+struct Source {
   std::string flag;
   std::string variable;
-  std::string from_flag{};
-  CLI::Option* option = nullptr;
 
-  std::optional<Given> given(const Environment& environment) const {
-    if (option->count() > 0) return Given{flag, from_flag};
-    const char* const value = environment(variable.c_str());
-    if (value && *value) return Given{variable, value};
-    return {};
+  [[noreturn]] void refuse(std::string_view rule) const {
+    throw ConfigError(fmt::format("{} ({}) must be {}", flag, variable, rule));
   }
 };
 
-[[noreturn]] void refuse(const Given& given, std::string_view rule) {
-  throw ConfigError(fmt::format("{} is \"{}\" but must be {}", given.source, given.text, rule));
+std::int64_t integer_of(const std::string& text, const Source& source, std::int64_t least,
+                        std::int64_t most) {
+  std::int64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end || value < least || value > most)
+    source.refuse(fmt::format("an integer from {} to {}, not \"{}\"", least, most, text));
+  return value;
 }
 
-std::int64_t integer_of(const Given& given, std::int64_t least, std::int64_t most) {
-  std::int64_t value = 0;
-  const char* const end = given.text.data() + given.text.size();
-  const auto [stop, error] = std::from_chars(given.text.data(), end, value);
-  if (error != std::errc{} || stop != end || value < least || value > most)
-    refuse(given, fmt::format("an integer from {} to {}", least, most));
-  return value;
+/// Whether only this machine can reach a server that listens on `host`.
+bool is_loopback(const std::string& host) {
+  if (host == "localhost") return true;
+  in_addr v4{};
+  if (inet_pton(AF_INET, host.c_str(), &v4) == 1) return (ntohl(v4.s_addr) >> 24) == 127;
+  in6_addr v6{};
+  return inet_pton(AF_INET6, host.c_str(), &v6) == 1 && IN6_IS_ADDR_LOOPBACK(&v6);
 }
 
 void require_token_beyond_loopback(const Config& config) {
@@ -62,117 +53,102 @@ void require_token_beyond_loopback(const Config& config) {
       config.host));
 }
 
-/// The table of settings, which --help prints.
+/// Each option's help names its variable, for the manual too.
+class HelpFormatter : public CLI::Formatter {
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_type_name().empty() ? "" : " " + option->get_type_name();
+  }
+};
+
+/// The table of settings, which --help prints and which writes into a Config.
 class CommandLine {
  public:
-  CommandLine();
-  CommandLine(const CommandLine&) = delete;  // the options refer to the settings
+  explicit CommandLine(Config& config);
+  CommandLine(const CommandLine&) = delete;  // the options refer to it
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// A text to print, if one was asked for. Throws ConfigError.
-  std::optional<Printout> parse(int argc, const char* const* argv) {
-    try {
-      app_.parse(argc, argv);
-    } catch (const CLI::Success& request) {
-      std::ostringstream text;
-      app_.exit(request, text, text);
-      return Printout{text.str()};
-    } catch (const CLI::ParseError& error) {
-      throw ConfigError(fmt::format("{} (--help lists the flags)", error.what()));
-    }
-    return {};
-  }
-
-  bool quiet = false;
-  const Setting* host = nullptr;
-  const Setting* port = nullptr;
-  const Setting* threads = nullptr;
-  std::vector<const Setting*> limits{};  ///< in the order of limit_table
-  std::vector<const Setting*> sizes{};   ///< in the order of size_table
-  const Setting* token = nullptr;
+  CLI::App& app() { return app_; }
 
  private:
-  /// The option takes a text; `help` is followed by the default and the variable.
-  const Setting* add(std::string flag, std::string variable, const std::string& placeholder,
-                     std::string_view help, std::string_view default_text) {
-    Setting& setting = settings_.emplace_back(Setting{std::move(flag), std::move(variable)});
-    setting.option =
-        app_.add_option(setting.flag, setting.from_flag,
-                        fmt::format("{}\n[{}] (or {})", help, default_text, setting.variable));
-    setting.option->type_name(placeholder);
-    return &setting;
+  using Read = std::function<void(const std::string& text, const Source&)>;
+
+  void add(const Source& source, const std::string& placeholder, std::string_view help,
+           std::string_view default_text, const Read& read) {
+    app_.add_option_function<std::string>(
+            source.flag, [source, read](const std::string& text) { read(text, source); },
+            fmt::format("{}\n[{}] (or {})", help, default_text, source.variable))
+        ->type_name(placeholder)
+        ->envname(source.variable);
+  }
+
+  template <typename Integer>
+  void add_integer(const Source& source, const std::string& placeholder, std::string_view help,
+                   std::string_view default_text, Integer& value, std::int64_t least,
+                   std::int64_t most) {
+    add(source, placeholder, help, default_text,
+        [&value, least, most](const std::string& text, const Source& from) {
+          value = static_cast<Integer>(integer_of(text, from, least, most));
+        });
   }
 
   CLI::App app_{"Renders scenes over HTTP. Options override their environment variables."};
-  std::deque<Setting> settings_;  ///< addresses stay
 };
 
-CommandLine::CommandLine() {
-  const Config defaults;
+CommandLine::CommandLine(Config& config) {
+  app_.formatter(std::make_shared<HelpFormatter>());
   app_.set_version_flag("--version",
                         fmt::format("raytracer-server {} (build {})", version, build_id));
-  app_.add_flag("--quiet", quiet, "Do not log requests to standard error");
-  host = add("--host", "RAYTRACER_HOST", "ADDRESS",
-             "Address to listen on; beyond loopback --token is required", defaults.host);
-  port = add("--port", "RAYTRACER_PORT", "PORT", "Port to listen on; 0 takes a free one",
-             std::to_string(defaults.port));
-  threads =
-      add("--threads", "RAYTRACER_THREADS", "COUNT", "Number of threads that trace", "every core");
-  for (const LimitRow& row : limit_table)
-    limits.push_back(add(row.flag, row.variable, "COUNT",
-                         fmt::format("Maximum number of {}", row.meaning),
-                         std::to_string(defaults.limits.*row.value)));
-  for (const SizeRow& row : size_table)
-    sizes.push_back(add(row.flag, row.variable, "COUNT",
-                        fmt::format("Maximum number of {}", row.meaning),
-                        std::to_string(defaults.*row.value)));
-  token = add("--token", "RAYTRACER_TOKEN", "TOKEN",
-              "Bearer token that requests must carry; other users can list it here,\nbut not in "
-              "its variable",
-              "none");
+  app_.add_flag("--quiet", config.quiet, "Do not log requests to standard error");
+  add({"--host", "RAYTRACER_HOST"}, "ADDRESS",
+      "Address to listen on; beyond loopback --token is required", config.host,
+      [&config](const std::string& text, const Source& source) {
+        if (text.empty()) source.refuse("an address, such as 127.0.0.1");
+        config.host = text;
+      });
+  add_integer({"--port", "RAYTRACER_PORT"}, "PORT", "Port to listen on; 0 takes a free one",
+              std::to_string(config.port), config.port, 0, 65'535);
+  add_integer({"--threads", "RAYTRACER_THREADS"}, "COUNT", "Number of threads that trace",
+              "every core", config.threads, 1, 1024);
+  for (const LimitRow& row : limit_table) {
+    std::int64_t& limit = config.limits.*row.value;
+    add_integer({row.flag, row.variable}, "COUNT", fmt::format("Maximum number of {}", row.meaning),
+                std::to_string(limit), limit, 1, row.largest);
+  }
+  for (const SizeRow& row : size_table) {
+    std::size_t& size = config.*row.value;
+    add_integer({row.flag, row.variable}, "COUNT", fmt::format("Maximum number of {}", row.meaning),
+                std::to_string(size), size, 0, row.largest);
+  }
+  add({"--token", "RAYTRACER_TOKEN"}, "TOKEN",
+      "Bearer token that requests must carry; other users can list it here,\nbut not in its "
+      "variable",
+      "none", [&config](const std::string& text, const Source& source) {
+        // RFC 6750's b64token: what can travel in an Authorization field.
+        constexpr std::string_view allowed =
+            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~+/=";
+        if (text.empty() || text.find_first_not_of(allowed) != text.npos)
+          source.refuse("a non-empty text of letters, digits and -._~+/=");
+        config.token = text;
+      });
 }
 
 }  // namespace
 
-std::variant<Config, Printout> read_config(int argc, const char* const* argv,
-                                           const Environment& environment) {
-  CommandLine line;
-  if (auto printout = line.parse(argc, argv)) return *std::move(printout);
-
+std::variant<Config, std::string> read_config(int argc, const char* const* argv) {
   Config config;
   config.threads = std::max(1U, std::thread::hardware_concurrency());
-  config.quiet = line.quiet;
-  if (const auto given = line.host->given(environment)) {
-    if (given->text.empty()) refuse(*given, "an address, such as 127.0.0.1");
-    config.host = given->text;
-  }
-  if (const auto given = line.port->given(environment))
-    config.port = static_cast<int>(integer_of(*given, 0, 65'535));
-  if (const auto given = line.threads->given(environment))
-    config.threads = static_cast<std::size_t>(integer_of(*given, 1, 1024));
-  for (std::size_t i = 0; i < limit_table.size(); ++i)
-    if (const auto given = line.limits[i]->given(environment))
-      config.limits.*limit_table[i].value = integer_of(*given, 1, limit_table[i].largest);
-  for (std::size_t i = 0; i < size_table.size(); ++i)
-    if (const auto given = line.sizes[i]->given(environment))
-      config.*size_table[i].value =
-          static_cast<std::size_t>(integer_of(*given, 0, size_table[i].largest));
-  if (const auto given = line.token->given(environment)) {
-    if (!is_token(given->text))
-      throw ConfigError(
-          fmt::format("{} must be a non-empty text of letters, digits and -._~+/=", given->source));
-    config.token = given->text;
+  CommandLine line(config);
+  try {
+    line.app().parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    std::ostringstream text;
+    line.app().exit(request, text, text);
+    return text.str();
+  } catch (const CLI::ParseError& error) {
+    throw ConfigError(fmt::format("{} (--help lists the flags)", error.what()));
   }
   require_token_beyond_loopback(config);
   return config;
-}
-
-bool is_loopback(const std::string& host) {
-  if (host == "localhost") return true;
-  in_addr v4{};
-  if (inet_pton(AF_INET, host.c_str(), &v4) == 1) return (ntohl(v4.s_addr) >> 24) == 127;
-  in6_addr v6{};
-  return inet_pton(AF_INET6, host.c_str(), &v6) == 1 && IN6_IS_ADDR_LOOPBACK(&v6);
 }
 
 }  // namespace raytracer

@@ -12,6 +12,10 @@
 
 #include "engine/engine.h"
 
+namespace CLI {
+class App;
+}
+
 namespace raytracer {
 
 struct Config {
@@ -43,24 +47,13 @@ inline constexpr std::array<SizeRow, 3> size_table{
      {"--max-cache", "RAYTRACER_MAX_CACHE",
       "bytes of images to cache, and as many of parsed scenes", &Config::max_cache, 1LL << 40}}};
 
-/// Says which flag or variable, its value, and what is allowed.
+/// Says which flag and variable, the value, and what is allowed.
 class ConfigError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// --help or --version: a text to print instead of serving.
-struct Printout {
-  std::string text;
-};
-
-/// Looks a variable up, as getenv does.
-using Environment = std::function<const char*(const char* variable)>;
-
-/// Throws ConfigError. A variable that is set but empty counts as not set.
-std::variant<Config, Printout> read_config(int argc, const char* const* argv,
-                                           const Environment& environment);
-
-/// Whether only this machine can reach a server that listens on `host`.
-bool is_loopback(const std::string& host);
+/// A text to print instead of serving, for --help and --version. Throws ConfigError. A variable
+/// that is set but empty counts as not set.
+std::variant<Config, std::string> read_config(int argc, const char* const* argv);
 
 }  // namespace raytracer

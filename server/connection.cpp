@@ -57,27 +57,26 @@ bool end_is(int socket, NameFunction name_of_end, const std::string& address, in
   return end && end->port() == port && end->host() == address;  // the text last: it takes longest
 }
 
-int descriptor_limit() {
-  constexpr rlim_t most = 65'536;
-  rlimit limit{};
-  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return 1024;
-  return static_cast<int>(std::min(limit.rlim_cur, most));
-}
-
 }  // namespace
 
-int find_socket(const ConnectionEndpoints& ends) {
+std::size_t descriptor_limit(std::size_t most) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return most;
+  return std::min<std::size_t>(limit.rlim_cur, most);
+}
+
+int find_socket(const httplib::Request& request) {
   // Descriptors are given out from below, so that the search ends soon.
-  const int limit = descriptor_limit();
+  const auto limit = static_cast<int>(descriptor_limit());
   for (int socket = 0; socket < limit; ++socket)
-    if (end_is(socket, getpeername, ends.remote_address, ends.remote_port) &&
-        end_is(socket, getsockname, ends.local_address, ends.local_port))
+    if (end_is(socket, getpeername, request.remote_addr, request.remote_port) &&
+        end_is(socket, getsockname, request.local_addr, request.local_port))
       return socket;
   return -1;
 }
 
 void shut_down_connections(int local_port) {
-  const int limit = descriptor_limit();
+  const auto limit = static_cast<int>(descriptor_limit());
   for (int socket = 0; socket < limit; ++socket) {
     const std::optional<End> local = end_of(socket, getsockname);
     if (local && local->port() == local_port && end_of(socket, getpeername))

@@ -10,20 +10,17 @@
 // and browsers close, and a render that nobody waits for is what costs.
 #pragma once
 
-#include <string>
+#include <httplib.h>
+
+#include <cstddef>
 
 namespace raytracer {
 
-/// The four things that identify a connection.
-struct ConnectionEndpoints {
-  std::string remote_address;
-  int remote_port = 0;
-  std::string local_address;
-  int local_port = 0;
-};
+/// How many descriptors the process may open, or `most` if that is less.
+std::size_t descriptor_limit(std::size_t most = 65'536);
 
-/// The descriptor of the connection, or -1 if this process has none such.
-int find_socket(const ConnectionEndpoints& ends);
+/// The descriptor of the request's connection, or -1 if this process has none such any more.
+int find_socket(const httplib::Request& request);
 
 /// Ends both sides of every connection of this process that came in at `local_port`: whoever reads
 /// from one sees its end. Only for when no handler runs any more.

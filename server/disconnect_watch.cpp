@@ -16,38 +16,32 @@ DisconnectWatch::~DisconnectWatch() {
   thread_.join();
 }
 
+DisconnectWatch::Registration DisconnectWatch::watch(const httplib::Request& request,
+                                                     std::function<void()> on_disconnect) {
+  const std::scoped_lock lock(mutex_);
+  const auto client = clients_.insert(clients_.end(), {request, std::move(on_disconnect)});
+  if (std::exchange(is_idle_, false)) changed_.notify_all();
+  return {this, [this, client](const void*) {
+            const std::scoped_lock end(mutex_);
+            clients_.erase(client);
+          }};
+}
+
 void DisconnectWatch::poll() {
   constexpr std::chrono::milliseconds interval{50};
   std::unique_lock lock(mutex_);
   for (;;) {
-    // Again after a watch that woke this thread and was over before it ran: the next must wake it.
-    changed_.wait(lock, [&] {
-      is_idle_ = !closing_ && registered_.empty();
-      return !is_idle_;
-    });
+    is_idle_ = clients_.empty();
+    changed_.wait(lock, [&] { return closing_ || !is_idle_; });
     if (changed_.wait_for(lock, interval, [&] { return closing_; })) return;
-    for (Registration* const registration : registered_) registration->poll();
+    for (Client& client : clients_) {
+      if (!client.on_disconnect) continue;
+      if (!client.socket) client.socket = find_socket(client.request);
+      // Of a connection that was reset the system does not know the ends any more: there is none.
+      if (*client.socket < 0 || client_has_disconnected(*client.socket))
+        std::exchange(client.on_disconnect, nullptr)();
+    }
   }
-}
-
-void DisconnectWatch::Registration::poll() {
-  if (!on_disconnect_) return;
-  if (!socket_) socket_ = find_socket(connection_);
-  // Of a connection that was reset the system does not know the ends any more.
-  if (*socket_ < 0 || client_has_disconnected(*socket_)) std::exchange(on_disconnect_, nullptr)();
-}
-
-DisconnectWatch::Registration::Registration(DisconnectWatch& watch, ConnectionEndpoints connection,
-                                            std::function<void()> on_disconnect)
-    : watch_(watch), connection_(std::move(connection)), on_disconnect_(std::move(on_disconnect)) {
-  const std::scoped_lock lock(watch_.mutex_);
-  watch_.registered_.push_back(this);
-  if (std::exchange(watch_.is_idle_, false)) watch_.changed_.notify_all();
-}
-
-DisconnectWatch::Registration::~Registration() {
-  const std::scoped_lock lock(watch_.mutex_);
-  std::erase(watch_.registered_, this);
 }
 
 }  // namespace raytracer

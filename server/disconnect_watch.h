@@ -5,10 +5,11 @@
 
 #include <condition_variable>
 #include <functional>
+#include <list>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <vector>
 
 #include "server/connection.h"
 
@@ -21,33 +22,25 @@ class DisconnectWatch {
   DisconnectWatch(const DisconnectWatch&) = delete;
   DisconnectWatch& operator=(const DisconnectWatch&) = delete;
 
-  /// Looks at a connection for as long as it lives, and calls `on_disconnect` once if the client
-  /// has left: soon, on another thread, and never after its own life.
-  class Registration {
-   public:
-    Registration(DisconnectWatch& watch, ConnectionEndpoints connection,
-                 std::function<void()> on_disconnect);
-    ~Registration();
-    Registration(const Registration&) = delete;
-    Registration& operator=(const Registration&) = delete;
+  using Registration = std::shared_ptr<const void>;
 
-   private:
-    friend class DisconnectWatch;
-    void poll();
-
-    DisconnectWatch& watch_;
-    const ConnectionEndpoints connection_;
-    std::optional<int> socket_;            ///< looked for at the first look; -1: not there any more
-    std::function<void()> on_disconnect_;  ///< null once called
-  };
+  /// Looks at a request's connection for as long as somebody holds what this returns, and calls
+  /// `on_disconnect` once if the client has left: soon, on another thread, and never afterwards.
+  Registration watch(const httplib::Request& request, std::function<void()> on_disconnect);
 
  private:
+  struct Client {
+    const httplib::Request& request;
+    std::function<void()> on_disconnect;  ///< null once called
+    std::optional<int> socket{};          ///< looked for at the first look
+  };
+
   void poll();
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<Registration*> registered_;
-  bool is_idle_ = false;  ///< waits for the first to watch
+  std::list<Client> clients_;
+  bool is_idle_ = false;  ///< waits for the first client, who is to wake it
   bool closing_ = false;
   std::thread thread_;
 };

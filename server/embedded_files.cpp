@@ -23,10 +23,6 @@ std::string_view media_type_of(std::string_view path) {
       std::pair{".json"sv, "application/json"sv},
       std::pair{".svg"sv, "image/svg+xml"sv},
       std::pair{".png"sv, "image/png"sv},
-      std::pair{".ico"sv, "image/x-icon"sv},
-      std::pair{".woff2"sv, "font/woff2"sv},
-      std::pair{".txt"sv, "text/plain; charset=utf-8"sv},
-      std::pair{".webmanifest"sv, "application/manifest+json"sv},
   };
   for (const auto& [ending, type] : types)
     if (path.ends_with(ending)) return type;

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "engine/engine.h"
-#include "server/header_text.h"
+#include "server/request_text.h"
 
 namespace raytracer {
 
@@ -56,12 +56,11 @@ std::string entity_tag(std::string_view picture_digest, std::string_view media_t
 }
 
 bool matches_tag(std::string_view if_none_match, std::string_view tag) {
-  bool found = false;
-  for_each_part(if_none_match, ',', [&](std::string_view candidate) {
+  for (std::string_view candidate : parts_of(if_none_match, ',')) {
     if (candidate.starts_with("W/")) candidate.remove_prefix(2);
-    found = found || candidate == "*" || candidate == tag;
-  });
-  return found;
+    if (candidate == "*" || candidate == tag) return true;
+  }
+  return false;
 }
 
 }  // namespace raytracer

@@ -5,7 +5,6 @@
 #include <chrono>
 
 namespace raytracer {
-std::size_t FinishedImage::memory() const { return sizeof *this + bytes.capacity(); }
 
 template <typename Channel>
 FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queue_ms,
@@ -17,12 +16,15 @@ FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queu
       std::chrono::steady_clock::now() - begin;
   image.stages = {queue_ms, rendering.plan_ms, rendering.build_ms, rendering.trace_ms,
                   encoding.count()};
-  image.samples = fmt::format("{:.6g}", rendering.samples_per_pixel);
-  image.precision = rendering.precision == Precision::single_precision ? "single" : "double";
-  image.stop = rendering.stop == Stop::target   ? "target"
-               : rendering.stop == Stop::budget ? "budget"
-                                                : "samples";
-  if (rendering.estimated_error) image.error = fmt::format("{:.3g}", *rendering.estimated_error);
+  const char* const stop = rendering.stop == Stop::target   ? "target"
+                           : rendering.stop == Stop::budget ? "budget"
+                                                            : "samples";
+  image.fields = {{"Render-Samples", fmt::format("{:.6g}", rendering.samples_per_pixel)},
+                  {"Render-Precision",
+                   rendering.precision == Precision::single_precision ? "single" : "double"},
+                  {"Render-Stop", stop}};
+  if (rendering.estimated_error)
+    image.fields.emplace_back("Render-Error", fmt::format("{:.3g}", *rendering.estimated_error));
   return image;
 }
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "engine/engine.h"
 
@@ -22,15 +22,11 @@ struct Stages {
 
 struct FinishedImage {
   std::string bytes;
-  // The header fields Render-Samples and so on.
-  std::string samples;
-  std::string_view precision;
-  std::string_view stop;
-  std::optional<std::string> error;
+  std::vector<std::pair<std::string, std::string>> fields;  ///< Render-Samples and so on
   Stages stages;
 
   /// What it takes in memory.
-  std::size_t memory() const;
+  std::size_t memory() const { return sizeof *this + bytes.capacity(); }
 };
 
 /// Encodes the rendering, which waited in the queue for `queue_ms`, on the pool's threads.

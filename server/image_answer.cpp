@@ -2,90 +2,116 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+#include <vector>
+
 #include "server/answer.h"
 #include "server/etag.h"
-#include "server/header_text.h"
-#include "server/negotiate.h"
 #include "server/problem.h"
+#include "server/request_text.h"
 
 namespace raytracer {
 namespace {
 
+/// The weight that a media range's parameters give it, 1 if they say none; nothing if it cannot be
+/// read.
+std::optional<double> weight_of(std::span<const std::string_view> parameters) {
+  for (const std::string_view parameter : parameters)
+    if (lower_case(parameter.substr(0, 2)) == "q=") {
+      const std::optional<double> weight = read_double(parameter.substr(2));
+      return weight && *weight >= 0 && *weight <= 1 ? weight : std::nullopt;
+    }
+  return 1;
+}
+
+/// 3 for the type itself, 2 for its family, 1 for anything, 0 if the range is about other types.
+int specificity(std::string_view range, std::string_view type) {
+  if (range == type) return 3;
+  if (range == "image/*") return 2;
+  return range == "*/*" ? 1 : 0;
+}
+
+/// What the field's most specific range about the type gives it.
+double weight_in(std::string_view accept, std::string_view type) {
+  double weight = 0;
+  int specificity_so_far = 0;
+  for (const std::string_view element : parts_of(accept, ',')) {
+    const std::vector<std::string_view> parts = parts_of(element, ';');
+    const std::optional<double> own = weight_of(std::span(parts).subspan(1));
+    const int how_specific = specificity(lower_case(parts[0]), type);
+    if (!own || how_specific <= specificity_so_far) continue;
+    specificity_so_far = how_specific;
+    weight = *own;
+  }
+  return weight;
+}
+
 void set_caching(httplib::Response& response, const Representation& wanted) {
   response.set_header("Vary", "Accept");
-  if (!wanted.tag) {
-    response.set_header("Cache-Control", "no-store");
-    return;
-  }
+  if (!wanted.tag) return;
   response.set_header("ETag", *wanted.tag);
   // May be stored, but is to be asked for again: another build draws another picture.
   response.set_header("Cache-Control", "no-cache");
 }
 
-bool forbids_cache(const httplib::Request& request) {
-  bool found = false;
-  const std::string directives = header_list(request, "Cache-Control");
-  for_each_part(directives, ',', [&](std::string_view directive) {
-    found = found || lower_case(directive) == "no-cache";
-  });
-  return found;
-}
-
-/// What of the making this request waited for, and that it was no more.
 std::string server_timing(const Delivery& delivery, double parse_ms) {
-  Stages stages;
-  const char* origin = "";
-  switch (delivery.origin) {
-    case Origin::rendered:
-      stages = delivery.image->stages;
-      break;
-    case Origin::shared:
-      stages.queue_ms = delivery.waited_ms;
-      origin = ", cache;desc=shared";
-      break;
-    case Origin::cached:
-      origin = ", cache;desc=hit";
-      break;
-  }
-  return fmt::format(
+  const Stages& stages = delivery.stages;
+  std::string text = fmt::format(
       "queue;dur={:.3f}, parse;dur={:.3f}, plan;dur={:.3f}, build;dur={:.3f}, trace;dur={:.3f}, "
-      "encode;dur={:.3f}{}",
-      stages.queue_ms, parse_ms, stages.plan_ms, stages.build_ms, stages.trace_ms, stages.encode_ms,
-      origin);
+      "encode;dur={:.3f}",
+      stages.queue_ms, parse_ms, stages.plan_ms, stages.build_ms, stages.trace_ms,
+      stages.encode_ms);
+  if (!delivery.cache.empty()) text.append(", cache;desc=").append(delivery.cache);
+  return text;
 }
 
 }  // namespace
 
-Reproducible reproducible_digest(const SceneRequest& request) {
-  if (request.scene.render.budget_ms) return {};
-  return picture_digest(request.known->content_digest, request.scene);
+std::string_view media_type(ImageFormat format) {
+  if (format == ImageFormat::ppm) return "image/x-portable-pixmap";
+  return format == ImageFormat::pfm ? "image/x-portable-floatmap" : "image/png";
 }
 
-Representation represent(const Reproducible& digest, ImageFormat format,
+Representation represent(const std::optional<std::string>& picture_digest, ImageFormat format,
                          std::string_view renderer_id) {
   Representation wanted{format, {}};
-  if (digest) wanted.tag = entity_tag(*digest, media_type(format), renderer_id);
+  if (picture_digest) wanted.tag = entity_tag(*picture_digest, media_type(format), renderer_id);
   return wanted;
 }
 
-ImageRequest image_request(const Call& call, const Representation& wanted) {
-  return {wanted.tag, forbids_cache(call.request), endpoints_of(call.request)};
+bool forbids_cache(const httplib::Request& request) {
+  const std::string directives = lower_case(header_list(request, "Cache-Control"));
+  const std::vector<std::string_view> parts = parts_of(directives, ',');
+  return std::find(parts.begin(), parts.end(), "no-cache") != parts.end();
 }
 
 ImageFormat require_format(const httplib::Request& request) {
-  const std::optional<ImageFormat> format = choose_format(header_list(request, "Accept"));
-  if (format) return *format;
-  throw HttpError({406, fmt::format("None of the accepted types is offered: {}, {}, {}",
-                                    media_type(ImageFormat::png), media_type(ImageFormat::ppm),
-                                    media_type(ImageFormat::pfm))});
+  const std::string accept = header_list(request, "Accept");
+  if (trimmed(accept).empty()) return ImageFormat::png;
+  std::optional<ImageFormat> best;
+  double best_weight = 0;
+  for (const ImageFormat format : {ImageFormat::png, ImageFormat::ppm, ImageFormat::pfm}) {
+    const double weight = weight_in(accept, media_type(format));
+    if (weight <= best_weight) continue;
+    best_weight = weight;
+    best = format;
+  }
+  if (best) return *best;
+  refuse(406, fmt::format("None of the accepted types is offered: {}, {}, {}",
+                          media_type(ImageFormat::png), media_type(ImageFormat::ppm),
+                          media_type(ImageFormat::pfm)));
 }
 
-bool answer_not_modified(Call& call, const Representation& wanted) {
-  if (!call.request.has_header("If-None-Match") || forbids_cache(call.request)) return false;
+bool answer_without_image(Call& call, const Representation& wanted) {
   const std::string named = header_list(call.request, "If-None-Match");
   // Any image at all has a client who names "*", be it one that has no tag.
-  if (named != "*" && !(wanted.tag && matches_tag(named, *wanted.tag))) return false;
-  call.response.status = 304;
+  const bool is_known = named == "*" || (wanted.tag && matches_tag(named, *wanted.tag));
+  const bool is_not_modified = is_known && !forbids_cache(call.request);
+  if (!is_not_modified && !call.is_head()) return false;
+  call.response.status = is_not_modified ? 304 : 200;
+  if (!is_not_modified)
+    call.response.set_header("Content-Type", std::string(media_type(wanted.format)));
   set_caching(call.response, wanted);
   return true;
 }
@@ -97,16 +123,7 @@ void answer_image(Call& call, const Delivery& delivery, double parse_ms,
                       media_type(wanted.format));
   set_caching(response, wanted);
   response.set_header("Server-Timing", server_timing(delivery, parse_ms));
-  response.set_header("Render-Samples", delivery.image->samples);
-  response.set_header("Render-Precision", std::string(delivery.image->precision));
-  response.set_header("Render-Stop", std::string(delivery.image->stop));
-  if (delivery.image->error) response.set_header("Render-Error", *delivery.image->error);
-}
-
-void answer_image_head(Call& call, const Representation& wanted) {
-  call.response.status = 200;
-  call.response.set_header("Content-Type", std::string(media_type(wanted.format)));
-  set_caching(call.response, wanted);
+  for (const auto& [name, value] : delivery.image->fields) response.set_header(name, value);
 }
 
 }  // namespace raytracer

@@ -9,17 +9,15 @@
 #include "engine/engine.h"
 #include "server/call.h"
 #include "server/image_cache.h"
-#include "server/scene_request.h"
 
 namespace raytracer {
 
-/// What decides the picture, as a digest, if the same request would give the same bytes again.
-/// A time budget does not: how far it gets differs from run to run, so such pictures carry no
-/// entity tag and are not to be stored.
-using Reproducible = std::optional<std::string>;
-Reproducible reproducible_digest(const SceneRequest& request);
+std::string_view media_type(ImageFormat format);
 
-/// The format that the call's Accept asks for. Throws HttpError 406.
+/// The format that the request's Accept prefers (RFC 9110, 12.5.1): the highest weight, the most
+/// specific range deciding each format's weight and png, ppm, pfm the order of equals. Without the
+/// field everything is accepted; ranges that cannot be read count for nothing. Throws HttpError
+/// 406.
 ImageFormat require_format(const httplib::Request& request);
 
 /// What is to be answered.
@@ -27,21 +25,17 @@ struct Representation {
   ImageFormat format;
   std::optional<std::string> tag;  ///< its entity tag, if the same request would give it again
 };
-Representation represent(const Reproducible& digest, ImageFormat format,
+Representation represent(const std::optional<std::string>& picture_digest, ImageFormat format,
                          std::string_view renderer_id);
 
-/// Answers 304 if the client has this picture already and does not insist (Cache-Control:
-/// no-cache); returns whether it did.
-bool answer_not_modified(Call& call, const Representation& wanted);
+/// Whether the client insists on a new picture: Cache-Control: no-cache.
+bool forbids_cache(const httplib::Request& request);
 
-/// What the call asks ImageCache for.
-ImageRequest image_request(const Call& call, const Representation& wanted);
+/// Answers what needs no drawing: 304 if the client has this picture already and does not insist,
+/// the fields that a GET would have to HEAD. Returns whether it did.
+bool answer_without_image(Call& call, const Representation& wanted);
 
-/// The picture, with its stages as far as this call waited for them.
 void answer_image(Call& call, const Delivery& delivery, double parse_ms,
                   const Representation& wanted);
-
-/// The fields that a GET would have, without drawing anything: for HEAD.
-void answer_image_head(Call& call, const Representation& wanted);
 
 }  // namespace raytracer

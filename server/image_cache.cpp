@@ -1,127 +1,90 @@
 #include "server/image_cache.h"
 
+#include <atomic>
 #include <chrono>
-#include <utility>
+#include <future>
+
+#include "server/problem.h"
 
 namespace raytracer {
 
-/// One render and those who wait for it. Everything but `progress` is behind the mutex.
+/// One render and those who wait for it.
 struct ImageCache::SingleFlight {
-  std::string tag;  ///< by which others may join it
-  RenderProgress progress;
-  int waiter_count = 0;
-  bool is_done = false;
-  std::shared_ptr<const FinishedImage> image;
-  Problem problem;  ///< why there is no image
-  std::condition_variable changed;
+  RenderProgress progress;  ///< stopped when the last has left: nobody may join it any more
+  int waiter_count = 0;     ///< behind the mutex
+  std::promise<std::shared_ptr<const FinishedImage>> promise;
+  std::shared_future<std::shared_ptr<const FinishedImage>> image{promise.get_future()};
 };
 
 /// One of those who wait, from when it was counted until it leaves.
 class ImageCache::Waiter {
  public:
-  Waiter(ImageCache& cache, std::shared_ptr<SingleFlight> flight)
-      : cache_(cache), flight_(std::move(flight)) {}
+  Waiter(ImageCache& cache, SingleFlight& flight) : cache_(cache), flight_(flight) {}
   ~Waiter() { leave(); }
   Waiter(const Waiter&) = delete;
   Waiter& operator=(const Waiter&) = delete;
 
   void leave() {
     const std::scoped_lock lock(cache_.mutex_);
-    if (std::exchange(has_left_, true)) return;
-    if (--flight_->waiter_count == 0 && !flight_->is_done) {
-      flight_->progress.stop = true;
-      cache_.stop_sharing(*flight_);
-    }
-    flight_->changed.notify_all();
+    if (!has_left_.exchange(true) && --flight_.waiter_count == 0)
+      cache_.admission_.stop(flight_.progress);
   }
-
-  /// With the mutex held.
   bool has_left() const { return has_left_; }
 
  private:
   ImageCache& cache_;
-  const std::shared_ptr<SingleFlight> flight_;
-  bool has_left_ = false;
+  SingleFlight& flight_;
+  std::atomic<bool> has_left_{false};
 };
 
-ImageCache::ImageCache(std::size_t most_bytes, Admission& admission,
-                       DisconnectWatch& disconnect_watch)
-    : admission_(admission), disconnect_watch_(disconnect_watch), memory_(most_bytes) {}
-
-std::uint64_t ImageCache::shared_count() const {
-  const std::scoped_lock lock(mutex_);
-  return shared_count_;
-}
-
-Delivery ImageCache::fetch(const ImageRequest& request, const Make& make) {
-  std::shared_ptr<SingleFlight> flight;
-  bool is_first = false;
+Delivery ImageCache::fetch(const std::optional<std::string>& tag, const httplib::Request& client,
+                           const Make& make) {
+  auto flight = std::make_shared<SingleFlight>();
+  bool is_first = true;
   {
     const std::scoped_lock lock(mutex_);
-    const bool may_share = request.tag && !request.bypass_cache;
-    if (may_share) {
-      if (auto image = memory_.find(*request.tag)) return {std::move(image), Origin::cached};
-      flight = in_flight_[*request.tag];
-    }
-    is_first = !flight;
-    if (is_first) {
-      flight = std::make_shared<SingleFlight>();
-      if (may_share) {
-        flight->tag = *request.tag;
-        in_flight_[*request.tag] = flight;
-      }
+    if (tag) {
+      if (auto image = memory_.find(*tag)) return {std::move(image), {}, "hit"};
+      std::shared_ptr<SingleFlight>& joined = in_flight_[*tag];
+      is_first = !joined || joined->progress.stop;
+      if (is_first) joined = flight;
+      flight = joined;
     }
     ++flight->waiter_count;
   }
-  Waiter waiter(*this, flight);
-  const DisconnectWatch::Registration registration(disconnect_watch_, request.connection,
-                                                   [&] { waiter.leave(); });
-  return is_first ? make_for_all(request, make, *flight) : wait_for(*flight, waiter);
+  Waiter waiter(*this, *flight);
+  const auto watched = disconnect_watch_.watch(client, [&] { waiter.leave(); });
+  return is_first ? make_for_all(tag, make, *flight) : wait_for(*flight, waiter);
 }
 
-Delivery ImageCache::make_for_all(const ImageRequest& request, const Make& make,
+Delivery ImageCache::make_for_all(const std::optional<std::string>& tag, const Make& make,
                                   SingleFlight& flight) {
   try {
     auto image = std::make_shared<const FinishedImage>(make(flight.progress));
-    // Cached before it is done: no request finds it in neither place.
-    if (request.tag) memory_.keep(*request.tag, image, image->memory() + request.tag->size());
-    finish(flight, image, {});
-    return {std::move(image), Origin::rendered};
-  } catch (const HttpError& refusal) {
-    finish(flight, nullptr, refusal.problem());
-    throw;
+    if (tag) memory_.keep(*tag, image, image->memory() + tag->size());
+    flight.promise.set_value(std::move(image));
   } catch (...) {
-    finish(flight, nullptr, internal_error());
-    throw;
+    flight.promise.set_exception(std::current_exception());
   }
+  if (tag) {  // only now: no request finds it in neither place
+    const std::scoped_lock lock(mutex_);
+    const auto entry = in_flight_.find(*tag);
+    if (entry != in_flight_.end() && entry->second.get() == &flight) in_flight_.erase(entry);
+  }
+  const auto image = flight.image.get();
+  return {image, image->stages};
 }
 
-Delivery ImageCache::wait_for(SingleFlight& flight, const Waiter& waiter) {
+Delivery ImageCache::wait_for(const SingleFlight& flight, const Waiter& waiter) {
+  constexpr std::chrono::milliseconds between_looks{50};
   const auto begin = std::chrono::steady_clock::now();
-  const AdmissionWaiter waiting = admission_.add_waiter();
-  std::unique_lock lock(mutex_);
-  ++shared_count_;
-  flight.changed.wait(lock, [&] { return flight.is_done || waiter.has_left(); });
-  if (waiter.has_left()) throw HttpError(client_closed_request());
-  if (!flight.image) throw HttpError(flight.problem);
+  const auto place = admission_.add_waiter();
+  while (flight.image.wait_for(between_looks) != std::future_status::ready)
+    if (waiter.has_left()) refuse(499, "The client has left");
   const std::chrono::duration<double, std::milli> waited = std::chrono::steady_clock::now() - begin;
-  return {flight.image, Origin::shared, waited.count()};
-}
-
-void ImageCache::finish(SingleFlight& flight, std::shared_ptr<const FinishedImage> image,
-                        Problem problem) {
-  const std::scoped_lock lock(mutex_);
-  flight.image = std::move(image);
-  flight.problem = std::move(problem);
-  flight.is_done = true;
-  stop_sharing(flight);
-  flight.changed.notify_all();
-}
-
-/// With the mutex held: nobody may join it any more.
-void ImageCache::stop_sharing(const SingleFlight& flight) {
-  const auto entry = in_flight_.find(flight.tag);
-  if (entry != in_flight_.end() && entry->second.get() == &flight) in_flight_.erase(entry);
+  Stages stages;
+  stages.queue_ms = waited.count();
+  return {flight.image.get(), stages, "shared"};
 }
 
 }  // namespace raytracer

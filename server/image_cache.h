@@ -6,75 +6,61 @@
 // each holds a connection.
 #pragma once
 
-#include <condition_variable>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "engine/engine.h"
 #include "server/admission.h"
-#include "server/connection.h"
 #include "server/disconnect_watch.h"
 #include "server/finished_image.h"
 #include "server/lru_cache.h"
-#include "server/problem.h"
 
 namespace raytracer {
 
-/// How a request came to its picture.
-enum class Origin { rendered, shared, cached };
-
+/// A picture for one request.
 struct Delivery {
   std::shared_ptr<const FinishedImage> image;
-  Origin origin = Origin::rendered;
-  double waited_ms = 0;  ///< for another's render; 0 for those who rendered or found it
-};
-
-/// What a client wants.
-struct ImageRequest {
-  std::optional<std::string> tag;    ///< its entity tag; none: it will never be the same again
-  bool bypass_cache = false;         ///< neither cached nor shared, but rendered now
-  ConnectionEndpoints connection{};  ///< the client's
+  Stages stages{};           ///< as far as this request waited for them
+  std::string_view cache{};  ///< "hit", "shared" with another request, or nothing: it was rendered
 };
 
 /// Every member function may be called from any thread.
 class ImageCache {
  public:
   /// Keeps `most_bytes` of pictures. The others must outlive it.
-  ImageCache(std::size_t most_bytes, Admission& admission, DisconnectWatch& disconnect_watch);
+  ImageCache(std::size_t most_bytes, Admission& admission, DisconnectWatch& disconnect_watch)
+      : admission_(admission), disconnect_watch_(disconnect_watch), memory_(most_bytes) {}
 
   /// Makes the picture; throws HttpError, also if `progress.stop` was set before it was done.
   using Make = std::function<FinishedImage(RenderProgress& progress)>;
 
-  /// The picture, after a wait if need be. Throws HttpError: what `make` throws, to all who wait
-  /// for that; 429 if too many wait; 499 if the client has left.
-  Delivery fetch(const ImageRequest& request, const Make& make);
+  /// The picture with this entity tag, after a wait if need be; without a tag it is neither looked
+  /// for, shared nor kept. Throws HttpError: what `make` throws, to all who wait for that; 429 if
+  /// too many wait; 499 if the client has left.
+  Delivery fetch(const std::optional<std::string>& tag, const httplib::Request& client,
+                 const Make& make);
 
   LruCounts cache_counts() const { return memory_.counts(); }
-  /// How many waited for another's render instead of rendering.
-  std::uint64_t shared_count() const;
 
  private:
   struct SingleFlight;
   class Waiter;
 
-  Delivery make_for_all(const ImageRequest& request, const Make& make, SingleFlight& flight);
-  Delivery wait_for(SingleFlight& flight, const Waiter& waiter);
-  void finish(SingleFlight& flight, std::shared_ptr<const FinishedImage> image, Problem problem);
-  void stop_sharing(const SingleFlight& flight);
+  Delivery make_for_all(const std::optional<std::string>& tag, const Make& make,
+                        SingleFlight& flight);
+  Delivery wait_for(const SingleFlight& flight, const Waiter& waiter);
 
   Admission& admission_;
   DisconnectWatch& disconnect_watch_;
   LruCache<FinishedImage> memory_;
 
-  mutable std::mutex mutex_;  ///< of all that is in flight
-  std::map<std::string, std::shared_ptr<SingleFlight>>
-      in_flight_;  ///< by tag, renders that may be joined
-  std::uint64_t shared_count_ = 0;
+  std::mutex mutex_;                                                ///< of all that is in flight
+  std::map<std::string, std::shared_ptr<SingleFlight>> in_flight_;  ///< by tag
 };
 
 }  // namespace raytracer

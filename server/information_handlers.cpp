@@ -5,14 +5,12 @@
 #include "engine/engine.h"
 #include "server/answer.h"
 #include "server/handlers.h"
-#include "server/openapi.h"
 
 namespace raytracer {
 
 void get_health(Services&, Call& call) { answer_json(call.response, 200, {{"status", "ok"}}); }
 
 void get_readiness(Services& services, Call& call) {
-  call.response.set_header("Cache-Control", "no-store");
   if (services.admission.is_closed())
     return answer_json(call.response, 503, {{"status", "draining"}});
   if (services.admission.is_full()) return answer_json(call.response, 503, {{"status", "full"}});
@@ -42,8 +40,6 @@ void get_version(Services& services, Call& call) {
 void get_scene_schema(Services&, Call& call) {
   answer_bytes(call.response, scene_schema(), "application/schema+json");
 }
-
-void get_openapi(Services&, Call& call) { answer_json(call.response, 200, openapi_document()); }
 
 void get_file(const EmbeddedFile& file, Call& call) {
   answer_bytes(call.response, std::string(file.bytes), media_type_of(file.path));

@@ -13,9 +13,8 @@
 #include "server/answer.h"
 #include "server/handlers.h"
 #include "server/image_answer.h"
-#include "server/negotiate.h"
+#include "server/job_events.h"
 #include "server/problem.h"
-#include "server/query.h"
 #include "server/scene_request.h"
 #include "server/tradeoff.h"
 
@@ -25,7 +24,8 @@ namespace {
 /// A number that is not known yet is null.
 nlohmann::ordered_json to_json(const Job& job) {
   const JobState state = job.state();
-  const Rendering* const rendering = job.rendering();
+  const JobResult* const result = job.result();
+  const auto* const rendering = result ? std::get_if<Rendering>(result) : nullptr;
   nlohmann::ordered_json json{{"id", job.id},
                               {"task", name_of(job.task)},
                               {"status", name_of(state.status)},
@@ -39,24 +39,24 @@ nlohmann::ordered_json to_json(const Job& job) {
   return json;
 }
 
-/// Why a job of the right task has no image, or no curve yet, as `product` calls it.
-[[noreturn]] void refuse_without(std::string_view product, const Job& job) {
-  const JobState state = job.state();
-  if (state.status == JobStatus::queued || state.status == JobStatus::running)
-    throw HttpError({409,
-                     fmt::format("The job is {}; its {} can be fetched when it is done",
-                                 name_of(state.status), product),
-                     {},
-                     {{"Retry-After", "1"}}});
-  throw HttpError({409, fmt::format("The job has no {}: it {} ({})", product,
-                                    state.status == JobStatus::failed ? "failed" : "was cancelled",
-                                    state.detail)});
+/// Throws HttpError 404 for a job of the other task.
+void require_task(const Job& job, JobTask task) {
+  if (job.task == task) return;
+  refuse(404, fmt::format("The job is a {}: what comes of it is at /jobs/{}/{}", name_of(job.task),
+                          job.id, job.task == JobTask::render ? "image" : "result"));
 }
 
-Image black_image(int width, int height) {
-  Image image(width, height);
-  std::fill(image.values.begin(), image.values.end(), 0.0F);
-  return image;
+/// What came of the job. Throws HttpError 409 if nothing has, yet or at all.
+template <typename Product>
+const Product& require_result(const Job& job) {
+  if (const JobResult* const result = job.result()) return std::get<Product>(*result);
+  const JobState state = job.state();
+  if (has_ended(state.status))
+    refuse(409, fmt::format("Nothing came of the job: it {} ({})",
+                            state.status == JobStatus::failed ? "failed" : "was cancelled",
+                            state.detail));
+  refuse(409, fmt::format("The job is {}; ask again when it is done", name_of(state.status)),
+         {{"Retry-After", "1"}});
 }
 
 /// The picture as far as it has come, black before anything is traced; nothing once the job has
@@ -67,7 +67,11 @@ std::optional<Image> image_so_far(const Job& job) {
     if (std::optional<Image> image = job.image_so_far()) return image;
     const JobState state = job.state();
     if (has_ended(state.status)) return {};
-    if (state.progress == 0) return black_image(job.width, job.height);
+    if (state.progress == 0) {
+      Image black(job.width, job.height);
+      std::fill(black.values.begin(), black.values.end(), 0.0F);
+      return black;
+    }
     job.wait_for_end(moment);
   }
 }
@@ -77,64 +81,57 @@ void answer_image_so_far(Services& services, Call& call, const Image& image, Ima
   answer_bytes(call.response, encode(image, format, services.pool),
                std::string(media_type(format)));
   call.response.set_header("Vary", "Accept");
-  call.response.set_header("Cache-Control", "no-store");
 }
 
-JobTask require_task(const std::string& name) {
+/// Takes `task` out of the query, which is known to jobs only.
+JobTask take_task(httplib::Params& params) {
+  const auto [begin, end] = params.equal_range("task");
+  const std::string name = begin == end ? "render" : begin->second;
+  if (begin != end) params.erase(begin);
   for (const JobTask task : {JobTask::render, JobTask::tradeoff})
     if (name == name_of(task)) return task;
-  throw HttpError({400, fmt::format("The query parameter \"task\" is \"{}\" but must be render or "
-                                    "tradeoff",
-                                    name)});
+  refuse(400, fmt::format("The query parameter \"task\" is \"{}\" but must be render or "
+                          "tradeoff",
+                          name));
 }
 
 }  // namespace
 
 void post_job(Services& services, Call& call) {
-  RenderQuery query = read_query(call.request.target, QueryOf::job);
-  const JobTask task = require_task(query.task);
-  if (task == JobTask::tradeoff) query = curve_query(std::move(query));
-  SceneRequest request = read_scene_request(call, query, services);
-  if (task == JobTask::tradeoff) require_room_for_curve(request.scene, services.config.limits);
-  const auto job = services.jobs.accept(task, std::move(request));
+  httplib::Params params = call.request.params;
+  const JobTask task = take_task(params);
+  const bool is_curve = task == JobTask::tradeoff;
+  const RenderQuery query = is_curve ? read_curve_query(params) : read_query(params);
+  SceneView view = read_scene_request(call, query, services);
+  if (is_curve) require_room_for_curve(view.scene, services.config.limits);
+  const auto job = services.jobs.accept(task, std::move(view));
   answer_json(call.response, 202, to_json(*job));
   call.response.set_header("Location", "/jobs/" + job->id);
-  call.response.set_header("Cache-Control", "no-store");
 }
 
 void get_job(Services& services, Call& call) {
   answer_json(call.response, 200, to_json(*services.jobs.at(call.captured)));
-  call.response.set_header("Cache-Control", "no-store");
 }
 
 void get_job_image(Services& services, Call& call) {
   const ImageFormat format = require_format(call.request);
   const auto job = services.jobs.at(call.captured);
-  if (job->task != JobTask::render)
-    throw HttpError({404, fmt::format("The job is a {}: it has no image, but GET /jobs/{}/result",
-                                      name_of(job->task), job->id)});
+  require_task(*job, JobTask::render);
   if (const std::optional<Image> image = image_so_far(*job))
     return answer_image_so_far(services, call, *image, format);
-  const Rendering* const rendering = job->rendering();
-  if (!rendering) refuse_without("image", *job);
+  const auto& rendering = require_result<Rendering>(*job);
   const Representation wanted = represent(job->digest, format, services.renderer_id);
-  if (answer_not_modified(call, wanted)) return;
-  if (call.is_head()) return answer_image_head(call, wanted);
+  if (answer_without_image(call, wanted)) return;
   const auto image = std::make_shared<const FinishedImage>(
-      finish_image(*rendering, job->queue_ms(), format, services.pool));
-  services.metrics.took(Stage::encode, image->stages.encode_ms);
-  answer_image(call, {image}, job->parse_ms, wanted);
+      finish_image(rendering, job->state().queue_ms, format, services.pool));
+  services.metrics.took("encode", image->stages.encode_ms);
+  answer_image(call, {image, image->stages}, job->parse_ms, wanted);
 }
 
 void get_job_result(Services& services, Call& call) {
   const auto job = services.jobs.at(call.captured);
-  if (job->task != JobTask::tradeoff)
-    throw HttpError({404, fmt::format("The job is a {}: it has no result but GET /jobs/{}/image",
-                                      name_of(job->task), job->id)});
-  const Curve* const curve = job->curve();
-  if (!curve) refuse_without("result", *job);
-  answer_json(call.response, 200, to_json(*curve));
-  call.response.set_header("Cache-Control", "no-store");
+  require_task(*job, JobTask::tradeoff);
+  answer_json(call.response, 200, to_json(require_result<Curve>(*job)));
 }
 
 void get_job_events(Services& services, Call& call) {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <limits>
 #include <random>
 #include <utility>
 
@@ -29,113 +29,32 @@ HttpError unknown_job(const std::string& id) {
 
 }  // namespace
 
-std::string_view name_of(JobStatus status) {
-  constexpr std::array<std::string_view, job_statuses.size()> names{"queued", "running", "done",
-                                                                    "failed", "cancelled"};
-  return names[static_cast<std::size_t>(status)];
-}
-
-std::string_view name_of(JobTask task) { return task == JobTask::render ? "render" : "tradeoff"; }
-
-bool has_ended(JobStatus status) {
-  return status != JobStatus::queued && status != JobStatus::running;
-}
-
-Job::Job(std::string job_id, JobTask job_task, SceneRequest request)
-    : id(std::move(job_id)),
-      task(job_task),
-      digest(reproducible_digest(request)),
-      parse_ms(request.parse_ms),
-      width(request.scene.camera.width),
-      height(request.scene.camera.height),
-      request_(std::move(request)) {}
-
-JobState Job::state() const {
-  const std::scoped_lock lock(mutex_);
-  const std::chrono::duration<double, std::milli> elapsed =
-      (has_ended(status_) ? ended_ : Clock::now()) - accepted_;
-  const double fraction =
-      task == JobTask::tradeoff ? curve_progress_.fraction() : progress_.fraction.load();
-  return {status_, status_ == JobStatus::done ? 1 : fraction, elapsed.count(), detail_};
-}
-
-void Job::wait_for_end(std::chrono::milliseconds longest) const {
-  std::unique_lock lock(mutex_);
-  end_came_.wait_for(lock, longest, [this] { return has_ended(status_); });
-}
-
-const Rendering* Job::rendering() const {
-  const std::scoped_lock lock(mutex_);
-  return task == JobTask::render && status_ == JobStatus::done ? &rendering_ : nullptr;
-}
-
-const Curve* Job::curve() const {
-  const std::scoped_lock lock(mutex_);
-  return task == JobTask::tradeoff && status_ == JobStatus::done ? &curve_ : nullptr;
-}
-
-double Job::queue_ms() const {
-  const std::scoped_lock lock(mutex_);
-  return queue_ms_;
-}
-
-void Job::begin() {
-  const std::scoped_lock lock(mutex_);
-  queue_ms_ = slot_->queue_ms();
-  status_ = JobStatus::running;
-}
-
-void Job::end(JobStatus status, std::string detail) {
-  {
-    const std::scoped_lock lock(mutex_);
-    status_ = status;
-    detail_ = std::move(detail);
-    ended_ = Clock::now();
-  }
-  end_came_.notify_all();
-  request_.reset();
-  slot_.reset();
-}
-
-std::size_t Job::result_bytes() const {
-  const std::scoped_lock lock(mutex_);
-  return rendering_.image.values.size() * sizeof(float);
-}
-
-Jobs::Jobs(Admission& admission, WorkerPool& pool, const Limits& limits, std::size_t runner_count,
-           Metrics& metrics, std::function<void(std::string_view)> note)
+Jobs::Jobs(Admission& admission, WorkerPool& pool, const Limits& limits, Metrics& metrics,
+           RequestLog& log)
     : admission_(admission),
       pool_(pool),
       limits_(limits),
       metrics_(metrics),
-      note_(std::move(note)) {
-  try {
-    while (runners_.size() < runner_count) runners_.emplace_back([this] { run_jobs(); });
-  } catch (...) {  // the system grants no more threads
-    close();
-    throw;
-  }
-}
+      log_(log),
+      threads_(std::numeric_limits<std::size_t>::max()) {}  // admission bounds them
 
-Jobs::~Jobs() { close(); }
-
-void Jobs::close() {
+Jobs::~Jobs() {
   {
     const std::scoped_lock lock(mutex_);
-    closing_ = true;
-    for (const auto& [id, job] : jobs_) job->progress_.stop = true;
+    for (const auto& [id, job] : jobs_) admission_.stop(job->progress_);
   }
-  arrived_.notify_all();
-  for (std::thread& runner : runners_) runner.join();
+  threads_.shutdown();
 }
 
-std::shared_ptr<const Job> Jobs::accept(JobTask task, SceneRequest request) {
-  const auto job = std::make_shared<Job>(random_id(), task, std::move(request));
-  const std::scoped_lock lock(mutex_);  // places and jobs in one order
-  job->slot_.emplace(admission_.enter(job->progress_));
+std::shared_ptr<const Job> Jobs::accept(JobTask task, SceneView view) {
+  const auto job = std::make_shared<Job>(random_id(), task, std::move(view));
+  job->slot_.emplace(admission_, job->progress_);
+  const std::scoped_lock lock(mutex_);  // it is kept only once it is among the jobs
+  threads_.enqueue([this, job] {
+    run(*job);
+    keep(job);
+  });
   jobs_.emplace(job->id, job);
-  queue_.push_back(job);
-  arrived_.notify_one();
   return job;
 }
 
@@ -147,20 +66,12 @@ std::shared_ptr<const Job> Jobs::at(const std::string& id) const {
 }
 
 void Jobs::remove(const std::string& id) {
-  std::shared_ptr<Job> job;
-  {
-    const std::scoped_lock lock(mutex_);
-    const auto entry = jobs_.find(id);
-    if (entry == jobs_.end()) throw unknown_job(id);
-    job = entry->second;
-    job->progress_.stop = true;
-    jobs_.erase(entry);
-    if (std::erase(finished_, job) > 0) finished_bytes_ -= job->result_bytes();
-    if (std::erase(queue_, job) == 0) return;
-  }
-  // No runner has it or will: its place is free for others at once.
-  job->end(JobStatus::cancelled, "deleted");
-  metrics_.cancelled();
+  const std::scoped_lock lock(mutex_);
+  const auto entry = jobs_.find(id);
+  if (entry == jobs_.end()) throw unknown_job(id);
+  admission_.stop(entry->second->progress_);
+  if (std::erase(finished_, entry->second) > 0) finished_bytes_ -= entry->second->result_bytes();
+  jobs_.erase(entry);
 }
 
 std::map<JobStatus, std::size_t> Jobs::counts() const {
@@ -170,54 +81,36 @@ std::map<JobStatus, std::size_t> Jobs::counts() const {
   return counts;
 }
 
-void Jobs::run_jobs() {
-  for (;;) {
-    std::shared_ptr<Job> job;
-    {
-      std::unique_lock lock(mutex_);
-      arrived_.wait(lock, [&] { return closing_ || !queue_.empty(); });
-      if (closing_) return;
-      job = std::move(queue_.front());
-      queue_.pop_front();
-    }
-    run(*job);
-    if (job->state().status == JobStatus::cancelled) metrics_.cancelled();
-    keep(job);
+void Jobs::run(Job& job) {
+  try {
+    JobResult result;
+    if (job.slot_->wait_until_admitted()) result = make_result(job);
+    const bool is_done = result.index() != 0;
+    if (!is_done) metrics_.add("renders_cancelled_total");
+    job.end(is_done ? JobStatus::done : JobStatus::cancelled, is_done ? "" : "stopped",
+            std::move(result));
+  } catch (const HttpError& refusal) {
+    metrics_.add("renders_cancelled_total");
+    job.end(JobStatus::cancelled, refusal.problem().detail);
+  } catch (const std::exception& error) {
+    log_.note(fmt::format("job {} failed: {}", job.id, error.what()));
+    job.end(JobStatus::failed, "The render failed inside the server; its log says why");
   }
 }
 
-/// False if it was stopped before there was one.
-bool Jobs::make_result(Job& job) {
-  const Scene& scene = job.request_->scene;
+JobResult Jobs::make_result(Job& job) {
+  job.begin();
+  metrics_.observe("queue_duration_seconds", job.slot_->queue_ms() / 1000);
+  const Scene& scene = job.view_->scene;
   if (job.task == JobTask::tradeoff) {
     std::optional<Curve> curve =
         measure_curve(scene, limits_, most_curve_ms, pool_, job.curve_progress_);
-    if (!curve) return false;
-    const std::scoped_lock lock(job.mutex_);
-    job.curve_ = std::move(*curve);
-    return true;
+    return curve ? JobResult(*std::move(curve)) : JobResult();
   }
   Rendering rendering = render(scene, limits_, pool_, job.progress_);
-  if (rendering.stop == Stop::cancelled) return false;
+  if (rendering.stop == Stop::cancelled) return {};
   metrics_.rendered(rendering, job.digest);
-  const std::scoped_lock lock(job.mutex_);
-  job.rendering_ = std::move(rendering);
-  return true;
-}
-
-void Jobs::run(Job& job) {
-  try {
-    if (!job.slot_->wait_until_admitted()) return job.end(JobStatus::cancelled, "stopped");
-    job.begin();
-    metrics_.waited(job.queue_ms());
-    if (!make_result(job)) return job.end(JobStatus::cancelled, "stopped");
-    job.end(JobStatus::done, "");
-  } catch (const HttpError& refusal) {
-    job.end(JobStatus::cancelled, refusal.problem().detail);
-  } catch (const std::exception& error) {
-    note_(fmt::format("job {} failed: {}", job.id, error.what()));
-    job.end(JobStatus::failed, "The render failed inside the server; its log says why");
-  }
+  return rendering;
 }
 
 void Jobs::keep(const std::shared_ptr<Job>& job) {

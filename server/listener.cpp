@@ -5,7 +5,6 @@
 #include <sys/socket.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <chrono>
@@ -16,12 +15,15 @@
 
 #include "server/answer.h"
 #include "server/body.h"
-#include "server/connection_threads.h"
+#include "server/connection.h"
 #include "server/problem.h"
 #include "server/request_validation.h"
+#include "server/thread_per_task.h"
 
 namespace raytracer {
 namespace {
+
+constexpr std::size_t most_connections = 2048;  // more wait for one of them to end
 
 // Nothing but this server's own files runs in the page; nobody else's page may frame it.
 constexpr const char* content_security_policy =
@@ -51,41 +53,23 @@ void drop_authority(const httplib::Request& request) {
   path = without_authority(path);
 }
 
-/// Whether it is a method's name (RFC 9110, 5.6.2), but of none that httplib reads on after.
-bool is_unknown(std::string_view method) {
-  constexpr std::array<std::string_view, 10> known{"GET",     "HEAD",    "POST",  "PUT",   "DELETE",
-                                                   "CONNECT", "OPTIONS", "TRACE", "PATCH", "PRI"};
-  const bool is_name = !method.empty() && std::all_of(method.begin(), method.end(), [](char c) {
+/// RFC 9110, 5.6.2.
+bool is_method_name(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
            std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
   });
-  return is_name && std::find(known.begin(), known.end(), method) == known.end();
 }
 
-ConnectionReuse after_refusal(const httplib::Request& request) {
+ConnectionReuse after_refusal(const Call& call) {
   // Of several lengths, or of one that is oddly written, httplib shows the first at most: after a
   // refused POST nobody can be sure where the next request begins.
-  const bool may_have_body = request.method == "POST" || announces_body(request);
-  return may_have_body ? ConnectionReuse::close : ConnectionReuse::keep;
+  const bool may_have_body = call.request.method == "POST" || announces_body(call.request);
+  return may_have_body && !call.body_was_read ? ConnectionReuse::close : ConnectionReuse::keep;
 }
 
 std::string bracketed(const std::string& host) {
   return host.find(':') == std::string::npos ? host : fmt::format("[{}]", host);
-}
-
-std::string why_not_bound(int error, const std::string& host, int port) {
-  const std::string where = fmt::format("{}:{}", bracketed(host), port);
-  if (error == EADDRINUSE)
-    return fmt::format(
-        "{} is taken by another program: stop that one, or choose another --port "
-        "(RAYTRACER_PORT); 0 takes a free one",
-        where);
-  if (error == EACCES)
-    return fmt::format("{} is not allowed to this user: choose a --port above 1023", where);
-  return fmt::format(
-      "cannot listen on {}: --host (RAYTRACER_HOST) must be an address of this "
-      "machine ({})",
-      where, error == 0 ? "the name is not known" : std::strerror(error));
 }
 
 }  // namespace
@@ -98,7 +82,7 @@ Listener::Listener(const Config& config, const RouteTable& routes, RequestLog& l
 }
 
 void Listener::set_options() {
-  server_.new_task_queue = [] { return new ConnectionThreads(most_connections()); };
+  server_.new_task_queue = [] { return new ThreadPerTask(descriptor_limit(most_connections)); };
   // Without SO_REUSEPORT, httplib's default: a second server would share the port in silence.
   server_.set_socket_options([this](socket_t socket) {
     const int yes = 1;
@@ -123,23 +107,22 @@ void Listener::set_handlers() {
   using HandlerResponse = httplib::Server::HandlerResponse;
 
   server_.set_expect_100_continue_handler([this](const Request& request, Response& response) {
-    return refuse_invalid(request, response) ? response.status : 100;
+    return is_valid(request, response) ? 100 : response.status;
   });
   server_.set_pre_routing_handler([this](const Request& request, Response& response) {
-    return refuse_invalid(request, response) ? HandlerResponse::Handled
-                                             : HandlerResponse::Unhandled;
+    return is_valid(request, response) ? HandlerResponse::Unhandled : HandlerResponse::Handled;
   });
 
   // Validation has found the route already; these are the ways to get there with and without a
   // body.
   const httplib::Server::Handler bodiless = [this](const Request& request, Response& response) {
-    dispatch(request, response, nullptr);
+    dispatch({request, response});
   };
   server_.Get("/.*", bodiless);
   server_.Delete("/.*", bodiless);
   server_.Post("/.*",
                [this](const Request& request, Response& response, const ContentReader& content) {
-                 dispatch(request, response, &content);
+                 dispatch({request, response, {}, &content});
                });
 
   const httplib::Server::Handler unrouted = [this](const Request& request, Response& response) {
@@ -149,7 +132,7 @@ void Listener::set_handlers() {
   server_.set_exception_handler([this](const Request& request, Response& response,
                                        std::exception_ptr) {  // NOLINT: httplib's signature
     log_.note("a request failed outside its handler");
-    answer_problem(response, internal_error(), after_refusal(request));
+    answer_problem(response, internal_error(), after_refusal({request, response}));
   });
   server_.set_post_routing_handler([this](const Request& request, Response& response) {
     response.set_header("X-Request-Id", log_.begin(request));
@@ -160,6 +143,8 @@ void Listener::set_handlers() {
                                 response.get_header_value("Content-Length") == "0");
     if (has_no_length) response.headers.erase("Content-Length");
     response.headers.erase("Accept-Ranges");
+    // What a handler says nothing about is true for a moment.
+    if (!response.has_header("Cache-Control")) response.set_header("Cache-Control", "no-store");
     // Texts are compressed for those who accept it; images, which are not, vary by Accept.
     if (response.status == 200 && !response.has_header("Vary"))
       response.set_header("Vary", "Accept-Encoding");
@@ -168,45 +153,42 @@ void Listener::set_handlers() {
       [this](const Request& request, const Response& response) { finish(request, response); });
 }
 
-bool Listener::refuse_invalid(const httplib::Request& request, httplib::Response& response) {
-  // httplib does not expect exceptions from the Expect handler.
+template <typename Step>
+bool Listener::succeeds(Call& call, const Step& step) {
+  const auto answer = [&](const Problem& problem) {
+    if (problem.status == 413 || problem.status == 429 || problem.status == 503)
+      metrics_.add("http_requests_refused_total", 1, {std::to_string(problem.status)});
+    answer_problem(call.response, problem, after_refusal(call));
+    return false;
+  };
   try {
+    step();
+    return true;
+  } catch (const HttpError& refusal) {
+    return answer(refusal.problem());
+  } catch (const std::exception& error) {
+    log_.note(
+        fmt::format("{} {} failed: {}", call.request.method, call.request.path, error.what()));
+    return answer(internal_error());
+  }
+}
+
+bool Listener::is_valid(const httplib::Request& request, httplib::Response& response) {
+  Call call{request, response};
+  return succeeds(call, [&] {
     log_.begin(request);
     ignore_ranges(request);
     drop_authority(request);
     validate_request(request, routes_, config_);
-    return false;
-  } catch (const HttpError& refusal) {
-    refuse(response, refusal.problem(), after_refusal(request));
-  } catch (const std::exception& error) {
-    log_.note(error.what());
-    refuse(response, internal_error(), after_refusal(request));
-  }
-  return true;
+  });
 }
 
-void Listener::refuse(httplib::Response& response, const Problem& problem,
-                      ConnectionReuse afterwards) {
-  metrics_.refused(problem.status);
-  answer_problem(response, problem, afterwards);
-}
-
-void Listener::dispatch(const httplib::Request& request, httplib::Response& response,
-                        const httplib::ContentReader* content) {
-  Call call{request, response, {}, content};
-  const auto afterwards = [&] {
-    return call.body_was_read ? ConnectionReuse::keep : after_refusal(request);
-  };
-  try {
-    RouteTable::Match match = routes_.match(request.method, request.path);
+void Listener::dispatch(Call call) {
+  succeeds(call, [&] {
+    RouteTable::Match match = routes_.match(call.request.method, call.request.path);
     call.captured = std::move(match.captured);
     match.route.handler(call);
-  } catch (const HttpError& refusal) {
-    refuse(response, refusal.problem(), afterwards());
-  } catch (const std::exception& error) {
-    log_.note(fmt::format("{} {} failed: {}", request.method, request.path, error.what()));
-    refuse(response, internal_error(), afterwards());
-  }
+  });
 }
 
 /// Answers of httplib's own, before any handler: a request that it could not read. Where the next
@@ -216,7 +198,7 @@ void Listener::answer_unrouted(const httplib::Request& request, httplib::Respons
   ignore_ranges(request);
   const int status = response.status;
   // Of a method that httplib does not know it has read the first line alone, and so no token.
-  if (status == 400 && is_unknown(request.method) && request.version == "HTTP/1.1" &&
+  if (status == 400 && is_method_name(request.method) && request.version == "HTTP/1.1" &&
       config_.token.empty()) {
     try {
       const std::string target = without_authority(request.target);
@@ -240,11 +222,12 @@ void Listener::finish(const httplib::Request& request, const httplib::Response& 
   // httplib does not expect exceptions from its logger.
   try {
     const double took_s = log_.end(request, response);
-    if (const Route* const route = routes_.find(request.method, request.path))
-      metrics_.answered(route->method, route->pattern, response.status, took_s);
-    else
-      metrics_.answered("other", "none", response.status, took_s);
-    if (closes_connection(response)) linger(find_socket(endpoints_of(request)));
+    const Route* const route = routes_.find(request.method, request.path);
+    const std::string method = route ? route->method : "other";
+    const std::string pattern = route ? route->pattern : "none";
+    metrics_.add("http_requests_total", 1, {method, pattern, std::to_string(response.status)});
+    metrics_.observe("http_request_duration_seconds", took_s, {method, pattern});
+    if (closes_connection(response)) linger(find_socket(request));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "raytracer-server: no line for a request: %s\n", error.what());
   }
@@ -257,7 +240,12 @@ std::string Listener::bind() {
     port_ = server_.bind_to_any_port(config_.host);
   else
     port_ = server_.bind_to_port(config_.host, config_.port) ? config_.port : -1;
-  if (port_ < 0) throw ConfigError(why_not_bound(errno, config_.host, config_.port));
+  if (const int error = errno; port_ < 0)
+    throw ConfigError(
+        fmt::format("cannot listen on {}:{} ({}): choose another --host (RAYTRACER_HOST) or --port "
+                    "(RAYTRACER_PORT); 0 takes a free port",
+                    bracketed(config_.host), config_.port,
+                    error == 0 ? "the name is not known" : std::strerror(error)));
   // httplib's backlog of 5 lets a burst of connections wait a second for TCP to try again.
   ::listen(listening_socket_, 511);
   return fmt::format("http://{}:{}", bracketed(config_.host), port_);

@@ -1,7 +1,7 @@
 // The HTTP server: httplib with its traps closed, between the route table and the network.
 //
 // httplib reads requests and writes answers; which handler answers is the route table's business.
-// Each connection has a thread of its own (connection_threads.h), so that /healthz waits for
+// Each connection has a thread of its own (thread_per_task.h), so that /healthz waits for
 // nobody. Tracing has its own threads.
 #pragma once
 
@@ -10,7 +10,6 @@
 #include <atomic>
 #include <string>
 
-#include "server/answer.h"
 #include "server/config.h"
 #include "server/metrics.h"
 #include "server/request_log.h"
@@ -36,10 +35,11 @@ class Listener {
  private:
   void set_options();
   void set_handlers();
-  bool refuse_invalid(const httplib::Request& request, httplib::Response& response);
-  void dispatch(const httplib::Request& request, httplib::Response& response,
-                const httplib::ContentReader* content);
-  void refuse(httplib::Response& response, const Problem& problem, ConnectionReuse afterwards);
+  /// Whether the step does not throw; what it throws is the answer.
+  template <typename Step>
+  bool succeeds(Call& call, const Step& step);
+  bool is_valid(const httplib::Request& request, httplib::Response& response);
+  void dispatch(Call call);
   void answer_unrouted(const httplib::Request& request, httplib::Response& response);
   void finish(const httplib::Request& request, const httplib::Response& response);
 

@@ -52,30 +52,23 @@ class LruCache {
     if (bytes > most_bytes_) return false;
     std::list<Entry> forgotten;  // large ones take long to destroy: after the lock
     const std::scoped_lock lock(mutex_);
-    std::list<Entry> kept;  // what needs memory comes first: without it nothing has changed
-    kept.push_front({std::move(key), std::move(value), bytes});
-    const auto [place, is_new] = places_.try_emplace(kept.front().key, kept.begin());
-    if (!is_new) {
-      auto node = places_.extract(place);
-      const Place before = std::exchange(node.mapped(), kept.begin());
-      node.key() = kept.front().key;
-      places_.insert(std::move(node));
-      counts_.bytes -= before->bytes;
-      forgotten.splice(forgotten.end(), entries_, before);
-    }
-    entries_.splice(entries_.begin(), kept);
+    if (const auto before = places_.find(key); before != places_.end())
+      forget(before->second, forgotten);
+    entries_.push_front({std::move(key), std::move(value), bytes});
     counts_.bytes += bytes;
+    places_.emplace(entries_.front().key, entries_.begin());
     while (counts_.bytes > most_bytes_) {
       forget(std::prev(entries_.end()), forgotten);
       ++counts_.evictions;
     }
-    counts_.entries = entries_.size();
     return true;
   }
 
   LruCounts counts() const {
     const std::scoped_lock lock(mutex_);
-    return counts_;
+    LruCounts counts = counts_;
+    counts.entries = entries_.size();
+    return counts;
   }
 
  private:

@@ -33,9 +33,9 @@ int serve(const Config& config) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const auto outcome = read_config(argc, argv, [](const char* name) { return std::getenv(name); });
-  if (const auto* printout = std::get_if<Printout>(&outcome)) {
-    std::fputs(printout->text.c_str(), stdout);
+  const auto outcome = read_config(argc, argv);
+  if (const auto* printout = std::get_if<std::string>(&outcome)) {
+    std::fputs(printout->c_str(), stdout);
     return EXIT_SUCCESS;
   }
   return serve(std::get<Config>(outcome));

@@ -1,125 +1,138 @@
 #include "server/metrics.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
 namespace raytracer {
 namespace {
 
-constexpr std::array<double, 16> seconds{0.0001, 0.0003, 0.001, 0.003, 0.01, 0.03, 0.1,  0.3,
-                                         1,      3,      10,    30,    100,  300,  1000, 3000};
-constexpr std::array<double, 12> ratios{0.25, 0.5, 0.7, 0.8, 0.9, 1, 1.1, 1.25, 1.5, 2, 4, 10};
+/// name="value", separated by commas, as it stands between braces.
+std::string label_text(const MetricFamily& family, std::span<const std::string> values) {
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0) text += ',';
+    text.append(family.labels[i]).append("=\"");
+    for (const char c : values[i]) {
+      if (c == '\\' || c == '"') text += '\\';
+      if (c == '\n')
+        text += "\\n";
+      else
+        text += c;
+    }
+    text += '"';
+  }
+  return text;
+}
 
-constexpr std::array<std::string_view, 5> stage_names{"parse", "plan", "build", "trace", "encode"};
-constexpr std::array<int, 3> refusals{413, 429, 503};
+std::string_view type_of(const MetricFamily& family) {
+  if (!family.bounds.empty()) return "histogram";
+  return family.name.ends_with("_total") ? "counter" : "gauge";
+}
+
+void append_sample(std::string& text, const MetricFamily& family, std::string_view suffix,
+                   std::string_view labels, double value) {
+  const std::string braced = labels.empty() ? "" : fmt::format("{{{}}}", labels);
+  fmt::format_to(std::back_inserter(text), "raytracer_{}{}{} {}\n", family.name, suffix, braced,
+                 value);
+}
+
+void append_histogram(std::string& text, const MetricFamily& family, const std::string& labels,
+                      std::span<const std::uint64_t> buckets, double sum) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < buckets.size(); ++i) {
+    count += buckets[i];
+    const std::string bound =
+        i < family.bounds.size() ? fmt::format("{}", family.bounds[i]) : "+Inf";
+    append_sample(text, family, "_bucket",
+                  fmt::format("{}{}le=\"{}\"", labels, labels.empty() ? "" : ",", bound),
+                  static_cast<double>(count));
+  }
+  append_sample(text, family, "_sum", labels, sum);
+  append_sample(text, family, "_count", labels, static_cast<double>(count));
+}
 
 }  // namespace
 
-Metrics::Metrics()
-    : queue_seconds_(seconds),
-      stage_seconds_(stage_names.size(), Histogram(seconds)),
-      actual_to_predicted_(ratios) {
-  for (const int status : refusals) refused_[status] = 0;
+/// What is known to come is shown from the start, as 0.
+Metrics::Metrics() {
+  for (std::size_t row = 0; row < metric_table.size(); ++row)
+    if (metric_table[row].labels[0].empty() && type_of(metric_table[row]) != "gauge")
+      series(row, {});
+  for (const std::string_view status : {"413", "429", "503"})
+    add("http_requests_refused_total", 0, {status});
+  for (const std::string_view stage : {"parse", "plan", "build", "trace", "encode"})
+    add("stage_duration_seconds", 0, {stage});
 }
 
-void Metrics::answered(std::string_view method, std::string_view route, int status, double took_s) {
+Metrics::Series& Metrics::series(std::size_t row, LabelValues values) {
+  Series& series = series_[row][{values.begin(), values.end()}];
+  series.buckets.resize(metric_table[row].bounds.size() + 1);
+  return series;
+}
+
+void Metrics::add(MetricName name, double amount, LabelValues values) {
   const std::scoped_lock lock(mutex_);
-  const RouteKey key(method, route);
-  ++requests_[{key, status}];
-  request_seconds_.try_emplace(key, seconds).first->second.observe(took_s);
+  series(name.row(), values).value += amount;
 }
 
-void Metrics::refused(int status) {
+void Metrics::set(MetricName name, double value, LabelValues values) {
   const std::scoped_lock lock(mutex_);
-  const auto count = refused_.find(status);
-  if (count != refused_.end()) ++count->second;
+  series(name.row(), values).value = value;
 }
 
-void Metrics::waited(double queue_ms) {
+void Metrics::observe(MetricName name, double value, LabelValues values) {
+  const std::span<const double> bounds = metric_table[name.row()].bounds;
+  const auto bucket = std::lower_bound(bounds.begin(), bounds.end(), value) - bounds.begin();
   const std::scoped_lock lock(mutex_);
-  queue_seconds_.observe(queue_ms / 1000);
+  Series& observed = series(name.row(), values);
+  ++observed.buckets[static_cast<std::size_t>(bucket)];
+  observed.value += value;
 }
 
-void Metrics::took(Stage stage, double ms) {
-  const std::scoped_lock lock(mutex_);
-  observe(stage, ms);
-}
-
-void Metrics::observe(Stage stage, double ms) {
-  stage_seconds_[static_cast<std::size_t>(stage)].observe(ms / 1000);
+void Metrics::took(std::string_view stage, double ms) {
+  observe("stage_duration_seconds", ms / 1000, {stage});
 }
 
 void Metrics::rendered(const RenderReport& report, const std::optional<std::string>& digest) {
-  const std::scoped_lock lock(mutex_);
-  observe(Stage::plan, report.plan_ms);
-  observe(Stage::build, report.build_ms);
-  observe(Stage::trace, report.trace_ms);
-  ++renders_;
+  took("plan", report.plan_ms);
+  took("build", report.build_ms);
+  took("trace", report.trace_ms);
   const auto pixels = static_cast<double>(report.pixel_count);
-  pixels_ += pixels;
-  samples_ += pixels * report.samples_per_pixel;
-  clamped_pixels_ += static_cast<double>(report.beyond.clamped);
-  nan_pixels_ += static_cast<double>(report.beyond.not_numbers);
+  add("renders_total");
+  add("pixels_rendered_total", pixels);
+  add("samples_rendered_total", pixels * report.samples_per_pixel);
+  add("pixels_clamped_total", static_cast<double>(report.beyond.clamped));
+  add("pixels_nan_total", static_cast<double>(report.beyond.not_numbers));
   const auto foreseen_ms = digest ? predicted_ms_.find(*digest) : nullptr;
   if (!foreseen_ms || *foreseen_ms <= 0) return;
-  actual_to_predicted_.observe(report.trace_ms / *foreseen_ms);
-  predicted_s_ += *foreseen_ms / 1000;
-  actual_s_ += report.trace_ms / 1000;
-}
-
-void Metrics::cancelled() {
-  const std::scoped_lock lock(mutex_);
-  ++cancelled_;
+  observe("trace_actual_to_predicted_ratio", report.trace_ms / *foreseen_ms);
+  add("trace_predicted_seconds_total", *foreseen_ms / 1000);
+  add("trace_actual_seconds_total", report.trace_ms / 1000);
 }
 
 void Metrics::predicted(const std::optional<std::string>& digest, const Prediction& prediction) {
-  if (!digest) return;
-  predicted_ms_.keep(*digest, std::make_shared<const double>(prediction.trace_ms), 1);
+  if (digest) predicted_ms_.keep(*digest, std::make_shared<const double>(prediction.trace_ms), 1);
 }
 
-void Metrics::write(Exposition& out) const {
+std::string Metrics::text() const {
   const std::scoped_lock lock(mutex_);
-  out.family("raytracer_http_requests_total", "counter", "Requests answered, by route and status.");
-  for (const auto& [key, count] : requests_) {
-    const auto& [route, status] = key;
-    const std::string status_text = std::to_string(status);
-    out.sample(static_cast<double>(count),
-               {{"method", route.first}, {"route", route.second}, {"status", status_text}});
+  std::string text;
+  for (std::size_t row = 0; row < metric_table.size(); ++row) {
+    const MetricFamily& family = metric_table[row];
+    if (series_[row].empty()) continue;
+    fmt::format_to(std::back_inserter(text), "# HELP raytracer_{0} {1}\n# TYPE raytracer_{0} {2}\n",
+                   family.name, family.help, type_of(family));
+    for (const auto& [values, series] : series_[row]) {
+      const std::string labels = label_text(family, values);
+      if (family.bounds.empty())
+        append_sample(text, family, "", labels, series.value);
+      else
+        append_histogram(text, family, labels, series.buckets, series.value);
+    }
   }
-  out.family("raytracer_http_request_duration_seconds", "histogram",
-             "From a request's header to the end of its answer, by route.");
-  for (const auto& [route, histogram] : request_seconds_)
-    out.sample(histogram, {{"method", route.first}, {"route", route.second}});
-  out.family("raytracer_http_requests_refused_total", "counter",
-             "Requests refused: over a limit (413), no room (429), shutting down (503).");
-  for (const auto& [status, count] : refused_)
-    out.sample(static_cast<double>(count), {{"status", std::to_string(status)}});
-
-  out.family("raytracer_queue_duration_seconds", "histogram",
-             "What renders and plans waited in the queue.");
-  out.sample(queue_seconds_);
-  out.family("raytracer_stage_duration_seconds", "histogram", "The stages of renders.");
-  for (std::size_t i = 0; i < stage_names.size(); ++i)
-    out.sample(stage_seconds_[i], {{"stage", stage_names[i]}});
-  out.family("raytracer_renders_total", "counter", "Renders done.", static_cast<double>(renders_));
-  out.family("raytracer_renders_cancelled_total", "counter",
-             "Renders stopped because their client left, their job was deleted, or the server "
-             "ended.",
-             static_cast<double>(cancelled_));
-  out.family("raytracer_pixels_rendered_total", "counter", "Pixels of the renders done.", pixels_);
-  out.family("raytracer_samples_rendered_total", "counter",
-             "Samples in the images of the renders done.", samples_);
-  out.family("raytracer_pixels_clamped_total", "counter",
-             "Pixels of the renders done with a sample brighter than 1, which is cut off.",
-             clamped_pixels_);
-  out.family("raytracer_pixels_nan_total", "counter",
-             "Pixels of the renders done with a sample that was no number: 0, or a fault here.",
-             nan_pixels_);
-
-  out.family("raytracer_trace_actual_to_predicted_ratio", "histogram",
-             "Trace time over the time predicted, of renders whose plan was asked for before.");
-  out.sample(actual_to_predicted_);
-  out.family("raytracer_trace_predicted_seconds_total", "counter",
-             "Trace time predicted, of renders whose plan was asked for before.", predicted_s_);
-  out.family("raytracer_trace_actual_seconds_total", "counter",
-             "Trace time taken by the renders whose plan was asked for before.", actual_s_);
+  return text;
 }
 
 }  // namespace raytracer

@@ -1,76 +1,140 @@
-// What the server counts from its start on: requests, refusals, renders and what their stages took.
-// What is true at a moment (who waits, which jobs there are) is asked where it is known; see
-// metrics_handler.cpp.
+// What GET /metrics tells Prometheus: the table of all families of metrics, and their values.
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "engine/engine.h"
-#include "server/exposition.h"
 #include "server/lru_cache.h"
 
 namespace raytracer {
 
-/// The parts of a render's time, as Server-Timing names them.
-enum class Stage { parse, plan, build, trace, encode };
+/// A counter if its name ends in _total, a histogram if it has bounds, else a gauge.
+struct MetricFamily {
+  std::string_view name;  ///< without the "raytracer_" that all begin with
+  std::string_view help;
+  std::array<std::string_view, 3> labels{};  ///< the names of as many as there are
+  std::span<const double> bounds{};
+};
+
+inline constexpr std::array<double, 16> duration_bounds_s{
+    0.0001, 0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100, 300, 1000, 3000};
+inline constexpr std::array<double, 12> ratio_bounds{0.25, 0.5,  0.7, 0.8, 0.9, 1,
+                                                     1.1,  1.25, 1.5, 2,   4,   10};
+
+inline constexpr std::array<MetricFamily, 29> metric_table{{
+    {"http_requests_total",
+     "Requests answered, by route and status.",
+     {"method", "route", "status"}},
+    {"http_request_duration_seconds",
+     "From a request's header to the end of its answer, by route.",
+     {"method", "route"},
+     duration_bounds_s},
+    {"http_requests_refused_total",
+     "Requests refused: over a limit (413), no room (429), shutting down (503).",
+     {"status"}},
+    {"queue_duration_seconds",
+     "What renders and plans waited in the queue.",
+     {},
+     duration_bounds_s},
+    {"stage_duration_seconds", "The stages of renders.", {"stage"}, duration_bounds_s},
+    {"renders_total", "Renders done."},
+    {"renders_cancelled_total",
+     "Renders stopped because their client left, their job was deleted, or the server ended."},
+    {"renders_shared_total", "Requests that waited for another's render of the same picture."},
+    {"pixels_rendered_total", "Pixels of the renders done."},
+    {"samples_rendered_total", "Samples in the images of the renders done."},
+    {"pixels_clamped_total",
+     "Pixels of the renders done with a sample brighter than 1, which is cut off."},
+    {"pixels_nan_total",
+     "Pixels of the renders done with a sample that was no number: 0, or a fault here."},
+    {"trace_actual_to_predicted_ratio",
+     "Trace time over the time predicted, of renders whose plan was asked for before.",
+     {},
+     ratio_bounds},
+    {"trace_predicted_seconds_total",
+     "Trace time predicted, of renders whose plan was asked for before."},
+    {"trace_actual_seconds_total",
+     "Trace time taken by the renders whose plan was asked for before."},
+    {"renders_running", "Renders and plans in an admission slot."},
+    {"queue_length", "Renders and plans that wait for an admission slot."},
+    {"queue_limit", "The most that may wait (--max-queue)."},
+    {"jobs", "Jobs that are not forgotten, by status.", {"status"}},
+    {"event_streams_open", "Event streams about jobs."},
+    {"cache_hits_total", "Look-ups that found it.", {"cache"}},
+    {"cache_misses_total", "Look-ups that did not.", {"cache"}},
+    {"cache_evictions_total", "What went because the memory was full.", {"cache"}},
+    {"cache_entries", "What is kept now.", {"cache"}},
+    {"cache_bytes", "The memory that it takes.", {"cache"}},
+    {"build_info",
+     "What this server is; its value is always 1.",
+     {"version", "build_id", "instruction_set"}},
+    {"render_threads", "Threads that trace (--threads)."},
+    {"process_resident_memory_bytes", "Memory that the process holds."},
+    {"process_threads", "Threads of the process."},
+}};
+
+/// A family by its name; one that is not in the table does not compile.
+class MetricName {
+ public:
+  consteval MetricName(const char* name) {
+    while (metric_table[row_].name != name) ++row_;
+  }
+  std::size_t row() const { return row_; }
+
+ private:
+  std::size_t row_ = 0;
+};
 
 /// Every member function may be called from any thread.
 class Metrics {
  public:
+  /// Of the family's labels, in their order.
+  using LabelValues = std::initializer_list<std::string_view>;
+
   Metrics();
 
-  /// A request to a route of the table ("GET", "/jobs/{id}"), or to none, was answered.
-  void answered(std::string_view method, std::string_view route, int status, double seconds);
+  /// Of a counter.
+  void add(MetricName name, double amount = 1, LabelValues values = {});
+  /// Of a gauge, or of a counter that is kept elsewhere.
+  void set(MetricName name, double value, LabelValues values = {});
+  /// Of a histogram.
+  void observe(MetricName name, double value, LabelValues values = {});
 
-  /// A request was refused with this status, of which 413, 429 and 503 are shown.
-  void refused(int status);
-
-  /// A render was admitted after `queue_ms`.
-  void waited(double queue_ms);
-
-  void took(Stage stage, double ms);
+  /// A part of a render's time, as Server-Timing names it.
+  void took(std::string_view stage, double ms);
 
   /// A rendering is done. `digest` says whose, if the same scene may have been planned before.
   void rendered(const RenderReport& report, const std::optional<std::string>& digest);
 
-  /// A render was stopped before it was done, or before it began.
-  void cancelled();
-
   /// The trace time of a scene was predicted: rendered() compares.
   void predicted(const std::optional<std::string>& digest, const Prediction& prediction);
 
-  void write(Exposition& out) const;
+  /// All of them in the text format, version 0.0.4:
+  /// https://prometheus.io/docs/instrumenting/exposition_formats/
+  std::string text() const;
 
  private:
-  using RouteKey = std::pair<std::string, std::string>;  ///< method, pattern
+  struct Series {
+    double value = 0;                      ///< a histogram's sum
+    std::vector<std::uint64_t> buckets{};  ///< of each bound alone; the last of what is beyond all
+  };
 
-  void observe(Stage stage, double ms);  ///< with the mutex held
+  /// With the mutex held.
+  Series& series(std::size_t row, LabelValues values);
 
   mutable std::mutex mutex_;
-  std::map<std::pair<RouteKey, int>, std::uint64_t> requests_;
-  std::map<RouteKey, Histogram> request_seconds_;
-  std::map<int, std::uint64_t> refused_;
-  Histogram queue_seconds_;
-  std::vector<Histogram> stage_seconds_;
-  std::uint64_t renders_ = 0;
-  std::uint64_t cancelled_ = 0;
-  double pixels_ = 0;
-  double samples_ = 0;
-  double clamped_pixels_ = 0;
-  double nan_pixels_ = 0;
+  /// Of each family, by the values of its labels.
+  std::array<std::map<std::vector<std::string>, Series>, metric_table.size()> series_;
   LruCache<double> predicted_ms_{64};  ///< of the scenes planned last, by digest; one counts 1
-  Histogram actual_to_predicted_;
-  double predicted_s_ = 0;
-  double actual_s_ = 0;
 };
 
 }  // namespace raytracer

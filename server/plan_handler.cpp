@@ -4,7 +4,6 @@
 #include "engine/engine.h"
 #include "server/answer.h"
 #include "server/handlers.h"
-#include "server/image_answer.h"
 #include "server/query.h"
 #include "server/run_admitted.h"
 #include "server/scene_request.h"
@@ -12,19 +11,19 @@
 namespace raytracer {
 
 void post_plan(Services& services, Call& call) {
-  const RenderQuery query = read_query(call.request.target, QueryOf::render);
-  const SceneRequest request = read_scene_request(call, query, services);
+  const SceneView view = read_scene_request(call, read_query(call.request.params), services);
+  RenderProgress progress;
+  const auto watched =
+      services.disconnect_watch.watch(call.request, [&] { services.admission.stop(progress); });
   std::optional<Forecast> foreseen;
-  run_admitted(services, call, [&](RenderProgress& progress) {
-    foreseen = forecast(request.scene, services.config.limits, services.machine_costs,
-                        services.pool, progress);
+  run_admitted(services, progress, [&] {
+    foreseen = forecast(view.scene, services.config.limits, services.machine_costs, services.pool,
+                        progress);
     return foreseen.has_value();
   });
-  services.metrics.predicted(reproducible_digest(request), foreseen->prediction);
-  answer_bytes(call.response, explain(request.scene, foreseen->plan, foreseen->prediction),
+  services.metrics.predicted(view.picture_digest(), foreseen->prediction);
+  answer_bytes(call.response, explain(view.scene, foreseen->plan, foreseen->prediction),
                "application/json");
-  // Its times are those of a moment.
-  call.response.set_header("Cache-Control", "no-store");
 }
 
 }  // namespace raytracer

@@ -5,37 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 namespace raytracer {
+namespace {
 
-int status_of(std::span<const Error> errors) {
-  const auto any = [&](ErrorKind kind) {
-    return std::any_of(errors.begin(), errors.end(),
-                       [kind](const Error& error) { return error.kind == kind; });
-  };
-  if (any(ErrorKind::syntax)) return 400;
-  return any(ErrorKind::invalid) ? 422 : 413;
-}
-
-Problem scene_problem(std::vector<Error> errors) {
-  const int status = status_of(errors);
-  std::string detail = errors.front().detail;
-  if (status != 400 && errors.size() > 1) {
-    const bool is_cut_off = errors.back().pointer.empty();  // by a last one that counts the rest
-    detail = fmt::format("The scene has {} errors; the first, at {}: {}",
-                         is_cut_off ? "many" : std::to_string(errors.size()),
-                         errors.front().pointer, detail);
-  } else if (status != 400) {
-    const std::string& pointer = errors.front().pointer;
-    detail = pointer.empty() ? "The document " + detail : fmt::format("{}: {}", pointer, detail);
-  }
-  return {status, std::move(detail), std::move(errors)};
-}
-
-Problem internal_error() { return {500, "The server failed on this request; its log says why"}; }
-
-Problem client_closed_request() { return {499, "The client has left"}; }
-
+/// HTTP's own phrase for a status.
 std::string_view title_of(int status) {
   static constexpr std::array<std::pair<int, std::string_view>, 16> titles{{
       {400, "Bad Request"},
@@ -59,6 +34,34 @@ std::string_view title_of(int status) {
     if (code == status) return title;
   return "Internal Server Error";
 }
+
+}  // namespace
+
+void refuse(int status, std::string detail,
+            std::vector<std::pair<std::string, std::string>> headers) {
+  throw HttpError({status, std::move(detail), {}, std::move(headers)});
+}
+
+Problem scene_problem(std::vector<Error> errors) {
+  const auto any = [&](ErrorKind kind) {
+    return std::any_of(errors.begin(), errors.end(),
+                       [kind](const Error& error) { return error.kind == kind; });
+  };
+  const int status = any(ErrorKind::syntax) ? 400 : any(ErrorKind::invalid) ? 422 : 413;
+  std::string detail = errors.front().detail;
+  if (status != 400 && errors.size() > 1) {
+    const bool is_cut_off = errors.back().pointer.empty();  // by a last one that counts the rest
+    detail = fmt::format("The scene has {} errors; the first, at {}: {}",
+                         is_cut_off ? "many" : std::to_string(errors.size()),
+                         errors.front().pointer, detail);
+  } else if (status != 400) {
+    const std::string& pointer = errors.front().pointer;
+    detail = pointer.empty() ? "The document " + detail : fmt::format("{}: {}", pointer, detail);
+  }
+  return {status, std::move(detail), std::move(errors)};
+}
+
+Problem internal_error() { return {500, "The server failed on this request; its log says why"}; }
 
 std::string to_json(const Problem& problem) {
   nlohmann::ordered_json json{{"type", "about:blank"},

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <exception>
-#include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,21 +30,16 @@ class HttpError : public std::exception {
   Problem problem_;
 };
 
-/// The status for a non-empty list of a scene's errors: not JSON 400, against the rules 422, and
-/// only if nothing but limits is exceeded 413.
-int status_of(std::span<const Error> errors);
+/// Ends a request with a problem of this status; 499 is for a client that has left, and its log.
+[[noreturn]] void refuse(int status, std::string detail,
+                         std::vector<std::pair<std::string, std::string>> headers = {});
 
-/// The answer to a document with these errors, all of them.
+/// The answer to a document with these errors, at least one, all of them: not JSON 400, against the
+/// rules 422, and only if nothing but limits is exceeded 413.
 Problem scene_problem(std::vector<Error> errors);
 
 /// 500: what is wrong is the server's business, and in its log.
 Problem internal_error();
-
-/// 499, which nobody reads: it is what the log then shows.
-Problem client_closed_request();
-
-/// HTTP's own phrase for a status.
-std::string_view title_of(int status);
 
 /// application/problem+json. Bytes that are not UTF-8 are replaced, never refused.
 std::string to_json(const Problem& problem);

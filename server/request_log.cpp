@@ -11,31 +11,21 @@
 namespace raytracer {
 namespace {
 
-/// A text between quotes on one line of a terminal: no quotes, no control characters.
-std::string escaped(std::string_view text) {
+/// On one line of a terminal, between quotes: no quotes, no control characters, no endless length.
+std::string escaped(std::string_view text, char least = ' ') {
+  constexpr std::size_t most = 200;
   std::string result;
-  for (const char c : text) {
-    if (c >= ' ' && c < '\x7f' && c != '"' && c != '\\')
+  for (const char c : text.substr(0, most)) {
+    if (c >= least && c < '\x7f' && c != '"' && c != '\\')
       result += c;
     else
       result += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
   }
-  return result;
+  return text.size() > most ? result + "..." : result;
 }
 
-/// A client's text: no spaces either, and no endless length.
-std::string printable(std::string_view text) {
-  constexpr std::size_t most = 200;
-  std::string result;
-  for (const char c : escaped(text.substr(0, most))) {
-    if (c == ' ')
-      result += "\\x20";
-    else
-      result += c;
-  }
-  if (text.size() > most) result += "...";
-  return result.empty() ? "-" : result;
-}
+/// A client's text, as one word.
+std::string word(std::string_view text) { return text.empty() ? "-" : escaped(text, '!'); }
 
 /// What an id may be that comes from outside: it stands in the log and in the answer.
 bool is_plain_id(std::string_view text) {
@@ -85,9 +75,9 @@ double RequestLog::end(const httplib::Request& request, const httplib::Response&
   if (quiet_) return took.count();
   const std::string length = response.get_header_value("Content-Length");
   print_line(fmt::format("id={} request=\"{} {}\" status={} duration_ms={:.1f} bytes={} client={}",
-                         ended.id, printable(request.method), printable(request.target),
-                         response.status, took.count() * 1000, length.empty() ? "-" : length,
-                         printable(request.remote_addr)));
+                         ended.id, word(request.method), word(request.target), response.status,
+                         took.count() * 1000, length.empty() ? "-" : length,
+                         word(request.remote_addr)));
   return took.count();
 }
 

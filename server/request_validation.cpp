@@ -1,10 +1,15 @@
 #include "server/request_validation.h"
 
 #include <fmt/format.h>
+#include <openssl/crypto.h>
+
+#include <string>
+#include <string_view>
 
 #include "server/body.h"
+#include "server/etag.h"
 #include "server/problem.h"
-#include "server/token.h"
+#include "server/request_text.h"
 
 namespace raytracer {
 namespace {
@@ -15,8 +20,8 @@ constexpr std::size_t longest_target = 2048;
 
 void require_short_target(const httplib::Request& request) {
   if (request.target.size() > longest_target)
-    throw HttpError({414, fmt::format("The request's target has {} characters; at most {} are read",
-                                      request.target.size(), longest_target)});
+    refuse(414, fmt::format("The request's target has {} characters; at most {} are read",
+                            request.target.size(), longest_target));
 }
 
 /// "Content-Length : 5" is a body to some and none to others, which smuggles requests through
@@ -24,23 +29,67 @@ void require_short_target(const httplib::Request& request) {
 void require_plain_field_names(const httplib::Request& request) {
   for (const auto& [name, value] : request.headers)
     if (name.find_first_of(" \t") != std::string::npos)
-      throw HttpError({400, "A header field's name contains white space"});
+      refuse(400, "A header field's name contains white space");
 }
 
 /// RFC 9112, 3.2: proxies would route by the one or by the other.
 void require_one_host(const httplib::Request& request) {
   if (request.version == "HTTP/1.1" && request.get_header_value_count("Host") != 1)
-    throw HttpError({400, "A request must have one Host field"});
+    refuse(400, "A request must have one Host field");
+}
+
+/// Whether an Authorization field carries the bearer token (RFC 6750). The time that this takes
+/// says nothing about where they differ, nor about the token's length: digests have one length.
+bool carries_token(std::string_view authorization, const std::string& token) {
+  constexpr std::string_view scheme = "bearer ";
+  if (lower_case(authorization.substr(0, scheme.size())) != scheme) return false;
+  const std::string given = sha256_hex(trimmed(authorization.substr(scheme.size())));
+  const std::string expected = sha256_hex(token);
+  return CRYPTO_memcmp(given.data(), expected.data(), expected.size()) == 0;
 }
 
 void require_token(const httplib::Request& request, const std::string& token) {
   const bool is_open = request.path == "/healthz" || request.path == "/readyz";
   if (token.empty() || is_open) return;
   if (carries_token(request.get_header_value("Authorization"), token)) return;
-  throw HttpError({401,
-                   "This server wants a token: send Authorization: Bearer TOKEN",
-                   {},
-                   {{"WWW-Authenticate", "Bearer realm=\"raytracer\""}}});
+  refuse(401, "This server wants a token: send Authorization: Bearer TOKEN",
+         {{"WWW-Authenticate", "Bearer realm=\"raytracer\""}});
+}
+
+bool is_json(const httplib::Request& request) {
+  const std::string type = request.get_header_value("Content-Type");
+  return lower_case(trimmed(std::string_view(type).substr(0, type.find(';')))) ==
+         "application/json";
+}
+
+/// For requests that have no body.
+void require_no_body(const httplib::Request& request) {
+  if (announces_body(request))
+    refuse(400, fmt::format("{} takes no body here; send it without one", request.method));
+}
+
+/// For requests whose body is a scene, unless the query names one.
+void require_scene_body(const httplib::Request& request, std::int64_t most_bytes) {
+  if (request.has_header("Transfer-Encoding"))
+    refuse(411, "Bodies must come with a Content-Length, not with Transfer-Encoding");
+  const std::string coding = header_list(request, "Content-Encoding");
+  if (!coding.empty() && lower_case(coding) != "identity")
+    refuse(415, fmt::format("Content-Encoding \"{}\" is not supported; send the scene as it is",
+                            coding));
+  const std::optional<std::int64_t> length = body_length(request);
+  if (request.has_param("scene")) {
+    if (length.value_or(0) > 0)
+      refuse(400, "The query names a scene and the body is one: send one of them only");
+    return;
+  }
+  if (!length) refuse(411, "Content-Length is missing: send a scene as the body, or name ?scene=");
+  if (*length > most_bytes)
+    refuse(413, fmt::format("The body has {} bytes, but this server accepts {} ({})", *length,
+                            most_bytes, row_of(&Limits::body).flag));
+  if (!is_json(request))
+    refuse(415,
+           "The body must be a scene with Content-Type: application/json "
+           "(curl: -H 'Content-Type: application/json')");
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "engine/engine.h"
-#include "server/call.h"
 #include "server/services.h"
 
 namespace raytracer {
@@ -15,9 +14,5 @@ namespace raytracer {
 /// work returns false: it was stopped.
 double run_admitted(Services& services, RenderProgress& progress,
                     const std::function<bool()>& work);
-
-/// The same for a call of its own: stopped when its client leaves.
-void run_admitted(Services& services, const Call& call,
-                  const std::function<bool(RenderProgress&)>& work);
 
 }  // namespace raytracer

@@ -5,7 +5,6 @@
 #include "server/answer.h"
 #include "server/handlers.h"
 #include "server/problem.h"
-#include "server/query.h"
 #include "server/scene_request.h"
 
 namespace raytracer {
@@ -26,22 +25,21 @@ void get_scene(Services& services, Call& call) {
 }
 
 void post_scene(Services& services, Call& call) {
-  if (!split_query(call.request.target).empty())
-    throw HttpError({400, "POST /scenes takes no query: views of the scene say theirs later"});
+  if (!call.request.params.empty())
+    refuse(400, "POST /scenes takes no query: views of the scene say theirs later");
   PostedDocument posted = read_document(call, services);
-  const SceneRequest request = find_scene(posted.text, {}, services);
-  const Scene& scene = request.known->scene;
-  const auto [id, bytes] = services.scenes.keep({request.known, std::move(posted.text)});
+  const SceneView view = find_scene(posted.text, {}, services);
+  const Scene& scene = view.known->scene;
+  const auto kept = services.scenes.keep(view.known, std::move(posted.text));
   answer_json(call.response, 201,
-              {{"id", id},
+              {{"id", kept->id},
                {"objects", count_objects(scene)},
                {"lights", scene.lights.size()},
                {"width", scene.camera.width},
                {"height", scene.camera.height},
-               {"bytes", bytes},
-               {"render", "/render?scene=" + id}});
-  call.response.set_header("Location", "/scenes/" + id);
-  call.response.set_header("Cache-Control", "no-store");
+               {"bytes", kept->bytes},
+               {"render", "/render?scene=" + kept->id}});
+  call.response.set_header("Location", "/scenes/" + kept->id);
 }
 
 }  // namespace raytracer

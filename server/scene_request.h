@@ -4,25 +4,17 @@
 #include <string>
 #include <string_view>
 
-#include "engine/engine.h"
-#include "server/body_budget.h"
 #include "server/call.h"
 #include "server/query.h"
 #include "server/scenes.h"
+#include "server/services.h"
 
 namespace raytracer {
-
-struct Services;
 
 /// What was posted, and its share of the memory for that.
 struct PostedDocument {
   std::string text;
-  BodyBudget::Reservation memory;
-};
-
-struct SceneRequest : SceneView {
-  double parse_ms = 0;             ///< to find or read the scene, and to judge the view
-  BodyBudget::Reservation memory;  ///< of the body that came with the request
+  Quota::Share memory;
 };
 
 /// The body. Throws HttpError if it is late or too much for now, and 503 while draining.
@@ -30,10 +22,10 @@ PostedDocument read_document(Call& call, Services& services);
 
 /// The scene that the query names, or else the document's, with the query's values over its own.
 /// Throws HttpError for everything that can be wrong with either.
-SceneRequest find_scene(std::string_view document, const RenderQuery& query, Services& services);
+SceneView find_scene(std::string_view document, const RenderQuery& query, Services& services);
 
 /// Alike, with the request's body as the document: it is gone once it was read, the scene has all
 /// of it. Throws HttpError, 503 while draining.
-SceneRequest read_scene_request(Call& call, const RenderQuery& query, Services& services);
+SceneView read_scene_request(Call& call, const RenderQuery& query, Services& services);
 
 }  // namespace raytracer

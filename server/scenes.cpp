@@ -43,6 +43,11 @@ std::size_t bytes_of(const KnownScene& known) {
 
 }  // namespace
 
+std::optional<std::string> SceneView::picture_digest() const {
+  if (scene.render.budget_ms) return {};
+  return raytracer::picture_digest(known->content_digest, scene);
+}
+
 Scenes::Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_kept,
                std::size_t most_read)
     : catalog_(catalog), limits_(limits), kept_(most_kept), read_(most_read) {}
@@ -71,25 +76,24 @@ SceneView Scenes::view(std::shared_ptr<const KnownScene> known, const Overrides&
   return {std::move(known), view.value()};
 }
 
-Scenes::Place Scenes::keep(KeptScene scene) {
-  const KnownScene& known = *scene.known;
-  scene.document.shrink_to_fit();
-  const std::size_t bytes = bytes_of(known) + sizeof scene + scene.document.capacity() + id_length;
-  std::string id = sha256_hex(without_white_space(scene.document)).substr(0, id_length);
-  if (kept_.keep(id, std::make_shared<const KeptScene>(std::move(scene)), bytes))
-    return {std::move(id), bytes};
-  throw HttpError(
-      {413, fmt::format("The scene takes {} bytes in memory, but this server keeps {} in "
-                        "all (--max-kept); POST it to /render instead",
-                        bytes, kept_.most_bytes())});
+std::shared_ptr<const KeptScene> Scenes::keep(std::shared_ptr<const KnownScene> known,
+                                              std::string document) {
+  document.shrink_to_fit();
+  const std::size_t bytes = bytes_of(*known) + sizeof(KeptScene) + document.capacity() + id_length;
+  std::string id = sha256_hex(without_white_space(document)).substr(0, id_length);
+  const auto scene = std::make_shared<const KeptScene>(
+      KeptScene{std::move(known), std::move(document), std::move(id), bytes});
+  if (kept_.keep(scene->id, scene, bytes)) return scene;
+  refuse(413, fmt::format("The scene takes {} bytes in memory, but this server keeps {} in "
+                          "all (--max-kept); POST it to /render instead",
+                          bytes, kept_.most_bytes()));
 }
 
 std::shared_ptr<const KeptScene> Scenes::kept_at(std::string_view id) {
   if (auto scene = kept_.find(id)) return scene;
-  throw HttpError(
-      {404, fmt::format("There is no scene \"{}\": it was never posted, or was forgotten "
-                        "because others needed the memory; POST it to /scenes again",
-                        id)});
+  refuse(404, fmt::format("There is no scene \"{}\": it was never posted, or was forgotten "
+                          "because others needed the memory; POST it to /scenes again",
+                          id));
 }
 
 SceneView Scenes::at(std::string_view name, const Overrides& overrides) {

@@ -7,12 +7,14 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "engine/engine.h"
 #include "server/catalog.h"
 #include "server/lru_cache.h"
+#include "server/quota.h"
 
 namespace raytracer {
 
@@ -26,12 +28,20 @@ struct KnownScene {
 struct KeptScene {
   std::shared_ptr<const KnownScene> known;
   std::string document;
+  std::string id;         ///< 32 hexadecimal digits, the same for what differs in white space only
+  std::size_t bytes = 0;  ///< the memory that it takes
 };
 
 /// A scene as one request wants to see it.
 struct SceneView {
   std::shared_ptr<const KnownScene> known;
   Scene scene;
+  double parse_ms = 0;         ///< to find or read the scene, and to judge the view
+  Quota::Share body_memory{};  ///< of the body that came with the request
+
+  /// What decides the picture, if the same request would give the same bytes again. A time budget
+  /// does not: how far it gets differs from run to run.
+  std::optional<std::string> picture_digest() const;
 };
 
 /// Every member function may be called from any thread.
@@ -48,14 +58,9 @@ class Scenes {
   /// 404, or with the view's errors.
   SceneView at(std::string_view name, const Overrides& overrides);
 
-  /// Where a posted scene was put, and the memory that it takes there.
-  struct Place {
-    std::string id;  ///< 32 hexadecimal digits, the same for documents that differ in white space
-    std::size_t bytes;
-  };
-
   /// Keeps it, so that at() finds it by its id. Throws HttpError 413 if it is too large for that.
-  Place keep(KeptScene scene);
+  std::shared_ptr<const KeptScene> keep(std::shared_ptr<const KnownScene> known,
+                                        std::string document);
 
   /// Its document, which is not read for that. Throws HttpError 404.
   std::string document(std::string_view name);

@@ -2,19 +2,18 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "engine/engine.h"
 #include "server/admission.h"
-#include "server/body_budget.h"
 #include "server/catalog.h"
 #include "server/config.h"
 #include "server/disconnect_watch.h"
 #include "server/etag.h"
-#include "server/event_streams.h"
 #include "server/image_cache.h"
+#include "server/job_events.h"
 #include "server/jobs.h"
 #include "server/metrics.h"
+#include "server/quota.h"
 #include "server/request_log.h"
 #include "server/scenes.h"
 
@@ -27,27 +26,29 @@ struct Services {
   explicit Services(const Config& configuration)
       : config(configuration),
         log(config.quiet),
-        body_budget(2 * config.limits.body),
+        body_memory(2 * config.limits.body,
+                    "The bodies of other requests fill the memory for them; try again later"),
         admission(renders_at_once, config.max_queue),
         pool(config.threads),
         renderer_id(renderer_id_of(this_machine())),
         machine_costs(measure_machine_costs(pool)),
         scenes(catalog, config.limits, config.max_kept, config.max_cache),
         image_cache(config.max_cache, admission, disconnect_watch),
-        jobs(admission, pool, config.limits, renders_at_once, metrics,
-             [this](std::string_view text) { log.note(text); }) {}
+        jobs(admission, pool, config.limits, metrics, log) {}
 
   const Config config;
   RequestLog log;
   Metrics metrics{};
   const Catalog catalog{};
-  BodyBudget body_budget;
+  Quota body_memory;  ///< also for the scenes read from them: --max-body bounds a single one
   Admission admission;
   WorkerPool pool;
   const std::string renderer_id;     ///< in the entity tags of pictures
   const MachineCosts machine_costs;  ///< measured before anyone waits
   DisconnectWatch disconnect_watch{};
-  EventStreams event_streams{};
+  Quota event_streams{most_event_streams,
+                      "All event streams of this server are open; ask for the job itself from time "
+                      "to time instead"};
   Scenes scenes;
   ImageCache image_cache;
   Jobs jobs;  ///< ends first: its threads use what is above

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -59,19 +58,14 @@ Json contract_json(const CurvePoint& point) {
 
 }  // namespace
 
-RenderQuery curve_query(RenderQuery query) {
-  Overrides& over = query.overrides;
-  const std::array<std::pair<bool, std::string_view>, 4> varied{
-      {{over.samples.has_value(), "samples"},
-       {over.target_rmse.has_value(), "target_rmse"},
-       {over.budget_ms.has_value(), "budget_ms"},
-       {over.precision.has_value(), "precision"}}};
-  for (const auto& [given, name] : varied)
-    if (given)
-      throw HttpError({400, fmt::format("The query parameter \"{}\" does not go with "
-                                        "\"task=tradeoff\", which tries many values: leave it out",
-                                        name)});
-  over.samples = 1;
+RenderQuery read_curve_query(const httplib::Params& params) {
+  for (const char* const varied : {"samples", "target_rmse", "budget_ms", "precision"})
+    if (params.count(varied) > 0)
+      refuse(400, fmt::format("The query parameter \"{}\" does not go with "
+                              "\"task=tradeoff\", which tries many values: leave it out",
+                              varied));
+  RenderQuery query = read_query(params);
+  query.overrides.samples = 1;
   return query;
 }
 

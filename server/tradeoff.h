@@ -13,7 +13,7 @@ inline constexpr double most_curve_ms = 30'000;
 
 /// The query to read the scene with: the document's samples and contracts count for nothing.
 /// Throws HttpError 400 for a parameter that sets what a curve varies.
-RenderQuery curve_query(RenderQuery query);
+RenderQuery read_curve_query(const httplib::Params& params);
 
 /// Throws HttpError 413 if the shortest curve of this scene is more than the limits allow.
 void require_room_for_curve(const Scene& scene, const Limits& limits);

@@ -1,14 +1,14 @@
 // GET /metrics: Prometheus' text format, and that the figures are those of what happened.
+#include "server/metrics.h"
+
 #include <gtest/gtest.h>
 
-#include <array>
 #include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 
-#include "server/exposition.h"
 #include "tests/process/patience.h"
 #include "tests/process/program.h"
 #include "tests/service/documents.h"
@@ -105,9 +105,9 @@ class FormatRules {
 };
 
 /// A server that has met most of what can happen.
-class Metrics : public testing::Test {
+class ServerMetrics : public testing::Test {
  protected:
-  Metrics() {
+  ServerMetrics() {
     post(server_, "/plan", small_scene);
     post(server_, "/render", small_scene);
     post(server_, "/render?width=5000&height=5000", small_scene);
@@ -125,21 +125,21 @@ class Metrics : public testing::Test {
   ServerProcess server_;
 };
 
-TEST_F(Metrics, are_of_the_format) {
+TEST_F(ServerMetrics, are_of_the_format) {
   const Answer answer = get(server_, "/metrics");
   EXPECT_EQ(answer.status, 200);
   EXPECT_EQ(answer.get_header_value("Content-Type"), "text/plain; version=0.0.4; charset=utf-8");
   FormatRules().check(answer.body);
 }
 
-TEST_F(Metrics, please_promtool) {
+TEST_F(ServerMetrics, please_promtool) {
   if (run({"promtool", {"--version"}}).status == 127) GTEST_SKIP() << "there is no promtool here";
   const Outcome outcome = run({"promtool", {"check", "metrics"}, get(server_, "/metrics").body});
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
-TEST_F(Metrics, count_requests_by_route_and_status) {
+TEST_F(ServerMetrics, count_requests_by_route_and_status) {
   Samples samples = scrape(server_);
   const auto requests = [&](const std::string& labels) {
     return samples["raytracer_http_requests_total{" + labels + "}"];
@@ -155,7 +155,7 @@ TEST_F(Metrics, count_requests_by_route_and_status) {
       2);
 }
 
-TEST_F(Metrics, count_what_was_rendered) {
+TEST_F(ServerMetrics, count_what_was_rendered) {
   Samples samples = scrape(server_);
   EXPECT_EQ(samples["raytracer_renders_total"], 2);
   EXPECT_EQ(samples["raytracer_pixels_rendered_total"], 2 * 12 * 8);
@@ -172,7 +172,7 @@ TEST_F(Metrics, count_what_was_rendered) {
   EXPECT_EQ(samples[R"(raytracer_jobs{status="queued"})"], 0);
 }
 
-TEST_F(Metrics, count_pixels_that_are_clamped) {
+TEST_F(ServerMetrics, count_pixels_that_are_clamped) {
   const double before = scrape(server_).at("raytracer_pixels_clamped_total");
   nlohmann::json bright = nlohmann::json::parse(small_scene);
   bright["ambient"] = 1;
@@ -184,7 +184,7 @@ TEST_F(Metrics, count_pixels_that_are_clamped) {
   EXPECT_GT(scrape(server_).at("raytracer_pixels_clamped_total"), before);
 }
 
-TEST_F(Metrics, compare_the_prediction_with_what_came) {
+TEST_F(ServerMetrics, compare_the_prediction_with_what_came) {
   Samples samples = scrape(server_);
   EXPECT_EQ(samples["raytracer_trace_actual_to_predicted_ratio_count"], 1)
       << "of the two renders, one was planned";
@@ -192,7 +192,7 @@ TEST_F(Metrics, compare_the_prediction_with_what_came) {
   EXPECT_GT(samples["raytracer_trace_actual_seconds_total"], 0);
 }
 
-TEST_F(Metrics, say_what_the_process_is_and_takes) {
+TEST_F(ServerMetrics, say_what_the_process_is_and_takes) {
   const Answer answer = get(server_, "/metrics");
   const nlohmann::json version = json_of(get(server_, "/version"));
   EXPECT_NE(answer.body.find(fmt::format(
@@ -242,30 +242,20 @@ TEST(MetricsOfDisconnects, count_the_render_of_a_client_that_left) {
   EXPECT_TRUE(eventually([&] { return scrape(server)["raytracer_renders_cancelled_total"] == 1; }));
 }
 
-TEST(Exposition, escapes_labels_and_counts_up_to_each_bound) {
-  constexpr std::array<double, 2> bounds{0.5, 2};
-  Histogram histogram(bounds);
-  for (const double value : {0.25, 0.5, 1.0, 4.0}) histogram.observe(value);
-  Exposition out;
-  out.family("x_seconds", "histogram", "Help.");
-  out.sample(histogram, {{"a", "quote\" back\\ line\n"}});
-  const std::string label = R"(a="quote\" back\\ line\n")";
-  EXPECT_EQ(out.text(),
-            "# HELP x_seconds Help.\n# TYPE x_seconds histogram\n"
-            "x_seconds_bucket{" +
-                label +
-                ",le=\"0.5\"} 2\n"
-                "x_seconds_bucket{" +
-                label +
-                ",le=\"2\"} 3\n"
-                "x_seconds_bucket{" +
-                label +
-                ",le=\"+Inf\"} 4\n"
-                "x_seconds_sum{" +
-                label +
-                "} 5.75\n"
-                "x_seconds_count{" +
-                label + "} 4\n");
+TEST(MetricsText, escapes_labels_and_counts_up_to_each_bound) {
+  raytracer::Metrics metrics;
+  for (const double seconds : {0.05, 0.1, 0.25, 5000.0})
+    metrics.observe("http_request_duration_seconds", seconds, {"quote\" back\\ line\n", "/x"});
+  const std::string text = metrics.text();
+  const std::string name = "raytracer_http_request_duration_seconds";
+  const std::string label = R"({method="quote\" back\\ line\n",route="/x")";
+  for (const std::string& line : std::initializer_list<std::string>{
+           "# TYPE " + name + " histogram\n", name + "_bucket" + label + ",le=\"0.03\"} 0\n",
+           name + "_bucket" + label + ",le=\"0.1\"} 2\n",
+           name + "_bucket" + label + ",le=\"0.3\"} 3\n",
+           name + "_bucket" + label + ",le=\"+Inf\"} 4\n", name + "_sum" + label + "} 5000.4\n",
+           name + "_count" + label + "} 4\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
 }
 
 }  // namespace

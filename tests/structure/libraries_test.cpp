@@ -36,9 +36,8 @@ TEST(Libraries, json_is_where_json_is_read_or_written) {
            path == "server/tradeoff.h" ||                // writes curves (forward declarations)
            path == "server/tradeoff.cpp" ||              //
            path == "server/catalog.cpp" ||               // reads the shipped scenes' descriptions
-           path == "server/openapi.h" ||                 // writes OpenAPI (forward declarations)
-           path == "server/openapi.cpp" ||               //
-           path == "server/query.cpp" ||                 // reads numbers as JSON writes them
+           path == "server/openapi_handler.cpp" ||       // writes OpenAPI
+           path == "server/request_text.cpp" ||          // reads numbers as JSON writes them
            path == "client/api.cpp" ||                   // reads answers
            path == "client/plan_text.cpp" ||             // reads plans
            path == "client/curve.cpp" ||                 // reads curves
@@ -64,7 +63,7 @@ TEST(Libraries, compression_is_in_one_file) {
 
 TEST(Libraries, digests_are_in_two_files) {
   expect_users("openssl/", [](const std::string& path) {
-    return path == "server/etag.cpp" || path == "server/token.cpp";
+    return path == "server/etag.cpp" || path == "server/request_validation.cpp";
   });
 }
 

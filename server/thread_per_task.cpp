@@ -1,46 +1,35 @@
-#include "server/connection_threads.h"
+#include "server/thread_per_task.h"
 
-#include <sys/resource.h>
-
-#include <algorithm>
 #include <chrono>
 #include <system_error>
 #include <utility>
 
 namespace raytracer {
 
-std::size_t most_connections() {
-  constexpr rlim_t most = 2048;
-  rlimit descriptors{};
-  if (getrlimit(RLIMIT_NOFILE, &descriptors) != 0) return most;
-  return static_cast<std::size_t>(std::min(descriptors.rlim_cur, most));
-}
-
-void ConnectionThreads::enqueue(std::function<void()> serve) {
+void ThreadPerTask::enqueue(std::function<void()> task) {
   std::vector<std::thread> ended;
   {
     const std::scoped_lock lock(mutex_);
     ended.swap(ended_);
-    waiting_.push_back(std::move(serve));
-    if (waiting_.size() > idle_ && threads_.size() < most_) start_thread();
+    if (waiting_.size() >= idle_ && threads_.size() < most_) start_thread();
+    waiting_.push_back(std::move(task));
   }
   changed_.notify_one();
   for (std::thread& thread : ended) thread.join();
 }
 
 /// With the mutex held: the thread does not look before it is among the others.
-void ConnectionThreads::start_thread() {
+void ThreadPerTask::start_thread() {
   try {
     std::thread thread([this] { work(); });
     const std::thread::id id = thread.get_id();
     threads_.emplace(id, std::move(thread));
   } catch (const std::system_error&) {
-    // The system has no more threads: the connection waits for one of those that there are.
     if (threads_.empty()) throw;
   }
 }
 
-void ConnectionThreads::work() {
+void ThreadPerTask::work() {
   constexpr std::chrono::seconds longest_idle{5};
   std::unique_lock lock(mutex_);
   for (;;) {
@@ -48,10 +37,11 @@ void ConnectionThreads::work() {
     changed_.wait_for(lock, longest_idle, [this] { return closing_ || !waiting_.empty(); });
     --idle_;
     if (waiting_.empty()) break;
-    const std::function<void()> serve = std::move(waiting_.front());
+    std::function<void()> task = std::move(waiting_.front());
     waiting_.pop_front();
     lock.unlock();
-    serve();
+    task();
+    task = nullptr;  // what it holds may take long to destroy
     lock.lock();
   }
   const auto self = threads_.find(std::this_thread::get_id());
@@ -60,7 +50,7 @@ void ConnectionThreads::work() {
   changed_.notify_all();
 }
 
-void ConnectionThreads::shutdown() {
+void ThreadPerTask::shutdown() {
   std::unique_lock lock(mutex_);
   closing_ = true;
   changed_.notify_all();

@@ -1,9 +1,9 @@
-// A thread for each connection, so that none waits for another that is silent.
+// A thread for each task, so that none waits for another that is silent or stands in a queue.
 //
 // httplib serves a connection on one thread from its first request to its end, and a silent one
 // holds its thread for seconds. With a fixed number of threads as many silent connections would
-// keep everybody waiting, /healthz among them. Here a thread is started whenever a connection finds
-// none idle, and ends when it has been idle for a while.
+// keep everybody waiting, /healthz among them. Here a thread is started whenever a task finds none
+// idle, and ends when it has been idle for a while. Jobs are run alike.
 #pragma once
 
 #include <httplib.h>
@@ -19,18 +19,16 @@
 
 namespace raytracer {
 
-/// How many connections are served at once: as many as the process may have descriptors, and no
-/// more than 2,048. More wait for one of them to end.
-std::size_t most_connections();
-
-/// What httplib hands its connections to. It calls shutdown() before the end.
-class ConnectionThreads : public httplib::TaskQueue {
+/// Also what httplib hands its connections to. shutdown() comes before the end.
+class ThreadPerTask : public httplib::TaskQueue {
  public:
-  explicit ConnectionThreads(std::size_t most) : most_(most) {}
+  explicit ThreadPerTask(std::size_t most) : most_(most) {}
 
-  void enqueue(std::function<void()> serve) override;
+  /// Beyond `most` tasks, or where the system has no more threads, the task waits for another to
+  /// end. Throws std::system_error, and the task is not run, if there is not a single thread.
+  void enqueue(std::function<void()> task) override;
 
-  /// Waits for the connections that are served, and serves those that wait.
+  /// Waits for the tasks that run, and runs those that wait.
   void shutdown() override;
 
  private:

@@ -1,10 +1,15 @@
-#include "server/openapi.h"
-
+// The service described for programs: OpenAPI 3.1.
+//
+// openapi.json says what is particular to each route, openapi.components.json what several share;
+// what is the same for all is added here, so that it is said once: the request's id, the refusals
+// that any request may meet, that refusals are problem+json, and the files of the page.
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
+#include "server/answer.h"
 #include "server/embedded.h"
+#include "server/handlers.h"
 
 namespace raytracer {
 namespace {
@@ -28,16 +33,6 @@ void complete_components(Json& responses) {
   }
 }
 
-Json page_file_operation(std::string_view media_type) {
-  const std::string type(media_type.substr(0, media_type.find(';')));
-  return {{"summary", "A file of the page"},
-          {"responses",
-           {{"200",
-             {{"description", "The file"},
-              {"headers", {{"Cache-Control", component("headers/cache_control")}}},
-              {"content", {{type, Json::object()}}}}}}}};
-}
-
 void complete_operation(Json& operation) {
   Json& responses = operation["responses"];
   for (auto& [status, response] : responses.items()) add_request_id(response);
@@ -45,8 +40,7 @@ void complete_operation(Json& operation) {
   responses["default"] = component("responses/problem");
 }
 
-}  // namespace
-
+/// The whole document.
 Json openapi_document() {
   Json document = Json::parse(embedded_file("openapi.json").bytes);
   Json& components = document["components"];
@@ -56,16 +50,11 @@ Json openapi_document() {
   for (auto& [path, item] : paths.items())
     for (auto& [method, operation] : item.items())
       if (method != "parameters") complete_operation(operation);
-
-  for (const EmbeddedFile& file : embedded_files()) {
-    if (!file.path.starts_with(page_folder)) continue;
-    Json get = page_file_operation(media_type_of(file.path));
-    complete_operation(get);
-    const std::string path(file.path.substr(page_folder.size()));
-    paths[path]["get"] = get;
-    if (path == "/index.html") paths["/"]["get"] = get;
-  }
   return document;
 }
+
+}  // namespace
+
+void get_openapi(Services&, Call& call) { answer_json(call.response, 200, openapi_document()); }
 
 }  // namespace raytracer
