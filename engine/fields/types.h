@@ -33,6 +33,14 @@ struct Types {
   using In = Target<T...>;
 };
 
+/// Does not compile, and the compiler names what is missing, unless each type of a list satisfies
+/// the concept that `check` asks for: a lambda []<Concept T>(std::type_identity<T>) {}.
+template <class List, class Check>
+constexpr bool each_satisfies(const Check& check) {
+  List::for_each(check);
+  return true;
+}
+
 /// The types of several lists, one behind the other.
 template <typename... List>
 struct Joined;

@@ -37,6 +37,10 @@ Tree build_primitive_tree(std::span<const Primitive> primitives, WorkerPool& poo
       pool);
 }
 
+/// One value of the primitives of a leaf.
+template <typename T>
+using BlockColumn = std::array<T, Tree::leaf_size>;
+
 /// As packets read it: below the boxes the primitives themselves, eight to a block of columns, a
 /// leaf a block.
 template <typename Block>

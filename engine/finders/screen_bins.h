@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -120,29 +121,37 @@ inline std::vector<float> distances_per_depth(const Projection& projection, cons
 
 }  // namespace screen_bins
 
-/// Bins of primitives, numbered by number(i), on the pool's threads. A kind whose screen_depth() is
-/// known is ordered by that, and one that has a screen_outline() is entered only where that
-/// reaches.
+/// A lower bound of the depth of what the image can show of a primitive: entries are then in order
+/// of that, and not of the distance from the eye.
+template <typename Primitive>
+concept HasScreenDepth = requires(const Projection& projection, const Primitive& p) {
+  { screen_depth(projection, p) } -> std::same_as<double>;
+};
+
+/// The sides between which it is seen: it is then entered only where those reach, and not in all of
+/// its footprint.
+template <typename Primitive>
+concept HasScreenOutline = requires(const View& view, const Primitive& p) {
+  screen_outline(view, p);
+};
+
+/// Bins of primitives, numbered by number(i), on the pool's threads.
 template <typename Primitive, typename Number>
 ScreenBins build_screen_bins(const View& view, std::span<const Primitive> primitives,
                              const Number& number, WorkerPool& pool) {
   using namespace screen_bins;
-  constexpr bool has_depth = requires(const Projection& p, const Primitive& of) {
-    screen_depth(p, of);
-  };
-  constexpr bool has_outline = requires(const Primitive& of) { screen_outline(view, of); };
   constexpr std::size_t padding = 64;  // longer than any vector of subtiles
   ScreenBins bins;
   bins.blocks = blocks_of(view);
   const Projection projection(view);
   std::vector<float> per_depth;
-  if constexpr (has_depth) per_depth = distances_per_depth(projection, bins.blocks);
+  if constexpr (HasScreenDepth<Primitive>) per_depth = distances_per_depth(projection, bins.blocks);
   const auto place = [&](std::size_t i) -> Placed<BinnedEntry> {
     const Primitive& primitive = primitives[i];
     const CellRectangle subtiles = subtiles_touched(footprint(projection, primitive), bins.blocks);
     if (subtiles.empty()) return {};
     double nearest = 0;
-    if constexpr (has_depth)
+    if constexpr (HasScreenDepth<Primitive>)
       nearest = screen_depth(projection, primitive);
     else
       nearest = nearest_distance(primitive);
@@ -151,9 +160,10 @@ ScreenBins build_screen_bins(const View& view, std::span<const Primitive> primit
   };
   const auto entry_in = [&](BinnedEntry binned, const CellRectangle& subtiles, int column,
                             int row) {
-    if constexpr (has_depth) binned.entry.nearest *= per_depth[bins.blocks.index(column, row)];
+    if constexpr (HasScreenDepth<Primitive>)
+      binned.entry.nearest *= per_depth[bins.blocks.index(column, row)];
     binned.subtiles = subtile_mask(subtiles, column, row);
-    if constexpr (has_outline)
+    if constexpr (HasScreenOutline<Primitive>)
       if (subtiles.x_end - subtiles.x_begin > subtiles_across &&
           subtiles.y_end - subtiles.y_begin > subtiles_across)
         binned.subtiles = subtiles_reached(screen_outline(view, primitives[binned.entry.primitive]),

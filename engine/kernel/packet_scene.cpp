@@ -1,7 +1,6 @@
 #include "engine/kernel/packet_scene.h"
 
 #include <algorithm>
-#include <limits>
 #include <span>
 
 #include "engine/parallel/chunks.h"
@@ -9,35 +8,13 @@
 namespace raytracer {
 namespace {
 
-/// So small that the sum over all lights, times any share, stays finite.
 template <typename T>
-T saturated(double channel) {
-  constexpr double most = std::numeric_limits<T>::max() / 1e6;
-  return static_cast<T>(std::min(channel, most));
-}
-template <typename T>
-Triple<T> saturated(const Rgb& emission) {
-  return {saturated<T>(emission.x), saturated<T>(emission.y), saturated<T>(emission.z)};
-}
-
-template <typename T>
-MaterialTable<T> make_material_table(const PackedScene& scene) {
-  MaterialTable<T> table;
-  table.memory.share_out(scene.materials.size(),
-                         {&table.red, &table.green, &table.blue, &table.ambient, &table.kd,
-                          &table.ks, &table.shininess, &table.reflectivity});
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    const Material& m = scene.materials[i];
-    table.red[i] = finite<T>(m.color.x);
-    table.green[i] = finite<T>(m.color.y);
-    table.blue[i] = finite<T>(m.color.z);
-    table.ambient[i] = saturated<T>(m.ka * scene.ambient);
-    table.kd[i] = finite<T>(m.kd);
-    table.ks[i] = finite<T>(m.ks);
-    table.shininess[i] = finite<T>(m.shininess);
-    table.reflectivity[i] = finite<T>(m.reflectivity);
-  }
-  return table;
+PacketMaterials<T> make_materials(const PackedScene& scene, const Features& features) {
+  PacketMaterials<T> materials{{}, features.has_specular, features.uniform_shininess};
+  materials.rows.reserve(scene.materials.size());
+  for (const Material& material : scene.materials)
+    materials.rows.push_back(MaterialRow<T>::of(material, scene.ambient));
+  return materials;
 }
 
 /// The geometry of one kind, and its rows of the table.
@@ -59,8 +36,9 @@ void make_geometry(const PackedScene& scene, const FinderRow& finders, WorkerPoo
     for (std::size_t i = begin; i < end; ++i) {
       const auto& primitive = primitives[i];
       const std::int32_t number = scene.numbers(primitive.id);
-      packed.primitives.set(static_cast<std::size_t>(number), Layout::row(primitive, i),
-                            static_cast<T>(scene.worn(primitive.id)));
+      PrimitiveRow<T>& row = packed.primitives[static_cast<std::size_t>(number)];
+      row = Layout::row(primitive, i);
+      row.material = static_cast<T>(scene.material_index(primitive.id));
       if (needs_items) geometry.items[i] = Layout::item(primitive, number);
     }
   });
@@ -88,7 +66,8 @@ void make_geometry(const PackedScene& scene, const FinderRow& finders, WorkerPoo
           },
           pool);
   }
-  geometry.eye = Layout::eye_view(primitives, finders, pool);
+  if constexpr (HasEyeView<Layout, typename Kind::Primitive>)
+    geometry.eye = Layout::eye_view(primitives, finders, pool);
   geometry.lights.reserve(scene.lights.size());
   for (const PackedLight& light : scene.lights)
     geometry.lights.push_back(Layout::light_view(primitives, light, finders, scene.numbers, pool));
@@ -101,8 +80,8 @@ template <typename T>
 bool exceed_caches(const Geometries<T>& geometries) {
   constexpr std::size_t caches = std::size_t{10} << 20;
   std::size_t bytes = 0;
-  geometries.for_each([&](const auto& geometry) {
-    if constexpr (requires { geometry.lights[0].bytes(); })
+  geometries.for_each([&]<class Kind>(const Geometry<Kind, T>& geometry) {
+    if constexpr (HasLargeViews<typename PacketLayout<Kind, T>::LightView>)
       for (const auto& light : geometry.lights) bytes += light.bytes();
   });
   return bytes > caches;
@@ -118,7 +97,7 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
   packed.forward = narrowed<T>(scene.view.forward);
   packed.right = narrowed<T>(scene.view.right);
   packed.up = narrowed<T>(scene.view.up);
-  packed.primitives.values.resize(PrimitiveTable<T>::row_size * scene.numbers.count());
+  packed.primitives.resize(scene.numbers.count());
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     make_geometry<Kind, T>(scene, finders[kind_index<Kind>], pool,
                            std::get<kind_index<Kind>>(packed.geometry.kinds), packed);
@@ -131,9 +110,7 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
   packed.fetches_light_cells = exceed_caches(packed.geometry);
   packed.background = narrowed<T>(scene.background);
   packed.shadows = scene.shadows;
-  packed.materials = make_material_table<T>(scene);
-  packed.has_specular = features.has_specular;
-  packed.uniform_shininess = features.uniform_shininess;
+  packed.materials = make_materials<T>(scene, features);
   packed.reflects = features.reflects;
   packed.max_depth = features.max_depth;
   return packed;

@@ -1,29 +1,24 @@
-// What a kind of light has to tell the engine: each in its own folder beside this file, all of them
-// listed once in lights.h and lights-inl.h. One whose rays share neither a direction nor their end
-// would need a LightRays of its own, and with it a RayKind (finders/finder.h).
-//
-//   struct XLight {
-//     ...                                        its fields: `type`, `description` and `fields`
-//     static constexpr LightRays rays;           what the rays to it share
-//   };
-//   for_each_extent(x, include)                  include(point, reach): the space that it takes
-//   place_of(x, frame)                           in frame coordinates: PackedLight::place
-//   emission_of(x, i, frame)                     PackedLight::emission if colour times intensity is
-//   i brightest(x, i, clearance)                   its light on the surface nearest to it
-//   arriving<X>(light, point)                    the definition
-//   arriving(d, std::type_identity<X>(), ...)    in X-inl.h: the same for packets
+// What a kind of light tells the engine: one that is listed in lights.h and lacks a piece of the
+// concept LightKind does not compile. Each is in its own folder beside this file: X.h has what the
+// concept asks for, X-inl.h the same arriving() for packets.
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
-#include "engine/math/frame.h"
-#include "engine/math/ray.h"
-#include "engine/math/vec.h"
+#include "engine/fields/documented.h"
+#include "engine/fields/field_table.h"  // IWYU pragma: export
+#include "engine/math/frame.h"          // IWYU pragma: export
+#include "engine/math/ray.h"            // IWYU pragma: export
+#include "engine/math/vec.h"            // IWYU pragma: export
 
 namespace raytracer {
 
-/// What rays to a light share, by which finders look for what is in their way.
+/// What rays to a light share, by which finders look for what is in their way. Of a light whose
+/// rays share neither, another would be needed, and with it a RayKind (finders/finder.h).
 enum class LightRays : std::uint8_t {
   parallel,    ///< a direction
   converging,  ///< the point where they end
@@ -44,8 +39,41 @@ struct ArrivingLight {
   Rgb intensity;    ///< that arrives; finite
 };
 
-/// The light that arrives at a point from one of this kind: the definition, in double.
-template <typename Light>
-ArrivingLight arriving(const PackedLight& light, const SurfacePoint& point);
+/// What the rays to it share.
+template <class Light>
+concept HasRays = requires {
+  { Light::rays } -> std::convertible_to<LightRays>;
+};
+
+/// The space that it takes: calls include(point, reach).
+template <class Light>
+concept HasLightExtents = requires(const Light& x, void include(const Vec3&, double)) {
+  for_each_extent(x, include);
+};
+
+/// What it is in frame coordinates, of colour times intensity `i`: PackedLight's place and
+/// emission.
+template <class Light>
+concept IsPacked = requires(const Light& x, const Frame& frame, const Rgb& i) {
+  { place_of(x, frame) } -> std::same_as<Vec3>;
+  { emission_of(x, i, frame) } -> std::same_as<Rgb>;
+};
+
+/// Its light on a surface that is `clearance` away, in the scene's unit, if colour times intensity
+/// is i.
+template <class Light>
+concept HasBrightest = requires(const Light& x, double i, double clearance) {
+  { brightest(x, i, clearance) } -> std::same_as<double>;
+};
+
+/// The definition: what arrives at a point, in double.
+template <class Light>
+concept Arrives = requires(const PackedLight& light, const SurfacePoint& point) {
+  { arriving(std::type_identity<Light>(), light, point) } -> std::same_as<ArrivingLight>;
+};
+
+template <class Light>
+concept LightKind = DocumentedType<Light> && HasRays<Light> && HasLightExtents<Light> &&
+    IsPacked<Light> && HasBrightest<Light> && Arrives<Light>;
 
 }  // namespace raytracer

@@ -5,7 +5,6 @@
 #include <tuple>
 #include <variant>
 
-#include "engine/fields/field_table.h"
 #include "engine/fields/types.h"
 #include "engine/lights/distant/distant_light.h"
 #include "engine/lights/light_kind.h"
@@ -14,6 +13,7 @@
 namespace raytracer {
 
 using LightKinds = Types<DistantLight, PointLight>;
+static_assert(each_satisfies<LightKinds>([]<LightKind Kind>(std::type_identity<Kind>) {}));
 
 struct Light {
   LightKinds::In<std::variant> source;

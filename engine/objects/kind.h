@@ -1,47 +1,156 @@
-// What a kind of object has to tell the engine: each in its own folder beside this file, all of
-// them listed once in objects.h. A kind that lacks one of the pieces below does not compile, once
-// it is listed; nothing outside of its folder and the lists names a kind. They are documented here,
-// not in each folder again.
+// What a kind of object tells the engine, a concept for each of the pieces: a kind that is listed
+// in objects.h and lacks one does not compile, and the compiler names the piece. Each is in its own
+// folder beside this file; nothing outside of the folder and the lists names a kind. The pieces are
+// documented here, not in each folder again.
 //
-// X.h: what it is.
-//   struct XKind {
-//     using Documents = Types<X, Xs>;    what a document may say: structures with `type`,
-//                                        `description` and `fields` (fields/field_table.h)
-//     using Primitive = PackedX;         one of them in frame coordinates, with a PrimitiveId `id`
-//     noun                               what messages call it
-//     search                             how it can be found (finders/finder.h)
-//     few                                if bounded: up to how many are tried one by one
-//     has_point_grid                     whether grids around point lights may hold it
-//     tolerance_px                       what single precision may displace of its edges
-//   };
-//   item_count(x)                        how many primitives a document's structure is
-//   for_each_extent(x, include)          include(point, reach): the space that it takes
-//   pack(x, packing)                     its primitives, appended
-//   bounds(p)                            a box around a primitive
-//   footprint(projection, p)             if bounded: the pixels that it may cover
-//   nearest_distance(p)                  if bounded: a lower bound of its distance from the eye
-//   add_statistics(p, viewpoint, to)     what the plan has to know of it
-//   add_mirror(p, mirrors)               how a mirroring one magnifies
-//   placement_of(p)                      how far it is from a light
-//   intersect(ray, p)                    the definition: where a ray meets it, in double
-//
-// packets.h: how it lies in memory, its PacketLayout (packets/layout.h).
-//
-// X-inl.h: packets of rays.
-//   intersect_item(...)                  with one primitive, that all lanes try
-//   occluded_by(...)                     which lanes it hides a light from
-//   intersect_candidate(...), prefetch_candidate(...)    if bounded: with one of a screen bin
-//   lanes_of(block, get), intersect(d, xs, TreeRays, active, t)    if bounded: with a tree's leaf
-//   intersect_own<followed>(...)         if the kind finds its own parts, instead of these
-//
-// What a kind may have, and what is done without:
-//   colors (of a document's structure)   an item's own colours                    the material's
-//   name_of(), explain_neighbours()      how plans speak of it          its noun and the finder
-//   is_grazed(p, light)                  whether light along it is a doubtful case        none is
-//   for_each_subpixel_piece(...)         if it may be thinner than a pixel      it is not missed
-//   screen_depth(), screen_outline()     tighter screen bins                       its footprint
-//   may_intersect(...)                   tighter candidates of a pixel           all of the block
-//   own_normals(...)                     if a row does not tell its normals          from the row
+//   X.h        what it is: the concepts below
+//   packets.h  how it lies in memory: its PacketLayout (packet_kind.h)
+//   X-inl.h    packets of rays: the concepts in kind-inl.h
 #pragma once
 
-#include "engine/fields/types.h"  // IWYU pragma: export
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "engine/fields/documented.h"
+#include "engine/fields/field_table.h"           // IWYU pragma: export
+#include "engine/fields/types.h"                 // IWYU pragma: export
+#include "engine/finders/finder.h"               // IWYU pragma: export
+#include "engine/lights/light_kind.h"            // IWYU pragma: export
+#include "engine/math/box.h"                     // IWYU pragma: export
+#include "engine/math/projection.h"              // IWYU pragma: export
+#include "engine/math/ray.h"                     // IWYU pragma: export
+#include "engine/objects/geometry_statistics.h"  // IWYU pragma: export
+#include "engine/objects/packing.h"              // IWYU pragma: export
+
+namespace raytracer {
+
+/// Of a structure that a document may say: how many primitives one is.
+template <class Document>
+concept HasItemCount = requires(const Document& x) {
+  { item_count(x) } -> std::same_as<std::size_t>;
+};
+
+/// The space that it takes: calls include(point, reach).
+template <class Document>
+concept HasExtents = requires(const Document& x, void include(const Vec3&, double)) {
+  for_each_extent(x, include);
+};
+
+/// Appends its primitives, in frame coordinates.
+template <class Document, class Primitive>
+concept HasPack = requires(const Document& x, Packing<Primitive>& packing) {
+  pack(x, packing);
+};
+
+template <class Document, class Primitive>
+concept ObjectDocument = DocumentedType<Document> && HasItemCount<Document> &&
+    HasExtents<Document> && HasPack<Document, Primitive>;
+
+/// What one of them is in frame coordinates.
+template <class Kind>
+concept HasPrimitive = requires(const typename Kind::Primitive& p) {
+  { p.id } -> std::convertible_to<PrimitiveId>;
+};
+
+template <class Kind>
+concept HasTraits = requires {
+  Kind::Documents::count;                                   // Types<X, Xs>: what a document may say
+  { Kind::noun } -> std::convertible_to<std::string_view>;  // what messages call it
+  { Kind::search } -> std::convertible_to<Search>;          // how it can be found
+  {
+    Kind::has_point_grid
+    } -> std::convertible_to<bool>;  // whether a point light's grid may hold it
+  { Kind::tolerance_px } -> std::convertible_to<double>;  // what single may displace of its edges
+};
+
+/// A box around a primitive.
+template <class Kind>
+concept HasBounds = requires(const typename Kind::Primitive& p) {
+  { bounds(p) } -> std::same_as<Box>;
+};
+
+/// The definition: where a ray meets it first at t > 0, plain and in double.
+template <class Kind>
+concept HasReference = requires(const Ray& ray, const typename Kind::Primitive& p) {
+  { intersect(ray, p) } -> std::same_as<std::optional<SurfaceHit>>;
+};
+
+/// What plans have to know: how near, far and large it is; how a mirroring one magnifies; where it
+/// is among others of the kind, if that can be said.
+template <class Kind>
+concept HasStatistics = requires(const typename Kind::Primitive& p, const Viewpoint& from,
+                                 GeometryStatistics& to, CurvedMirrors& mirrors) {
+  add_statistics(p, from, to);
+  add_mirror(p, mirrors);
+  { placement_of(p) } -> std::same_as<std::optional<Placement>>;
+};
+
+/// Of a kind that is bounded: up to how many are tried one by one, the pixels that one may cover,
+/// and a lower bound of its distance from the eye.
+template <class Kind>
+concept HasBoundedSearch = requires(const typename Kind::Primitive& p,
+                                    const Projection& projection) {
+  { Kind::few } -> std::convertible_to<FewPrimitives>;
+  { footprint(projection, p) } -> std::same_as<PixelRectangle>;
+  { nearest_distance(p) } -> std::same_as<double>;
+};
+
+/// Of a kind that finds its own parts: the pixels that it may cover; the longest way between one of
+/// its parts and what receives its shadow under a light from `towards`, `all` being the box around
+/// everything; and the sine of that light's elevation over it.
+template <class Kind>
+concept HasOwnSearch = requires(const typename Kind::Primitive& p, const Projection& projection,
+                                const Vec3& towards, const Box& all) {
+  { footprint(projection, p) } -> std::same_as<PixelRectangle>;
+  { shadow_path(p, towards, all) } -> std::same_as<double>;
+  { elevation_sine(p, towards) } -> std::same_as<double>;
+};
+
+template <class Kind>
+concept ObjectKind = HasTraits<Kind> && HasPrimitive<Kind> && HasBounds<Kind> &&
+    HasReference<Kind> && HasStatistics<Kind> &&
+    (Kind::search != Search::bounded || HasBoundedSearch<Kind>)&&(Kind::search != Search::own ||
+                                                                  HasOwnSearch<Kind>);
+
+// What a kind may have. Screen bins take more: HasScreenDepth, HasScreenOutline
+// (finders/screen_bins.h).
+
+/// A document's structure: an item's own colours; else the material's.
+template <class Document>
+concept HasItemColors = requires(const Document& x) {
+  x.colors;
+};
+
+/// How plans speak of so many; else its noun.
+template <class Kind>
+concept HasNameInPlans = requires(std::size_t count, const GeometryStatistics& statistics) {
+  { name_of(Kind(), count, statistics) } -> std::same_as<std::string>;
+};
+
+/// How rays from its own parts to distant lights find what is in their way, the lowest of the
+/// lights with this sine of its elevation; else as all others do.
+template <class Kind>
+concept HasNeighbourSearch = requires(double lowest_light) {
+  explain_neighbours(Kind(), lowest_light);
+};
+
+/// Whether light along it is a doubtful case; else none is.
+template <class Kind>
+concept HasGrazingLight = requires(const typename Kind::Primitive& p, const PackedLight& light) {
+  { is_grazed(p, light) } -> std::same_as<bool>;
+};
+
+/// Of what may be seen thinner than a pixel: calls visit(rectangle, share) with what of the image
+/// a piece may cover, and the share that it does; else it is taken for what no sample misses.
+template <class Kind>
+concept HasSubpixelPieces = requires(const typename Kind::Primitive& p,
+                                     const Projection& projection,
+                                     void visit(const PixelRectangle&, double)) {
+  for_each_subpixel_piece(p, projection, visit);
+};
+
+}  // namespace raytracer

@@ -20,6 +20,10 @@
 namespace raytracer {
 
 using ObjectKinds = Types<SphereKind, LatticeKind, PlaneKind, TriangleKind, CylinderKind>;
+static_assert(each_satisfies<ObjectKinds>([]<ObjectKind Kind>(std::type_identity<Kind>) {
+  each_satisfies<typename Kind::Documents>(
+      []<ObjectDocument<typename Kind::Primitive> Document>(std::type_identity<Document>) {});
+}));
 
 /// What an object of a document is.
 template <typename... Kind>

@@ -30,19 +30,20 @@ class ColoredMaterials {
   std::map<Rgb, MaterialIndex> indices_;
 };
 
-void wear(const Object& object, PackedScene& packed) {
+void add_materials(const Object& object, PackedScene& packed) {
   const std::vector<Rgb>* colors = nullptr;
   std::visit(
-      [&](const auto& shape) {
-        if constexpr (requires { shape.colors; }) colors = &shape.colors;
+      [&]<typename Document>(const Document& shape) {
+        if constexpr (HasItemColors<Document>) colors = &shape.colors;
       },
       object.shape);
-  if (colors == nullptr || colors->empty()) return packed.worn.add_object(object.material);
+  if (colors == nullptr || colors->empty())
+    return packed.material_index.add_object(object.material);
   ColoredMaterials colored(packed.materials[object.material], packed.materials);
   std::vector<MaterialIndex> materials;
   materials.reserve(colors->size());
   for (const Rgb& color : *colors) materials.push_back(colored(color));
-  packed.worn.add_object(materials);
+  packed.material_index.add_object(materials);
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ PackedScene pack_scene(const Scene& scene, WorkerPool* pool) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     packed.numbers.add_object(primitive_count(object));
-    wear(object, packed);
+    add_materials(object, packed);
     std::visit(
         [&]<typename Document>(const Document& shape) {
           for_each_kind([&]<class Kind>(std::type_identity<Kind>) {

@@ -15,27 +15,27 @@
 namespace raytracer {
 
 /// The materials of primitives: one for all of an object, or one for each of its items.
-class WornMaterials {
+class PrimitiveMaterials {
  public:
   void add_object(MaterialIndex material) { objects_.push_back({material, one_for_all}); }
-  /// The next object's items wear these.
+  /// One for each of the next object's items.
   void add_object(const std::vector<MaterialIndex>& materials) {
     objects_.push_back({0, items_.size()});
     items_.insert(items_.end(), materials.begin(), materials.end());
   }
 
   MaterialIndex operator()(const PrimitiveId& id) const {
-    const Worn& worn = objects_[id.object];
-    return worn.first_item == one_for_all ? worn.material : items_[worn.first_item + id.item];
+    const OfObject& object = objects_[id.object];
+    return object.first_item == one_for_all ? object.material : items_[object.first_item + id.item];
   }
 
  private:
   static constexpr std::size_t one_for_all = ~std::size_t{0};
-  struct Worn {
+  struct OfObject {
     MaterialIndex material;
     std::size_t first_item;  ///< in `items_`
   };
-  std::vector<Worn> objects_;
+  std::vector<OfObject> objects_;
   std::vector<MaterialIndex> items_;
 };
 
@@ -46,7 +46,7 @@ struct PackedScene {
   Primitives primitives;  ///< without what the frame does not carry, and triangles of no area
   double lost = 0;        ///< those that the frame does not carry
   Numbering numbers;
-  WornMaterials worn;
+  PrimitiveMaterials material_index;
   std::vector<Material> materials;
   std::vector<PackedLight> lights;  ///< that can change a colour
   Rgb background;
@@ -54,7 +54,7 @@ struct PackedScene {
   Shadows shadows = Shadows::black;
   int max_depth = 0;
 
-  const Material& material_of(const PrimitiveId& id) const { return materials[worn(id)]; }
+  const Material& material_of(const PrimitiveId& id) const { return materials[material_index(id)]; }
 };
 
 /// `pool`: whose threads help where there is much to do, if there is one; the result is the same.

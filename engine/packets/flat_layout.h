@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "engine/packets/layout.h"
+#include "engine/packets/primitive_row.h"
 
 namespace raytracer {
 
@@ -24,7 +24,7 @@ FlatItem<T> flat_item(const Vec3& normal, const Vec3& point, std::int32_t number
 /// As hits need it: no curvature.
 template <typename T>
 PrimitiveRow<T> flat_row(const Vec3& normal) {
-  return {narrowed<T>(-normal), 0, 0, 0};
+  return {.place = narrowed<T>(-normal)};
 }
 
 }  // namespace raytracer

@@ -77,7 +77,7 @@ void explain_row(const std::string& objects, const FinderRow& row,
 
 template <class Kind>
 std::string name_of_objects(std::size_t count, const GeometryStatistics& statistics) {
-  if constexpr (requires { name_of(Kind(), count, statistics); })
+  if constexpr (HasNameInPlans<Kind>)
     return name_of(Kind(), count, statistics);
   else
     return pluralised(count, Kind::noun);
@@ -94,7 +94,7 @@ std::vector<FinderExplanation> explain_finders(const Features& features,
     if (count == 0) return;
     const std::string objects = name_of_objects<Kind>(count, statistics.kinds[kind_index<Kind>]);
     explain_row<Kind>(objects, table[kind_index<Kind>], explanations);
-    if constexpr (requires { explain_neighbours(Kind(), statistics.lowest_light); }) {
+    if constexpr (HasNeighbourSearch<Kind>) {
       const FinderRow& row = table[kind_index<Kind>];
       if (kernel != Kernel::packets || finder_of(row, RayKind::to_distant_light) == Finder::none)
         return;

@@ -104,9 +104,7 @@ std::vector<GrazingLight> grazing_lights(const Scene& scene, const PackedScene& 
   constexpr std::size_t most_named = 10;
   std::vector<GrazingLight> grazing;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
-    if constexpr (requires(const typename Kind::Primitive& p, const PackedLight& light) {
-                    is_grazed(p, light);
-                  })
+    if constexpr (HasGrazingLight<Kind>)
       for (const auto& primitive : of_kind<Kind>(packed.primitives))
         for (std::size_t i = 0; i < scene.lights.size() && grazing.size() < most_named; ++i)
           if (is_grazed(primitive, pack_light(scene.lights[i], packed.frame)))

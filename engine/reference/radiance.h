@@ -16,8 +16,8 @@ namespace raytracer {
 /// pixel is clamped to 1 anyway.
 inline ArrivingLight arriving_light(const PackedLight& light, const SurfacePoint& point) {
   ArrivingLight result;
-  LightKinds::for_each([&]<class Kind>(std::type_identity<Kind>) {
-    if (light.kind == LightKinds::index_of<Kind>()) result = arriving<Kind>(light, point);
+  LightKinds::for_each([&]<class Kind>(std::type_identity<Kind> kind) {
+    if (light.kind == LightKinds::index_of<Kind>()) result = arriving(kind, light, point);
   });
   constexpr double most = std::numeric_limits<double>::max();
   Rgb& i = result.intensity;

@@ -32,9 +32,7 @@ SubpixelObjects::SubpixelObjects(const PackedScene& scene) {
       }
   };
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
-    if constexpr (requires(const typename Kind::Primitive& primitive) {
-                    for_each_subpixel_piece(primitive, projection, add);
-                  })
+    if constexpr (HasSubpixelPieces<Kind>)
       for (const auto& primitive : of_kind<Kind>(scene.primitives))
         for_each_subpixel_piece(primitive, projection, add);
   });

@@ -11,28 +11,28 @@ namespace {
 
 bool emits(const Light& light) { return max_abs(light.color * light.intensity) > 0; }
 
-/// The materials that something wears, each once.
-std::vector<Material> worn_materials(const Scene& scene) {
-  std::vector<bool> is_worn(scene.materials.size(), false);
+/// The materials of some primitive, each once.
+std::vector<Material> materials_in_use(const Scene& scene) {
+  std::vector<bool> is_used(scene.materials.size(), false);
   for (const Object& object : scene.objects)
-    if (primitive_count(object) > 0) is_worn[object.material] = true;
-  std::vector<Material> worn;
-  worn.reserve(scene.materials.size());
+    if (primitive_count(object) > 0) is_used[object.material] = true;
+  std::vector<Material> used;
+  used.reserve(scene.materials.size());
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
-    if (is_worn[i]) worn.push_back(scene.materials[i]);
-  return worn;
+    if (is_used[i]) used.push_back(scene.materials[i]);
+  return used;
 }
 
-bool shows_ambient(const Scene& scene, const std::vector<Material>& worn) {
-  return scene.ambient > 0 && std::any_of(worn.begin(), worn.end(), [](const Material& m) {
+bool shows_ambient(const Scene& scene, const std::vector<Material>& used) {
+  return scene.ambient > 0 && std::any_of(used.begin(), used.end(), [](const Material& m) {
            return m.ka > 0 && max_abs(m.color) > 0;
          });
 }
 
-std::vector<Light> lights_on(const std::vector<Material>& worn, const Scene& scene) {
+std::vector<Light> lights_on(const std::vector<Material>& used, const Scene& scene) {
   std::vector<Light> lights;
-  if (worn.empty()) return lights;
-  const bool bring_ambient = scene.shadows == Shadows::black && shows_ambient(scene, worn);
+  if (used.empty()) return lights;
+  const bool bring_ambient = scene.shadows == Shadows::black && shows_ambient(scene, used);
   std::copy_if(scene.lights.begin(), scene.lights.end(), std::back_inserter(lights),
                [&](const Light& light) { return bring_ambient || emits(light); });
   return lights;
@@ -54,9 +54,9 @@ std::int32_t uniform_shininess(const std::vector<double>& exponents) {
   return is_small_integer && is_uniform ? static_cast<std::int32_t>(first) : -1;
 }
 
-void find_reflections(const Scene& scene, const std::vector<Material>& worn, Features& features) {
+void find_reflections(const Scene& scene, const std::vector<Material>& used, Features& features) {
   if (scene.render.max_depth == 0) return;
-  for (const Material& material : worn)
+  for (const Material& material : used)
     features.reflectivity = std::max(features.reflectivity, material.reflectivity);
   features.reflects = features.reflectivity > 0;
   if (features.reflects) features.max_depth = scene.render.max_depth;
@@ -81,27 +81,27 @@ std::size_t Features::light_count(LightRays rays) const {
 }
 
 std::vector<Light> lights_in_use(const Scene& scene) {
-  return lights_on(worn_materials(scene), scene);
+  return lights_on(materials_in_use(scene), scene);
 }
 
 Features find_features(const Scene& scene) {
   Features features;
   count_primitives(scene, features);
-  const std::vector<Material> worn = worn_materials(scene);
-  features.materials = worn.size();
+  const std::vector<Material> used = materials_in_use(scene);
+  features.materials = used.size();
 
   bool is_lit = false;
-  for (const Light& light : lights_on(worn, scene)) {
+  for (const Light& light : lights_on(used, scene)) {
     is_lit = is_lit || emits(light);
     ++features.lights[light.source.index()];
   }
   const bool ambient_needs_light = scene.shadows == Shadows::black;
   features.has_ambient =
-      shows_ambient(scene, worn) && (!ambient_needs_light || features.light_count() > 0);
+      shows_ambient(scene, used) && (!ambient_needs_light || features.light_count() > 0);
   features.casts_shadows = features.light_count() > 0 && scene.shadows != Shadows::off;
 
   std::vector<double> exponents;
-  for (const Material& material : worn) {
+  for (const Material& material : used) {
     if (!is_lit || max_abs(material.color) == 0) continue;
     features.has_diffuse = features.has_diffuse || material.kd > 0;
     if (material.ks > 0) exponents.push_back(material.shininess);
@@ -110,7 +110,7 @@ Features find_features(const Scene& scene) {
   for (const double exponent : exponents)
     features.shininess = std::max(features.shininess, exponent);
   features.uniform_shininess = uniform_shininess(exponents);
-  find_reflections(scene, worn, features);
+  find_reflections(scene, used, features);
   return features;
 }
 

@@ -1,7 +1,7 @@
 // What of shading and geometry a scene needs: only what a pixel can show counts.
 //
-// A material counts if something wears it, a light if it can change a colour, a reflection if a
-// ray may be reflected at all. What is absent here, no kernel needs to do.
+// A material counts if something is made of it, a light if it can change a colour, a reflection if
+// a ray may be reflected at all. What is absent here, no kernel needs to do.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace raytracer {
 
 struct Features {
   std::array<std::size_t, ObjectKinds::count> primitives{};  ///< of each kind
-  std::size_t materials = 0;                                 ///< worn by at least one of them
+  std::size_t materials = 0;                                 ///< of at least one of them
 
   /// Of each kind, those that can change a colour. One without emission does so where shadows are
   /// black: it brings the ambient part.

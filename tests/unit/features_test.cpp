@@ -7,7 +7,7 @@ namespace raytracer::test {
 namespace {
 
 /// A sphere under a distant light; material 0 is matt and specular, 1 is a mirror that nothing
-/// wears.
+/// is made of.
 Scene lit_sphere() {
   Scene scene;
   scene.camera = {.origin = {0, 0, -5}, .look_at = {}, .fov = 1, .width = 8, .height = 8};
@@ -33,7 +33,7 @@ TEST(Features, count_primitives_by_kind) {
   EXPECT_EQ(features.primitives[kind_index<TriangleKind>], 2U);
 }
 
-TEST(Features, leave_out_a_material_that_nothing_wears) {
+TEST(Features, leave_out_a_material_that_nothing_is_made_of) {
   const Features features = find_features(lit_sphere());
   EXPECT_EQ(features.materials, 1U);
   EXPECT_FALSE(features.reflects);
@@ -50,7 +50,7 @@ TEST(Features, leave_out_the_material_of_an_empty_set) {
   EXPECT_EQ(find_features(scene).materials, 1U);
 }
 
-TEST(Features, count_a_mirror_that_is_worn) {
+TEST(Features, count_a_mirror_that_is_used) {
   Scene scene = lit_sphere();
   scene.objects[0].material = 1;
   const Features features = find_features(scene);

@@ -89,7 +89,7 @@ struct BlockCandidates {
     std::size_t& next = prefetched[kind_index<Kind>];
     const std::size_t end = std::min(place + 2 * entries_at_once, block.entries.size());
     for (; next < end; ++next)
-      prefetch_candidate(scene, std::get<kind_index<Kind>>(scene.geometry.kinds),
+      prefetch_candidate(scene.primitives, std::get<kind_index<Kind>>(scene.geometry.kinds),
                          block.entries[next].primitive);
   }
 

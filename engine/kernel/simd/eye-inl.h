@@ -84,11 +84,12 @@ struct Hits {
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE void prefetch_light_cells(D d, const PacketScene<T>& scene, const V3<V>& points,
                                      M lanes) {
-  for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
-    if constexpr (requires { geometry.lights[0].bytes(); })
-      for (const PacketLight<T>& light : scene.lights)
-        prefetch_cells(d, geometry, light, points, lanes);
-  });
+  for_each_geometry(scene,
+                    [&]<class Kind>(const Geometry<Kind, T>& geometry) RAYTRACER_INLINE_ATTR {
+                      if constexpr (HasLargeViews<typename PacketLayout<Kind, T>::LightView>)
+                        for (const PacketLight<T>& light : scene.lights)
+                          prefetch_cells(d, geometry, light, points, lanes);
+                    });
 }
 
 /// Asks the memory for what shading the i-th packet, if there is one, will need of light grids.

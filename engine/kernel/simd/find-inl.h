@@ -11,7 +11,7 @@
 #include <cstddef>
 
 #include "engine/finders/tree-inl.h"
-#include "engine/objects/objects-inl.h"
+#include "engine/objects/kind-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -45,7 +45,7 @@ HWY_INLINE void intersect_from_eye(D d, const PacketScene<T>& scene,
     const auto sees = [&](float distance)
                           HWY_ATTR { return sees_as_far_as(d, distance, hit, active); };
     candidates.template for_each<Kind>(sees, [&](std::uint32_t primitive) HWY_ATTR {
-      intersect_candidate(d, scene, geometry, primitive, direction, hit);
+      intersect_candidate(d, scene.primitives, geometry, primitive, direction, hit);
     });
   } else {
     intersect_tree(d, geometry.tree, eye, direction, active, hit);

@@ -88,9 +88,9 @@ class FollowedRays {
 
 /// Adds the rays that a packet's mirroring surfaces send on.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void mirror(D d, const PacketScene<T>& scene, const Surface<D>& surface,
-                       const Packet<V>& packet, M is_hit, FollowedRays<T>& followed) {
-  const V weight = hn::Mul(packet.weight, surface.material(d, scene.materials.reflectivity));
+HWY_INLINE void mirror(D d, const Surface<D>& surface, const Packet<V>& packet, M is_hit,
+                       FollowedRays<T>& followed) {
+  const V weight = hn::Mul(packet.weight, surface.material(d, &MaterialRow<T>::reflectivity));
   const M mirrors = hn::And(is_hit, hn::Gt(weight, hn::Zero(d)));
   if (hn::AllFalse(d, mirrors)) return;
   const V twice = hn::Mul(hn::Set(d, T(-2)), dot(packet.direction, surface.at.normal));
@@ -110,7 +110,7 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
   const Surface<D> surface = surface_at(d, scene, packet.from, packet.direction, hit, is_hit);
   const V3<V> colour =
       select(is_hit, shade(d, scene, surface, negate(packet.direction), is_hit), background);
-  if (follows) mirror(d, scene, surface, packet, is_hit, followed);
+  if (follows) mirror(d, surface, packet, is_hit, followed);
   return colour;
 }
 

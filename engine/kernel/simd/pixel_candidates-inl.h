@@ -59,8 +59,8 @@ using NarrowedEntries = std::array<std::vector<ScreenEntry>, ObjectKinds::count>
 
 /// What a pixel may show, out of what its subtile may: found when a ray asks for it, and kept for
 /// the next. A pixel of a subtile with hundreds of primitives shows a few of them, and its packets,
-/// each within the pixel, look through these alone. Kinds without a may_intersect() are taken as
-/// they are.
+/// each within the pixel, look through these alone. Kinds without a HasConeTest are taken as they
+/// are.
 template <typename T>
 class PixelCandidates {
  public:
@@ -73,7 +73,7 @@ class PixelCandidates {
   /// As SubtileCandidates::for_each().
   template <class Kind, class Sees, class Visit>
   HWY_INLINE void for_each(const Sees& sees, const Visit& visit) {
-    if constexpr (!can_narrow<Kind>) {
+    if constexpr (!HasConeTest<Kind>) {
       subtile_.template for_each<Kind>(sees, visit);
     } else {
       const auto& entries = subtile_.block.entries[kind_index<Kind>].entries;
@@ -95,13 +95,6 @@ class PixelCandidates {
     return subtile_.template may_contain<Kind>();
   }
 
-  template <class Kind>
-  static constexpr bool can_narrow = requires(const PacketScene<T>& scene,
-                                              const Geometry<Kind, T>& geometry,
-                                              const Triple<T>& axis) {
-    may_intersect(scene, geometry, 0U, axis, T());
-  };
-
  private:
   template <class Kind>
   HWY_NOINLINE void find_more() {
@@ -113,8 +106,8 @@ class PixelCandidates {
          here != 0; here &= here - 1) {
       const ScreenEntry& entry =
           block.entries[looked_through + hwy::Num0BitsBelowLS1Bit_Nonzero64(here)];
-      if (may_intersect(scene, std::get<kind_index<Kind>>(scene.geometry.kinds), entry.primitive,
-                        cone_.axis, cone_.spread))
+      if (may_intersect(scene.primitives, std::get<kind_index<Kind>>(scene.geometry.kinds),
+                        entry.primitive, cone_.axis, cone_.spread))
         found_[kind_index<Kind>].push_back(entry);
     }
     looked_through += entries_at_once;

@@ -143,7 +143,7 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
   bool narrows = false;
   if (pattern.points.size() >= worth_packets * lanes)
     for_each_kind([&]<class Kind>(std::type_identity<Kind>) HWY_ATTR {
-      if (PixelCandidates<T>::template can_narrow<Kind> &&
+      if (HasConeTest<Kind> &&
           candidates.entries[kind_index<Kind>].entries.size() > entries_at_once)
         narrows = true;
     });

@@ -21,7 +21,7 @@ HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surfa
                        const V3<V>& view, M active) {
   const RayOrigin<V>& point = surface.at;
   const V zero = hn::Zero(d);
-  const MaterialPacket<D> material(d, scene, surface, view);
+  const MaterialPacket<D> material(d, scene.materials, surface.material, point.normal, view);
   const bool ambient_needs_light = scene.shadows == Shadows::black;
 
   V ambient = ambient_needs_light ? zero : material.ambient;
@@ -36,11 +36,11 @@ HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surfa
       lit = hn::AndNot(occluded(d, scene, light, rays, lit), lit);
       if (hn::AllFalse(d, lit)) continue;
     }
-    const V share = hn::IfThenElseZero(lit, material.share(d, scene, arriving.towards, incidence));
+    const V share = hn::IfThenElseZero(lit, material.share(d, arriving.towards, incidence));
     if (ambient_needs_light) ambient = hn::Add(ambient, hn::IfThenElseZero(lit, material.ambient));
     sum = mul_add(arriving.emission, share, sum);
   }
-  const V3<V> colour = surface.material.colour(d, scene.materials);
+  const V3<V> colour = surface.material(d, &MaterialRow<T>::color);
   return {hn::Mul(hn::Add(sum.x, ambient), colour.x), hn::Mul(hn::Add(sum.y, ambient), colour.y),
           hn::Mul(hn::Add(sum.z, ambient), colour.z)};
 }

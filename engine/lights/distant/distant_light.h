@@ -7,7 +7,6 @@
 #include <string_view>
 #include <tuple>
 
-#include "engine/fields/field_table.h"
 #include "engine/lights/light_kind.h"
 
 namespace raytracer {
@@ -28,11 +27,10 @@ void for_each_extent(const DistantLight&, const Include&) {}
 inline Vec3 place_of(const DistantLight& light, const Frame&) { return -unit(light.direction); }
 inline Rgb emission_of(const DistantLight&, const Rgb& i, const Frame&) { return i; }
 
-/// i anywhere.
 inline double brightest(const DistantLight&, double i, double /*clearance*/) { return i; }
 
-template <>
-inline ArrivingLight arriving<DistantLight>(const PackedLight& light, const SurfacePoint&) {
+inline ArrivingLight arriving(std::type_identity<DistantLight>, const PackedLight& light,
+                              const SurfacePoint&) {
   return {light.place, std::numeric_limits<double>::infinity(), light.emission};
 }
 

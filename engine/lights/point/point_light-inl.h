@@ -9,8 +9,8 @@
 
 #include <limits>
 
-#include "engine/kernel/packet_scene.h"
 #include "engine/lights/arriving-inl.h"
+#include "engine/lights/packet_light.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {

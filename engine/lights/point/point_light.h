@@ -7,7 +7,6 @@
 #include <string_view>
 #include <tuple>
 
-#include "engine/fields/field_table.h"
 #include "engine/lights/light_kind.h"
 
 namespace raytracer {
@@ -36,13 +35,12 @@ inline Rgb emission_of(const PointLight&, const Rgb& i, const Frame& frame) {
   return scaled(i / (4 * std::numbers::pi), -2 * frame.exponent());
 }
 
-/// i where a surface is so near, in the scene's unit.
 inline double brightest(const PointLight&, double i, double clearance) {
   return i / (4 * std::numbers::pi) / clearance / clearance;
 }
 
-template <>
-inline ArrivingLight arriving<PointLight>(const PackedLight& light, const SurfacePoint& point) {
+inline ArrivingLight arriving(std::type_identity<PointLight>, const PackedLight& light,
+                              const SurfacePoint& point) {
   const Vec3 path = (light.place - point.anchor) - point.offset;
   const double distance = length(path);
   // 0 / 0 where a channel is dark and the light at the point: dark.

@@ -11,7 +11,8 @@
 
 #include <cstdint>
 
-#include "engine/kernel/simd/surface-inl.h"
+#include "engine/materials/material_row.h"
+#include "engine/packets/rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
@@ -54,49 +55,56 @@ HWY_INLINE V power(D d, V versine, V shininess) {
   return hn::IfThenElse(hn::Eq(shininess, hn::Zero(d)), one, result);
 }
 
-/// What does not depend on a light.
+/// How surfaces answer light: what does not depend on the light.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-struct BlinnPhongPacket {
-  const Surface<D>& surface;
-  V3<V> view;  ///< unit, towards the viewer
-  V facing;    ///< view . normal
-  V ambient;   ///< ka times the scene's
-  V kd;
-  V ks;
+class BlinnPhongPacket {
+ public:
+  V ambient;  ///< ka times the scene's
 
-  HWY_INLINE BlinnPhongPacket(D d, const PacketScene<T>& scene, const Surface<D>& at,
-                              const V3<V>& towards_viewer)
-      : surface(at), view(towards_viewer), facing(dot(view, at.at.normal)) {
-    const Finish<V> finish = at.material.finish(d, scene.materials);
-    ambient = finish.ambient;
-    kd = finish.kd;
-    ks = finish.ks;
-  }
+  /// `view` is unit, towards the viewer; all are referred to.
+  HWY_INLINE BlinnPhongPacket(D d, const PacketMaterials<T>& materials,
+                              const Rows<D, MaterialRow<T>>& rows, const V3<V>& normal,
+                              const V3<V>& view)
+      : ambient(rows(d, &MaterialRow<T>::ambient)),
+        materials_(materials),
+        rows_(rows),
+        normal_(normal),
+        view_(view),
+        facing_(dot(view, normal)),
+        kd_(rows(d, &MaterialRow<T>::kd)),
+        ks_(rows(d, &MaterialRow<T>::ks)) {}
 
   /// kd (N.L) + ks max(0, H.N)^shininess, for N.L > 0.
-  HWY_INLINE V share(D d, const PacketScene<T>& scene, const V3<V>& towards, V incidence) const {
-    const V diffuse = hn::Mul(kd, incidence);
-    if (!scene.has_specular) return diffuse;
-    return hn::MulAdd(ks, highlight(d, scene, towards, incidence), diffuse);
+  HWY_INLINE V share(D d, const V3<V>& towards, V incidence) const {
+    const V diffuse = hn::Mul(kd_, incidence);
+    if (!materials_.has_specular) return diffuse;
+    return hn::MulAdd(ks_, highlight(d, towards, incidence), diffuse);
   }
 
  private:
-  HWY_INLINE V highlight(D d, const PacketScene<T>& scene, const V3<V>& towards,
-                         V incidence) const {
-    const V3<V> halfway = add(towards, view);
-    if (scene.uniform_shininess < 0) return varied_highlight(d, scene, halfway);
+  HWY_INLINE V highlight(D d, const V3<V>& towards, V incidence) const {
+    const V3<V> halfway = add(towards, view_);
+    if (materials_.uniform_shininess < 0) return varied_highlight(d, halfway);
     // By the square of the cosine of the angle with the direction halfway to the eye: without a
     // root.
-    const V along = hn::Max(hn::Add(incidence, facing), hn::Zero(d));
+    const V along = hn::Max(hn::Add(incidence, facing_), hn::Zero(d));
     const V square = hn::Mul(hn::Mul(along, along), inverse(d, dot(halfway, halfway)));
-    return power_of_root(d, hn::Min(square, hn::Set(d, T(1))), scene.uniform_shininess);
+    return power_of_root(d, hn::Min(square, hn::Set(d, T(1))), materials_.uniform_shininess);
   }
 
-  HWY_NOINLINE V varied_highlight(D d, const PacketScene<T>& scene, const V3<V>& halfway) const {
-    const V3<V> chord = sub(unit(d, halfway), surface.at.normal);
+  HWY_NOINLINE V varied_highlight(D d, const V3<V>& halfway) const {
+    const V3<V> chord = sub(unit(d, halfway), normal_);
     const V versine = hn::Mul(hn::Set(d, T(0.5)), dot(chord, chord));
-    return power(d, versine, surface.material(d, scene.materials.shininess));
+    return power(d, versine, rows_(d, &MaterialRow<T>::shininess));
   }
+
+  const PacketMaterials<T>& materials_;
+  const Rows<D, MaterialRow<T>>& rows_;
+  const V3<V>& normal_;
+  const V3<V> view_;
+  V facing_;  ///< view . normal
+  V kd_;
+  V ks_;
 };
 
 }  // namespace HWY_NAMESPACE

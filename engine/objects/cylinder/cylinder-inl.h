@@ -15,7 +15,9 @@
 
 #include "engine/finders/light_grid-inl.h"
 #include "engine/finders/tree_walk-inl.h"
-#include "engine/kernel/packet_scene.h"
+#include "engine/lights/packet_light.h"
+#include "engine/objects/cylinder/packets.h"
+#include "engine/objects/geometry.h"
 #include "engine/packets/hit-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -207,7 +209,7 @@ HWY_INLINE void intersect_item(D d, const Geometry<CylinderKind, T>&, const Cyli
 
 /// Rays from the eye against cylinder `index`, which the eye is not inside of.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void intersect_candidate(D d, const PacketScene<T>&,
+HWY_INLINE void intersect_candidate(D d, const PrimitiveRows<T>&,
                                     const Geometry<CylinderKind, T>& cylinders, std::uint32_t index,
                                     const V3<V>& direction, Hit<V>& hit) {
   const CylinderItem<T>& item = cylinders.items[index];
@@ -253,7 +255,7 @@ HWY_INLINE void intersect_candidate(D d, const PacketScene<T>&,
 
 /// Asks the memory for what the function above reads.
 template <typename T>
-HWY_INLINE void prefetch_candidate(const PacketScene<T>&,
+HWY_INLINE void prefetch_candidate(const PrimitiveRows<T>&,
                                    const Geometry<CylinderKind, T>& cylinders,
                                    std::uint32_t index) {
   hwy::Prefetch(&cylinders.items[index]);
@@ -292,18 +294,16 @@ HWY_INLINE V3<V> normals_at(D d, const CylinderItem<T>& item, const V3<V>& point
 
 /// Sets the normals of the lanes of `own` that hit a cylinder.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE void own_normals(D d, const PacketScene<T>& scene,
+HWY_NOINLINE void own_normals(D d, const PrimitiveRows<T>& rows,
                               const Geometry<CylinderKind, T>& cylinders, const V3<V>& direction,
                               M own, RayOrigin<V>& at) {
-  using Table = PrimitiveTable<T>;
   alignas(64) T ids[hn::MaxLanes(D())];
   hn::Store(at.id, d, ids);
   while (!hn::AllFalse(d, own)) {
     const T id = ids[hn::FindFirstTrue(d, own)];
     const M here = hn::And(own, hn::Eq(at.id, hn::Set(d, id)));
     own = hn::AndNot(here, own);
-    const T* const row = scene.primitives.row(static_cast<std::size_t>(id));
-    const auto index = static_cast<std::size_t>(row[Table::radius2]);
+    const auto index = static_cast<std::size_t>(rows[static_cast<std::size_t>(id)].item);
     if (index >= cylinders.items.size() || cylinders.items[index].id != id) continue;
     at.normal = select(here, normals_at(d, cylinders.items[index], at.point, direction), at.normal);
   }

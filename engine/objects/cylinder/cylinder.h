@@ -26,14 +26,7 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/fields/field_table.h"
-#include "engine/finders/finder.h"
-#include "engine/math/box.h"
-#include "engine/math/projection.h"
-#include "engine/math/ray.h"
-#include "engine/objects/geometry_statistics.h"
 #include "engine/objects/kind.h"
-#include "engine/objects/packing.h"
 
 namespace raytracer {
 
@@ -167,7 +160,6 @@ void for_each_subpixel_piece(const PackedCylinder& c, const Projection& projecti
   }
 }
 
-/// The nearest hit at t > 0.
 std::optional<SurfaceHit> intersect(const Ray& ray, const PackedCylinder& cylinder);
 
 }  // namespace raytracer

@@ -10,7 +10,7 @@
 #include "engine/memory/page_allocator.h"
 #include "engine/objects/cylinder/cylinder.h"
 #include "engine/objects/numbering.h"
-#include "engine/packets/layout.h"
+#include "engine/objects/packet_kind.h"
 
 namespace raytracer {
 
@@ -68,24 +68,17 @@ ScreenSides<2> screen_outline(const View& view, const PackedCylinder& cylinder);
 ShadowExtent shadow_extent(const PackedCylinder& cylinder, const LightAxes& axes);
 
 template <typename T>
-struct PacketLayout<CylinderKind, T> {
+struct PacketLayout<CylinderKind, T> : DefaultLayout {
   using Item = CylinderItem<T>;
   using Block = CylinderBlock<T>;
-  using EyeView = NoLayout;
   using LightView = CylinderLightView<T>;
 
-  static constexpr bool bins_name_rows = false;
-  static bool needs_items(const FinderRow&) { return true; }  // for normals
-
   static PrimitiveRow<T> row(const PackedCylinder&, std::size_t item) {
-    return {{}, PrimitiveRow<T>::own_normal, static_cast<T>(item), 0};
+    return {.place = {}, .curvature = PrimitiveRow<T>::own_normal, .item = static_cast<T>(item)};
   }
   static Item item(const PackedCylinder& cylinder, std::int32_t number);
   static void fill(const PackedCylinder& cylinder, std::int32_t number, std::size_t place,
                    Block& block);
-  static EyeView eye_view(std::span<const PackedCylinder>, const FinderRow&, WorkerPool&) {
-    return {};
-  }
   static LightView light_view(std::span<const PackedCylinder> cylinders, const PackedLight& light,
                               const FinderRow& finders, const Numbering& numbers, WorkerPool& pool);
 };

@@ -96,11 +96,11 @@ Span between_ends(double to_low, double to_high, double slope) {
   return slope > 0 ? Span{to_low / slope, to_high / slope} : Span{to_high / slope, to_low / slope};
 }
 
+/// The normal from where the ray is nearest to the axis, (x / a) k from it: f + t e would lose as
+/// many digits as the origin is radii away.
 CylinderHit on_side(const Crossing& r, const PackedCylinder& c, double t, bool is_leave) {
-  Vec3 outward = r.f + t * r.e;
-  // Grazed: turned away from the side that is seen by no more than rounding.
-  const double turned = dot(outward, r.e);
-  if (is_leave ? turned < 0 : turned > 0) outward = outward - (turned / r.a) * r.e;
+  const double s = std::sqrt(std::max(c.radius * c.radius * r.a - r.x * r.x, 0.0));
+  const Vec3 outward = r.x * r.k + (is_leave ? s : -s) * r.e;
   const double along = std::clamp(r.along + t * r.slope, c.low, c.high);
   return {t, side_part, is_leave, unit(outward), along};
 }

@@ -9,7 +9,9 @@
 
 #include <limits>
 
-#include "engine/kernel/packet_scene.h"
+#include "engine/lights/packet_light.h"
+#include "engine/objects/geometry.h"
+#include "engine/objects/lattice/packets.h"
 #include "engine/objects/lattice/rows-inl.h"
 #include "engine/objects/lattice/walk-inl.h"
 

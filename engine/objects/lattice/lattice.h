@@ -19,14 +19,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "engine/fields/field_table.h"
-#include "engine/finders/finder.h"
-#include "engine/math/box.h"
-#include "engine/math/projection.h"
-#include "engine/math/ray.h"
-#include "engine/objects/geometry_statistics.h"
 #include "engine/objects/kind.h"
-#include "engine/objects/packing.h"
 
 namespace raytracer {
 

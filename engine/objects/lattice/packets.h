@@ -9,7 +9,7 @@
 #include "engine/lights/light_kind.h"
 #include "engine/objects/lattice/lattice.h"
 #include "engine/objects/numbering.h"
-#include "engine/packets/layout.h"
+#include "engine/objects/packet_kind.h"
 
 namespace raytracer {
 
@@ -47,23 +47,14 @@ struct Neighbours {
 };
 
 template <typename T>
-struct PacketLayout<LatticeKind, T> {
+struct PacketLayout<LatticeKind, T> : DefaultLayout {
   using Item = LatticeItem<T>;
-  using Block = NoLayout;
-  using EyeView = NoLayout;
   using LightView = std::vector<Neighbours<T>>;  ///< of each lattice
 
-  static constexpr bool bins_name_rows = false;
-  static bool needs_items(const FinderRow&) { return true; }
-
   static PrimitiveRow<T> row(const PackedLattice& l, std::size_t /*item*/) {
-    return {narrowed<T>(l.center), PrimitiveRow<T>::own_normal, 0, 0};
+    return {.place = narrowed<T>(l.center), .curvature = PrimitiveRow<T>::own_normal};
   }
   static Item item(const PackedLattice& lattice, std::int32_t number);
-  static void fill(const PackedLattice&, std::int32_t, std::size_t, Block&) {}
-  static EyeView eye_view(std::span<const PackedLattice>, const FinderRow&, WorkerPool&) {
-    return {};
-  }
   static LightView light_view(std::span<const PackedLattice> lattices, const PackedLight& light,
                               const FinderRow& finders, const Numbering& numbers, WorkerPool& pool);
 };

@@ -9,9 +9,9 @@
 
 #include "engine/lights/light_kind.h"
 #include "engine/objects/numbering.h"
+#include "engine/objects/packet_kind.h"
 #include "engine/objects/plane/plane.h"
 #include "engine/packets/flat_layout.h"
-#include "engine/packets/layout.h"
 
 namespace raytracer {
 
@@ -22,24 +22,15 @@ struct PlaneLightView {
 };
 
 template <typename T>
-struct PacketLayout<PlaneKind, T> {
+struct PacketLayout<PlaneKind, T> : DefaultLayout {
   using Item = FlatItem<T>;
-  using Block = NoLayout;
-  using EyeView = NoLayout;
   using LightView = PlaneLightView<T>;
-
-  static constexpr bool bins_name_rows = false;
-  static bool needs_items(const FinderRow&) { return true; }
 
   static PrimitiveRow<T> row(const PackedPlane& p, std::size_t /*item*/) {
     return flat_row<T>(p.normal);
   }
   static Item item(const PackedPlane& p, std::int32_t number) {
     return flat_item<T>(p.normal, p.point, number);
-  }
-  static void fill(const PackedPlane&, std::int32_t, std::size_t, Block&) {}
-  static EyeView eye_view(std::span<const PackedPlane>, const FinderRow&, WorkerPool&) {
-    return {};
   }
   static LightView light_view(std::span<const PackedPlane> planes, const PackedLight& light,
                               const FinderRow&, const Numbering&, WorkerPool&) {

@@ -7,7 +7,9 @@
 #define RAYTRACER_OBJECTS_PLANE_INL_H_
 #endif
 
-#include "engine/kernel/packet_scene.h"
+#include "engine/lights/packet_light.h"
+#include "engine/objects/geometry.h"
+#include "engine/objects/plane/packets.h"
 #include "engine/packets/flat-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -11,15 +11,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "engine/fields/field_table.h"
-#include "engine/finders/finder.h"
-#include "engine/lights/light_kind.h"
-#include "engine/math/box.h"
-#include "engine/math/projection.h"
-#include "engine/math/ray.h"
-#include "engine/objects/geometry_statistics.h"
 #include "engine/objects/kind.h"
-#include "engine/objects/packing.h"
 
 namespace raytracer {
 
@@ -72,7 +64,6 @@ bool is_grazed(const PackedPlane& plane, const PackedLight& light);
 /// Its point that is nearest to the eye.
 std::optional<Placement> placement_of(const PackedPlane& plane);
 
-/// The nearest hit at t > 0.
 std::optional<SurfaceHit> intersect(const Ray& ray, const PackedPlane& plane);
 
 }  // namespace raytracer

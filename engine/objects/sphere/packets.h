@@ -12,8 +12,8 @@
 #include "engine/finders/point_grid.h"
 #include "engine/lights/light_kind.h"
 #include "engine/objects/numbering.h"
+#include "engine/objects/packet_kind.h"
 #include "engine/objects/sphere/sphere.h"
-#include "engine/packets/layout.h"
 
 namespace raytracer {
 
@@ -96,10 +96,9 @@ inline ShadowExtent shadow_extent(const PackedSphere& s, const LightAxes& axes) 
 }
 
 template <typename T>
-struct PacketLayout<SphereKind, T> {
+struct PacketLayout<SphereKind, T> : DefaultLayout {
   using Item = SphereItem<T>;
   using Block = SphereBlock<T>;
-  using EyeView = NoLayout;
   using LightView = SphereLightView<T>;
 
   static constexpr bool bins_name_rows = true;
@@ -109,8 +108,10 @@ struct PacketLayout<SphereKind, T> {
 
   static PrimitiveRow<T> row(const PackedSphere& s, std::size_t /*item*/) {
     const double distance = length(s.center);
-    return {narrowed<T>(s.center), finite<T>(1 / s.radius), finite<T>(s.radius * s.radius),
-            static_cast<T>((distance - s.radius) * (distance + s.radius))};
+    return {.place = narrowed<T>(s.center),
+            .curvature = finite<T>(1 / s.radius),
+            .radius_square = finite<T>(s.radius * s.radius),
+            .eye_c = static_cast<T>((distance - s.radius) * (distance + s.radius))};
   }
   static Item item(const PackedSphere& s, std::int32_t number) {
     return {narrowed<T>(s.center), static_cast<T>(s.radius * s.radius), static_cast<T>(number)};
@@ -121,9 +122,6 @@ struct PacketLayout<SphereKind, T> {
     block.z[place] = static_cast<T>(s.center.z);
     block.radius2[place] = static_cast<T>(s.radius * s.radius);
     block.id[place] = static_cast<T>(number);
-  }
-  static EyeView eye_view(std::span<const PackedSphere>, const FinderRow&, WorkerPool&) {
-    return {};
   }
   static LightView light_view(std::span<const PackedSphere> spheres, const PackedLight& light,
                               const FinderRow& finders, const Numbering& numbers, WorkerPool& pool);

@@ -15,57 +15,56 @@
 #include "engine/finders/light_grid-inl.h"
 #include "engine/finders/point_grid-inl.h"
 #include "engine/finders/tree_walk-inl.h"
-#include "engine/kernel/packet_scene.h"
+#include "engine/lights/packet_light.h"
+#include "engine/objects/geometry.h"
+#include "engine/objects/sphere/packets.h"
 #include "engine/packets/hit-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer {
 namespace HWY_NAMESPACE {
 
-/// Rays from the eye against the sphere in row `row_index` of the table.
+/// Rays from the eye against the sphere of that number.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void intersect_candidate(D d, const PacketScene<T>& scene,
-                                    const Geometry<SphereKind, T>&, std::uint32_t row_index,
+HWY_INLINE void intersect_candidate(D d, const PrimitiveRows<T>& rows,
+                                    const Geometry<SphereKind, T>&, std::uint32_t number,
                                     const V3<V>& direction, Hit<V>& hit) {
-  using Table = PrimitiveTable<T>;
   const V zero = hn::Zero(d);
-  const T* const row = scene.primitives.row(row_index);
-  const V3<V> center{hn::Set(d, row[Table::x]), hn::Set(d, row[Table::y]),
-                     hn::Set(d, row[Table::z])};
+  const PrimitiveRow<T>& sphere = rows[number];
+  const V3<V> center = broadcast(d, sphere.place);
   const V b = dot(center, direction);
   const V3<V> l{hn::MulSub(direction.x, b, center.x), hn::MulSub(direction.y, b, center.y),
                 hn::MulSub(direction.z, b, center.z)};
-  const V discriminant = hn::Sub(hn::Set(d, row[Table::radius2]), dot(l, l));
+  const V discriminant = hn::Sub(hn::Set(d, sphere.radius_square), dot(l, l));
   const M is_hit = hn::And(hn::Ge(discriminant, zero), hn::Gt(b, zero));
   // Also where no lane hits: a wrong guess of the processor, which of small spheres there would be
   // many, costs more than a division.
-  const V t =
-      hn::Div(hn::Set(d, row[Table::eye_c]), hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
-  const V id = hn::Set(d, static_cast<T>(row_index));
+  const V t = hn::Div(hn::Set(d, sphere.eye_c), hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
+  const V id = hn::Set(d, static_cast<T>(number));
   take(hit, is_nearer(hit, t, id, is_hit), t, id);
 }
 
 /// Asks the memory for what the function above reads.
 template <typename T>
-HWY_INLINE void prefetch_candidate(const PacketScene<T>& scene, const Geometry<SphereKind, T>&,
-                                   std::uint32_t row_index) {
-  hwy::Prefetch(scene.primitives.row(row_index));
+HWY_INLINE void prefetch_candidate(const PrimitiveRows<T>& rows, const Geometry<SphereKind, T>&,
+                                   std::uint32_t number) {
+  hwy::Prefetch(&rows[number]);
 }
 
-/// Whether a ray in the cone, which begins at the eye, may meet the sphere in row `row_index`.
+/// Whether a ray in the cone, which begins at the eye, may meet the sphere of that number.
 /// Where it comes nearest to the centre it has gone no farther than that is away, so the axis
 /// passes the centre at no more than the radius and `spread` times that distance.
 template <typename T>
-HWY_INLINE bool may_intersect(const PacketScene<T>& scene, const Geometry<SphereKind, T>&,
-                              std::uint32_t row_index, const Triple<T>& axis, T spread) {
-  using Table = PrimitiveTable<T>;
-  const T* const row = scene.primitives.row(row_index);
-  const T b = axis.x * row[Table::x] + axis.y * row[Table::y] + axis.z * row[Table::z];
-  const T lx = row[Table::x] - axis.x * b;
-  const T ly = row[Table::y] - axis.y * b;
-  const T lz = row[Table::z] - axis.z * b;
-  const T distance2 = row[Table::eye_c] + row[Table::radius2];
-  const T reach = std::sqrt(row[Table::radius2]) + spread * std::sqrt(distance2);
+HWY_INLINE bool may_intersect(const PrimitiveRows<T>& rows, const Geometry<SphereKind, T>&,
+                              std::uint32_t number, const Triple<T>& axis, T spread) {
+  const PrimitiveRow<T>& sphere = rows[number];
+  const Triple<T>& center = sphere.place;
+  const T b = axis.x * center.x + axis.y * center.y + axis.z * center.z;
+  const T lx = center.x - axis.x * b;
+  const T ly = center.y - axis.y * b;
+  const T lz = center.z - axis.z * b;
+  const T distance2 = sphere.eye_c + sphere.radius_square;
+  const T reach = std::sqrt(sphere.radius_square) + spread * std::sqrt(distance2);
   return !(lx * lx + ly * ly + lz * lz > reach * reach);
 }
 

@@ -15,14 +15,7 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/fields/field_table.h"
-#include "engine/finders/finder.h"
-#include "engine/math/box.h"
-#include "engine/math/projection.h"
-#include "engine/math/ray.h"
-#include "engine/objects/geometry_statistics.h"
 #include "engine/objects/kind.h"
-#include "engine/objects/packing.h"
 
 namespace raytracer {
 
@@ -147,7 +140,6 @@ inline std::optional<Placement> placement_of(const PackedSphere& s) {
   return Placement{s.center, {}, s.radius, length(s.center) + s.radius};
 }
 
-/// The nearest hit at t > 0.
 std::optional<SurfaceHit> intersect(const Ray& ray, const PackedSphere& sphere);
 
 }  // namespace raytracer

@@ -14,9 +14,9 @@
 #include "engine/lights/light_kind.h"
 #include "engine/memory/page_allocator.h"
 #include "engine/objects/numbering.h"
+#include "engine/objects/packet_kind.h"
 #include "engine/objects/triangle/triangle.h"
 #include "engine/packets/flat_layout.h"
-#include "engine/packets/layout.h"
 
 namespace raytracer {
 
@@ -79,13 +79,12 @@ inline ShadowExtent shadow_extent(const PackedTriangle& t, const LightAxes& axes
 }
 
 template <typename T>
-struct PacketLayout<TriangleKind, T> {
+struct PacketLayout<TriangleKind, T> : DefaultLayout {
   using Item = TriangleItem<T>;
   using Block = TriangleBlock<T>;
   using EyeView = TriangleEyeView<T>;
   using LightView = TriangleLightView<T>;
 
-  static constexpr bool bins_name_rows = false;
   static bool needs_items(const FinderRow& finders) {
     return finder_of(finders, RayKind::from_eye) == Finder::screen_bins ||
            finder_of(finders, RayKind::to_distant_light) == Finder::light_grid;

@@ -15,7 +15,9 @@
 
 #include "engine/finders/light_grid-inl.h"
 #include "engine/finders/tree_walk-inl.h"
-#include "engine/kernel/packet_scene.h"
+#include "engine/lights/packet_light.h"
+#include "engine/objects/geometry.h"
+#include "engine/objects/triangle/packets.h"
 #include "engine/packets/flat-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -105,7 +107,7 @@ HWY_INLINE M intersect(D d, const Triangles<V>& triangles, const TreeRays<V>& ra
 
 /// Rays from the eye against triangle `index`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void intersect_candidate(D d, const PacketScene<T>&,
+HWY_INLINE void intersect_candidate(D d, const PrimitiveRows<T>&,
                                     const Geometry<TriangleKind, T>& triangles, std::uint32_t index,
                                     const V3<V>& direction, Hit<V>& hit) {
   const V outside = hn::Set(d, -4 * std::numeric_limits<T>::epsilon());
@@ -125,7 +127,7 @@ HWY_INLINE void intersect_candidate(D d, const PacketScene<T>&,
 
 /// Asks the memory for what the function above reads.
 template <typename T>
-HWY_INLINE void prefetch_candidate(const PacketScene<T>&,
+HWY_INLINE void prefetch_candidate(const PrimitiveRows<T>&,
                                    const Geometry<TriangleKind, T>& triangles,
                                    std::uint32_t index) {
   hwy::Prefetch(&triangles.eye.cones[index]);

@@ -23,14 +23,7 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/fields/field_table.h"
-#include "engine/finders/finder.h"
-#include "engine/math/box.h"
-#include "engine/math/projection.h"
-#include "engine/math/ray.h"
-#include "engine/objects/geometry_statistics.h"
 #include "engine/objects/kind.h"
-#include "engine/objects/packing.h"
 
 namespace raytracer {
 
@@ -98,7 +91,6 @@ inline void add_mirror(const PackedTriangle&, CurvedMirrors&) {}  // it magnifie
 
 inline std::optional<Placement> placement_of(const PackedTriangle&) { return {}; }
 
-/// The nearest hit at t > 0.
 std::optional<SurfaceHit> intersect(const Ray& ray, const PackedTriangle& triangle);
 
 }  // namespace raytracer

@@ -1,0 +1,20 @@
+// A light as packets of points read it, in their own precision.
+#pragma once
+
+#include <cstddef>
+
+#include "engine/lights/light_kind.h"
+#include "engine/math/triple.h"
+
+namespace raytracer {
+
+template <typename T>
+struct PacketLight {
+  std::size_t kind;  ///< its place in LightKinds
+  LightRays rays;
+  Triple<T> place;     ///< parallel: unit, towards the light; converging: its position
+  Triple<T> emission;  ///< saturated, so that sums stay finite
+  std::size_t index;   ///< among the lights
+};
+
+}  // namespace raytracer

@@ -1,0 +1,40 @@
+// Materials as packets of points read them, in their own precision.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/materials/materials.h"
+#include "engine/math/triple.h"
+#include "engine/memory/page_allocator.h"
+
+namespace raytracer {
+
+/// Of one material. All members are T, so that a packet can gather one of many rows.
+template <typename T>
+struct MaterialRow {
+  Triple<T> color;
+  T ambient;  ///< ka times the scene's
+  T kd;
+  T ks;
+  T shininess;
+  T reflectivity;
+
+  static MaterialRow of(const Material& m, double scene_ambient) {
+    return {{finite<T>(m.color.x), finite<T>(m.color.y), finite<T>(m.color.z)},
+            saturated<T>(m.ka * scene_ambient),
+            finite<T>(m.kd),
+            finite<T>(m.ks),
+            finite<T>(m.shininess),
+            finite<T>(m.reflectivity)};
+  }
+};
+
+/// The scene's, and what they have in common.
+template <typename T>
+struct PacketMaterials {
+  LargeArray<MaterialRow<T>> rows;
+  bool has_specular = false;
+  std::int32_t uniform_shininess = -1;  ///< the one integer exponent of all specular ones, or -1
+};
+
+}  // namespace raytracer

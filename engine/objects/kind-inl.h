@@ -1,0 +1,116 @@
+// What packets of rays need of a kind of object, a concept for each piece: one that is listed in
+// objects-inl.h and lacks a piece does not compile. Asked for packets of floats; those of doubles
+// are the same templates. All kinds come before the concepts, which find what stands there.
+
+#if defined(RAYTRACER_OBJECTS_KIND_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYTRACER_OBJECTS_KIND_INL_H_
+#undef RAYTRACER_OBJECTS_KIND_INL_H_
+#else
+#define RAYTRACER_OBJECTS_KIND_INL_H_
+#endif
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/finders/tree_walk-inl.h"
+#include "engine/lights/packet_light.h"
+#include "engine/objects/geometry.h"
+#include "engine/objects/objects-inl.h"
+#include "engine/objects/packets.h"
+#include "engine/packets/hit-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer {
+namespace HWY_NAMESPACE {
+
+/// A packet of floats.
+struct FloatPacket {
+  using D = hn::ScalableTag<float>;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+  RayOrigin<V> origin;
+  V3<V> direction;
+  M active;
+};
+
+/// Lanes from which it hides a light.
+template <class Kind>
+concept HasOcclusion = requires(FloatPacket::D d, const Geometry<Kind, float>& geometry,
+                                const PacketLight<float>& light,
+                                const ShadowRays<FloatPacket::V>& rays, FloatPacket::M lit) {
+  { occluded_by(d, geometry, light, rays, lit) } -> std::same_as<FloatPacket::M>;
+};
+
+/// The packet against one item, which all lanes try.
+template <class Kind>
+concept HasItemIntersection = requires(FloatPacket::D d, const FloatPacket& packet,
+                                       const Geometry<Kind, float>& geometry,
+                                       Hit<FloatPacket::V>& hit) {
+  intersect_item(d, geometry, geometry.items[0], packet.origin, packet.direction, packet.active,
+                 hit);
+};
+
+/// Rays from the eye against what a screen bin names.
+template <class Kind>
+concept HasCandidates = requires(FloatPacket::D d, const PrimitiveRows<float>& rows,
+                                 const Geometry<Kind, float>& geometry, std::uint32_t name,
+                                 const FloatPacket& packet, Hit<FloatPacket::V>& hit) {
+  intersect_candidate(d, rows, geometry, name, packet.direction, hit);
+  prefetch_candidate(rows, geometry, name);
+};
+
+/// Against a leaf of a tree: lanes_of(block, get) are its primitives, one to a lane or one in all
+/// of them, `get` taking a column to a vector; the lanes that meet theirs do so at t.
+template <class Kind>
+concept HasLeaves = requires(FloatPacket::D d,
+                             const typename Geometry<Kind, float>::Layout::Block& block,
+                             FloatPacket::V get(const BlockColumn<float>&),
+                             const TreeRays<FloatPacket::V>& rays, FloatPacket::M active,
+                             FloatPacket::V& t) {
+  { intersect(d, lanes_of(block, get), rays, active, t) } -> std::same_as<FloatPacket::M>;
+};
+
+/// Of a kind that finds its own parts, instead of these: rays from the eye, or followed ones.
+template <class Kind>
+concept HasOwnIntersection = requires(FloatPacket::D d, const FloatPacket& packet,
+                                      const Geometry<Kind, float>& geometry,
+                                      Hit<FloatPacket::V>& hit) {
+  intersect_own<true>(d, geometry, packet.origin, packet.direction, packet.active, hit);
+  intersect_own<false>(d, geometry, packet.origin, packet.direction, packet.active, hit);
+};
+
+template <class Kind>
+concept PacketKind = HasOcclusion<Kind> &&
+    (Kind::search == Search::own ||
+     HasItemIntersection<Kind>)&&(Kind::search != Search::own ||
+                                  HasOwnIntersection<Kind>)&&(Kind::search != Search::bounded ||
+                                                              (HasCandidates<Kind> &&
+                                                               HasLeaves<Kind>));
+
+static_assert(each_satisfies<ObjectKinds>([]<PacketKind Kind>(std::type_identity<Kind>) {}));
+
+// What a kind may have.
+
+/// Whether a cone from the eye may meet what a screen bin names; else a pixel's candidates are all
+/// of its subtile's.
+template <class Kind>
+concept HasConeTest = requires(const PrimitiveRows<float>& rows,
+                               const Geometry<Kind, float>& geometry, std::uint32_t name,
+                               const Triple<float>& axis, float spread) {
+  { may_intersect(rows, geometry, name, axis, spread) } -> std::same_as<bool>;
+};
+
+/// Sets the normals of the lanes of `own` that hit one of the kind; else a hit's row tells them.
+template <class Kind>
+concept HasOwnNormals = requires(FloatPacket::D d, const PrimitiveRows<float>& rows,
+                                 const Geometry<Kind, float>& geometry, const FloatPacket& packet,
+                                 RayOrigin<FloatPacket::V>& at) {
+  own_normals(d, rows, geometry, packet.direction, packet.active, at);
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raytracer
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard of each target
