@@ -9,7 +9,8 @@
 
 namespace raytracer {
 
-/// What a pixel's samples tell of its error; nothing, zeros, if they are no numbers.
+/// What a pixel's samples tell of its error in linear light; nothing, zeros, if they are no
+/// numbers.
 struct PixelSpread {
   float error2 = 0;    ///< by its half buffers alone, as SubtileErrors says
   float variance = 0;  ///< of its samples, the sum over the channels, at least `error2`

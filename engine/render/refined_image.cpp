@@ -39,7 +39,8 @@ RefinedImage::RefinedImage(Tracing& tracing, Image& image)
     : tracing_(tracing),
       width_(tracing.scene.camera.width),
       height_(tracing.scene.camera.height),
-      errors_(width_, height_, choose_error_multiplier(tracing.plan.statistics), tracing.pool),
+      errors_(width_, height_, choose_error_multiplier(tracing.plan.statistics),
+              {image, tracing.scene.render.transfer}, tracing.pool),
       shown_(tracing.progress.preview, image),
       image_(image) {}
 
@@ -151,7 +152,7 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
   std::vector<std::uint32_t> changed;
   changed.reserve(pixels.size());
   for_each_done([&](std::uint32_t pixel, int, const SampledPixel&) { changed.push_back(pixel); });
-  const std::vector<float> before = errors_.unscaled(changed);
+  const std::vector<float> before = errors_.seen(changed);
   double change2 = 0;
   shown_.change([&](Image& image) {
     for_each_done([&](std::uint32_t pixel, int, const SampledPixel& by) {
@@ -162,8 +163,7 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
     errors_.set(pixel, samples, by.spread);
     tracing_.beyond.not_numbers += by.is_number ? 0 : 1;
   });
-  errors_.estimate();
-  errors_.calibrate(changed, before, change2);
+  errors_.estimate({changed, before, change2});
   after_ms_ = tracing_.watch.elapsed_ms() - last_sample_ms_;
   return is_all_done(is_done);
 }

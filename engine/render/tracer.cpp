@@ -48,16 +48,6 @@ PixelSpread spread_of(const Rgb& half_a, const Rgb& half_b, double variance, Tra
           variance > 0 ? static_cast<float>(variance) : 0};
 }
 
-/// That of encoded colours.
-double encoded_variance(double variance, const Rgb& mean, Transfer transfer) {
-  if (transfer == Transfer::linear) return variance;
-  const double deviation = std::sqrt(std::max(variance, 0.0) / 3);
-  const Rgb deviations{deviation, deviation, deviation};
-  const Rgb range =
-      encoded(clamped(mean + deviations), transfer) - encoded(clamped(mean - deviations), transfer);
-  return dot(range, range) / 4;
-}
-
 /// What a pixel's samples came to; `spread` only if the pattern has half buffers.
 struct PixelValue {
   Rgb mean;
@@ -65,6 +55,7 @@ struct PixelValue {
   BeyondRange seen{};
 };
 
+/// The halves are compared after the transfer.
 PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& pattern,
                         Transfer transfer, int x, int y) {
   const View& view = tracer.scene->view;
@@ -91,21 +82,21 @@ PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& patt
   pixel.mean = (half_a + half_b) / count;
   if (!pattern.has_half_buffers()) return pixel;
   const Rgb shift = pixel.mean - origin;
-  const double variance =
-      encoded_variance(squares / count - dot(shift, shift), pixel.mean, transfer);
-  pixel.spread = spread_of(half_a / (count / 2), half_b / (count / 2), variance, transfer);
+  pixel.spread = spread_of(half_a / (count / 2), half_b / (count / 2),
+                           squares / count - dot(shift, shift), transfer);
   return pixel;
 }
 
 BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, Transfer transfer,
                   const Tile& tile, const Canvas& canvas, const TileErrors& errors) {
   BeyondRange beyond;
+  const Transfer told_after = errors.pixels != nullptr ? Transfer::linear : transfer;
   const auto trace_into = [&](auto* image) {
     for (int y = tile.y_begin; y < tile.y_end; ++y) {
       for (int x = tile.x_begin; x < tile.x_end; ++x) {
         const int subtile = tile.subtile_of(x, y);
         if ((tile.subtiles >> subtile & 1) == 0) continue;
-        const PixelValue pixel = sample_pixel(tracer, pattern, transfer, x, y);
+        const PixelValue pixel = sample_pixel(tracer, pattern, told_after, x, y);
         beyond.not_numbers += pixel.seen.not_numbers > 0 ? 1 : 0;
         beyond.clamped += pixel.seen.clamped > 0 && pixel.seen.not_numbers == 0 ? 1 : 0;
         store(pixel.mean, transfer, image->pixel(x, y));
@@ -124,9 +115,9 @@ BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, T
 void sample(const ReferenceTracer& tracer, const SamplePattern& pattern, Transfer transfer,
             const BlockPixels& pixels, std::span<SampledPixel> results) {
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const PixelValue pixel =
-        sample_pixel(tracer, pattern, transfer, pixels.x_begin + pixels.places[i] % block_side,
-                     pixels.y_begin + pixels.places[i] / block_side);
+    const PixelValue pixel = sample_pixel(tracer, pattern, Transfer::linear,
+                                          pixels.x_begin + pixels.places[i] % block_side,
+                                          pixels.y_begin + pixels.places[i] / block_side);
     store(pixel.mean, transfer, results[i].color.data());
     results[i].spread = pixel.spread;
     results[i].is_number = pixel.seen.not_numbers == 0;

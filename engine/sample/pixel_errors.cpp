@@ -15,8 +15,10 @@ constexpr double no_guess = -1;
 
 }  // namespace
 
-PixelErrors::PixelErrors(int width, int height, const ErrorMultiplier& multiplier, WorkerPool& pool)
+PixelErrors::PixelErrors(int width, int height, const ErrorMultiplier& multiplier,
+                         const ShownError& shown, WorkerPool& pool)
     : pool_(pool),
+      shown_(shown),
       width_(width),
       height_(height),
       columns_(static_cast<std::size_t>((width + block_side - 1) / block_side)),
@@ -65,7 +67,7 @@ void PixelErrors::use_guesses() {
 
 void PixelErrors::set_subpixel(SubpixelObjects objects) {
   subpixel_ = std::move(objects);
-  estimate_subtiles();
+  sum_subtiles();
 }
 
 int PixelErrors::x_of(std::size_t pixel) const {
@@ -191,7 +193,7 @@ float PixelErrors::least_at(std::size_t place) const {
   return pixels > 0 ? Model::subtile_neighbour_share * coefficient / pixels : 0;
 }
 
-void PixelErrors::estimate() {
+void PixelErrors::estimate(const RefinementChange& change) {
   for_each_row([this](std::size_t row) {
     const std::vector<char> has_variance = find_variances(row);
     for (std::size_t column = 0; column < columns_; ++column)
@@ -210,16 +212,19 @@ void PixelErrors::estimate() {
       sums_[place].coefficient = rates_[subtile].of_variance * sums_[place].variance;
     });
   });
-  estimate_subtiles();
-}
-
-void PixelErrors::estimate_subtiles() {
   for_each_row([this](std::size_t row) {
-    const std::size_t subtiles_in_row = subtiles_in_block * columns_;
-    std::fill_n(&subtiles_[subtiles_in_row * row], subtiles_in_row, 0.0);
     for_each_subtile(row, [this](std::size_t subtile, std::size_t place, std::size_t) {
       rates_[subtile].least = least_at(place);
     });
+  });
+  if (!change.pixels.empty()) calibrate(change);
+  sum_subtiles();
+}
+
+void PixelErrors::sum_subtiles() {
+  for_each_row([this](std::size_t row) {
+    const std::size_t subtiles_in_row = subtiles_in_block * columns_;
+    std::fill_n(&subtiles_[subtiles_in_row * row], subtiles_in_row, 0.0);
     for_each_error_in(row, [this](std::size_t subtile, std::size_t, double error2) {
       subtiles_[subtile] += error2;
     });
@@ -227,36 +232,29 @@ void PixelErrors::estimate_subtiles() {
   use_guesses();
 }
 
-void PixelErrors::calibrate(std::span<const std::uint32_t> pixels, std::span<const float> before,
-                            double change2) {
-  const std::vector<float> after = unscaled(pixels);
+void PixelErrors::calibrate(const RefinementChange& change) {
+  const std::vector<float> after = seen(change.pixels);
   double sum = 0;
   double squares = 0;
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const double expected = static_cast<double>(before[i]) + static_cast<double>(after[i]);
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const double expected = static_cast<double>(change.before[i]) + static_cast<double>(after[i]);
     sum += expected;
     squares += expected * expected;
   }
   if (!(squares > 0)) return;
   const double weight = sum * sum / squares;  // as many pixels of equal errors would say as much
-  const double seen =
-      (change2 * weight / sum + multiplier_ * Model::prior_pixels) / (weight + Model::prior_pixels);
-  const double before_it = multiplier_;
-  multiplier_ = std::clamp(std::max(seen, Model::least_multiplier_change * multiplier_),
+  const double growth =
+      (change.squares * weight / sum + Model::prior_pixels) / (weight + Model::prior_pixels);
+  multiplier_ = std::clamp(multiplier_ * std::max(growth, Model::least_multiplier_change),
                            least_multiplier_, Model::most_multiplier);
-  if (subpixel_) {
-    estimate_subtiles();
-    return;
-  }
-  for (double& error2 : subtiles_) error2 *= multiplier_ / before_it;
-  use_guesses();
 }
 
-std::vector<float> PixelErrors::unscaled(std::span<const std::uint32_t> pixels) const {
+std::vector<float> PixelErrors::seen(std::span<const std::uint32_t> pixels) const {
   std::vector<float> errors2;
   errors2.reserve(pixels.size());
   InversePower inverse_power;
-  for (const std::uint32_t pixel : pixels) errors2.push_back(unscaled(pixel, inverse_power));
+  for (const std::uint32_t pixel : pixels)
+    errors2.push_back(static_cast<float>(seen(unscaled(pixel, inverse_power), pixel)));
   return errors2;
 }
 
@@ -268,11 +266,10 @@ float PixelErrors::unscaled(std::size_t pixel, InversePower& inverse_power) cons
 
 double PixelErrors::of_pixel(std::size_t pixel) const {
   InversePower inverse_power;
-  return scaled(unscaled(pixel, inverse_power), pixel, samples_[pixel]);
+  return with_subpixel(seen(unscaled(pixel, inverse_power), pixel), pixel, samples_[pixel]);
 }
 
-double PixelErrors::scaled(float unscaled, std::size_t pixel, int samples) const {
-  const double seen = multiplier_ * static_cast<double>(unscaled);
+double PixelErrors::with_subpixel(double seen, std::size_t pixel, int samples) const {
   if (!subpixel_ || samples < 1) return seen;
   return std::max(seen, subpixel_->error2(pixel, samples));
 }

@@ -1,9 +1,10 @@
 // The errors that an image's pixels probably have, from what their samples tell:
 //
 //   error2 = multiplier x (subtiles' mean of (A - B)^2 / 4, by a pixel's variance) / error_power(n)
-//          + subpixel objects that all samples may have missed
 //
-// and, of an image's sum, two standard deviations (conservative_sum()).
+// in linear light, taken through the transfer (ShownError), or, if that is more, what subpixel
+// objects cost that all samples may have missed; and, of an image's sum, two standard deviations
+// (conservative_sum()).
 //
 // A pixel's squared error is its error coefficient, that of one sample, over error_power() of its
 // samples. The coefficient grows with the variance of the samples; what a variance comes to is told
@@ -29,16 +30,26 @@
 #include "engine/math/block.h"
 #include "engine/parallel/worker_pool.h"
 #include "engine/sample/error_rules.h"
+#include "engine/sample/shown_error.h"
 #include "engine/sample/subpixel_objects.h"
 
 namespace raytracer {
+
+/// What a refinement of these pixels has changed.
+struct RefinementChange {
+  std::span<const std::uint32_t> pixels{};
+  std::span<const float> before{};  ///< their PixelErrors::seen() errors before it
+  double squares = 0;               ///< the sum of the squared differences of their values
+};
 
 /// Pixels are numbered as those of PixelSpreads, subtiles as those of SubtileErrors; those beyond
 /// the image's rim have no error.
 class PixelErrors {
  public:
-  /// Of an image so many pixels wide and high, none of which has samples yet.
-  PixelErrors(int width, int height, const ErrorMultiplier& multiplier, WorkerPool& pool);
+  /// Of an image so many pixels wide and high, none of which has samples yet; `shown` is asked for
+  /// pixels that have.
+  PixelErrors(int width, int height, const ErrorMultiplier& multiplier, const ShownError& shown,
+              WorkerPool& pool);
 
   /// For whoever gives all pixels as many samples, and says so by set_all().
   PixelSpreads& spreads() { return spreads_; }
@@ -54,13 +65,9 @@ class PixelErrors {
   /// These objects may be missed. estimate() was called before.
   void set_subpixel(SubpixelObjects objects);
 
-  /// Takes all in. To be called before anything is asked.
-  void estimate();
-
-  /// Takes in what a refinement of these pixels has changed: the sum of the squared differences of
-  /// their values. `before` are their unscaled() errors before it; estimate() was called after it.
-  void calibrate(std::span<const std::uint32_t> pixels, std::span<const float> before,
-                 double change2);
+  /// Takes all in, and what a refinement has changed, if there was one. To be called before
+  /// anything is asked.
+  void estimate(const RefinementChange& change = {});
 
   std::size_t index(int x, int y) const { return spreads_.index(x, y); }
   int x_of(std::size_t pixel) const;
@@ -75,9 +82,9 @@ class PixelErrors {
   /// Of all pixels.
   std::int64_t sample_count() const { return sample_count_; }
 
-  /// The squared errors of these pixels, the sums of their channels', without the error multiplier
-  /// and what subpixel objects add.
-  std::vector<float> unscaled(std::span<const std::uint32_t> pixels) const;
+  /// The squared errors of these pixels, the sums of their channels', without what subpixel objects
+  /// add.
+  std::vector<float> seen(std::span<const std::uint32_t> pixels) const;
   /// That of one, with them.
   double of_pixel(std::size_t pixel) const;
   double of_subtile(std::size_t subtile) const { return subtiles_[subtile]; }
@@ -105,7 +112,7 @@ class PixelErrors {
     float coefficient = 0;  ///< the squared error of one sample
   };
 
-  /// What makes a subtile's pixels err.
+  /// What makes a subtile's pixels err, in linear light.
   struct Rate {
     float of_variance = 0;  ///< the error coefficient
     float least = 0;        ///< likewise, without any variance
@@ -116,15 +123,22 @@ class PixelErrors {
   std::vector<char> find_variances(std::size_t row) const;
   /// Sets `variances_` in a block.
   void spread_variances(std::size_t column, std::size_t row);
+  /// The squared error of linear light without the multiplier.
   float unscaled(std::size_t pixel, InversePower& inverse_power) const;
-  double scaled(float unscaled, std::size_t pixel, int samples) const;
+  /// What that comes to where it is shown, with the multiplier.
+  double seen(float unscaled, std::size_t pixel) const {
+    return shown_(multiplier_ * static_cast<double>(unscaled), x_of(pixel), y_of(pixel));
+  }
+  double with_subpixel(double seen, std::size_t pixel, int samples) const;
   /// Of the subtile that begins at this pixel.
   void sum_up(std::size_t first, InversePower& inverse_power, SubtileSums& sums) const;
   /// From the sums of the subtiles around a place.
   float rate_at(std::size_t place) const;
   float least_at(std::size_t place) const;
-  /// Sets the least rates and `subtiles_`.
-  void estimate_subtiles();
+  /// Corrects the multiplier.
+  void calibrate(const RefinementChange& change);
+  /// Sets `subtiles_`.
+  void sum_subtiles();
 
   /// Calls visit(row) for all rows of blocks, on the pool's threads.
   template <typename Visit>
@@ -156,12 +170,14 @@ class PixelErrors {
           const std::size_t pixel = first + index(x, y);
           const float coefficient = std::max(rate.of_variance * variances_[pixel], rate.least);
           const int samples = samples_[pixel];
-          visit(subtile, pixel, scaled(coefficient * inverse_power(samples), pixel, samples));
+          const float unscaled = coefficient * inverse_power(samples);
+          visit(subtile, pixel, with_subpixel(seen(unscaled, pixel), pixel, samples));
         }
     });
   }
 
   WorkerPool& pool_;
+  ShownError shown_;
   int width_;
   int height_;
   std::size_t columns_;  ///< of blocks

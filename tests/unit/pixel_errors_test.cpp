@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
+#include "engine/image/transfer.h"
 #include "engine/math/block.h"
 
 namespace raytracer::test {
@@ -34,7 +36,9 @@ class PixelErrorsTest : public testing::Test {
 
   WorkerPool pool_{1};
   PixelSpreads spreads_{width, height};
-  PixelErrors errors_{width, height, multiplier, pool_};
+  Image image_{width, height};
+  ShownError shown_{image_, Transfer::linear};
+  PixelErrors errors_{width, height, multiplier, shown_, pool_};
 };
 
 TEST_F(PixelErrorsTest, are_none_where_samples_are_equal) {
@@ -111,7 +115,7 @@ TEST_F(PixelErrorsTest, are_what_a_refinement_changed) {
       pixels.push_back(static_cast<std::uint32_t>(spreads_.index(x, y)));
     }
   const auto refined_with_change = [&](double share, double least = multiplier.least) {
-    PixelErrors refined(width, height, {multiplier.initial, least}, pool_);
+    PixelErrors refined(width, height, {multiplier.initial, least}, shown_, pool_);
     refined.spreads() = spreads_;
     refined.set_all(4);
     refined.estimate();
@@ -120,10 +124,10 @@ TEST_F(PixelErrorsTest, are_what_a_refinement_changed) {
     const std::vector<float> before(pixels.size(), 0.01F);
     for (const std::uint32_t pixel : pixels) refined.set(pixel, 16, {0.00125F, 0.2F});
     refined.estimate();
-    const double unscaled = refined.unscaled(pixels)[0];
+    const double uncorrected = refined.of_pixel(pixels[0]);
     const double count = static_cast<double>(pixels.size());
-    refined.calibrate(pixels, before, share * count * (0.01 + unscaled));
-    return refined.of_pixel(pixels[0]) / unscaled;
+    refined.estimate({pixels, before, share * count * (0.01 + uncorrected)});
+    return refined.of_pixel(pixels[0]) / uncorrected;
   };
   EXPECT_NEAR(refined_with_change(1), 1, 0.01);
   EXPECT_NEAR(refined_with_change(2), 1.9, 0.1) << "as far as so many pixels are believed";
@@ -135,7 +139,7 @@ TEST_F(PixelErrorsTest, are_what_a_refinement_changed) {
 
 /// At the rim subtiles have fewer pixels, and fewer beside them: what is beside counts as much.
 TEST_F(PixelErrorsTest, rise_beside_detail_at_a_rim) {
-  PixelErrors thin(64, 1, multiplier, pool_);
+  PixelErrors thin(64, 1, multiplier, shown_, pool_);
   const std::size_t detailed = thin.index(17, 0);
   thin.spreads().set(detailed, {0.01F, 0.2F});
   thin.set_all(4);
@@ -160,6 +164,27 @@ TEST_F(PixelErrorsTest, are_guessed_until_samples_tell) {
   EXPECT_EQ(errors_.of_subtile(subtiles_in_block), 0.25);
   EXPECT_GT(errors_.of_subtile(0), 0.01);
   EXPECT_LT(errors_.of_subtile(0), 0.1);
+}
+
+/// sRGB of 0.002 is 0.026, of 0.25 it is 0.54: the same deviation shows ten times as far near
+/// black.
+TEST(ShownError, is_that_of_linear_light_through_the_slope_of_the_transfer) {
+  Image image(3, 1);
+  const std::array<double, 3> linear{0, 0.002, 0.25};
+  for (int x = 0; x < 3; ++x)
+    for (int channel = 0; channel < 3; ++channel)
+      image.pixel(x, 0)[channel] =
+          static_cast<float>(encode_channel(linear[static_cast<std::size_t>(x)], Transfer::srgb));
+  const double deviation = 1e-3;
+  const double error2 = 3 * deviation * deviation;
+  EXPECT_EQ(ShownError(image, Transfer::linear)(error2, 2, 0), error2);
+  const ShownError shown(image, Transfer::srgb);
+  EXPECT_EQ(shown(0, 1, 0), 0);
+  EXPECT_NEAR(std::sqrt(shown(error2, 1, 0) / error2), 12.92, 0.6) << "the straight part";
+  const double slope = 1.055 / 2.4 * std::pow(0.25, 1 / 2.4 - 1);
+  EXPECT_NEAR(std::sqrt(shown(error2, 2, 0) / error2), slope, 0.02 * slope);
+  EXPECT_NEAR(std::sqrt(shown(error2, 0, 0) / error2), 12.92 / std::sqrt(2), 0.3)
+      << "black has one side";
 }
 
 }  // namespace

@@ -89,13 +89,15 @@ struct BlockSpread {
   alignas(64) T squares[block_pixels];  ///< of the others' differences from it
 };
 
-/// Adds to each subtile's error what the means of its half buffers differ by.
+/// Adds to each subtile's error what the means of its half buffers differ by; to each pixel's in
+/// linear light.
 template <class D, typename T>
 HWY_NOINLINE void tell_errors(D d, const Block& block, const BlockRays<D>& rays,
                               const BlockSpread<T>& spread, const BlockColours<T>& sums,
                               std::size_t count, Transfer transfer, const TileErrors& errors) {
   using V = hn::Vec<D>;
   using Shape = PacketShape<D>;
+  const Transfer told_after = errors.pixels != nullptr ? Transfer::linear : transfer;
   for (int i = 0; i < Shape::packets; ++i) {
     const PacketPlace<D> place(i);
     if (!place.is_in(block)) continue;
@@ -107,7 +109,7 @@ HWY_NOINLINE void tell_errors(D d, const Block& block, const BlockRays<D>& rays,
       squares = hn::Load(d, spread.squares + first);
     }
     const Spread<V> told = spread_of(d, load(d, spread.half_a, first), load(d, sums, first), origin,
-                                     squares, count, transfer);
+                                     squares, count, told_after);
     const auto active = rays.active(d, place);
     const V error2 = hn::IfThenElseZero(active, told.error2);
     if (errors.subtiles != nullptr)

@@ -44,12 +44,12 @@ struct Spread {
 
 /// What the sums of a pixel's samples tell: of half buffer A, of all, and of the squares of their
 /// differences from `origin`, one of them: squares of what is large leave nothing of what is small.
+/// The halves are compared after the transfer.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE Spread<V> spread_of(D d, const V3<V>& sum_a, const V3<V>& all, const V3<V>& origin,
                                V squares, std::size_t count, Transfer transfer) {
   const V half = share_of(d, count / 2);
   const V whole = share_of(d, count);
-  const V one = hn::Set(d, T(1));
   const V zero = hn::Zero(d);
   const auto shown = [&](const V3<V>& sum, V share)
                          HWY_ATTR { return resolved(d, max_zero(d, sum), share, transfer); };
@@ -58,15 +58,7 @@ HWY_INLINE Spread<V> spread_of(D d, const V3<V>& sum_a, const V3<V>& all, const 
       hn::Mul(dot(difference, difference), hn::Set(d, T(SampleErrorModel::half_difference_share)));
   const V3<V> mean = scale(all, whole);
   const V3<V> shift = sub(mean, origin);
-  V variance = hn::MulSub(squares, whole, dot(shift, shift));
-  if (transfer != Transfer::linear) {
-    // By what the channels' deviation from the mean, taken as equal, comes to after the transfer.
-    const V deviation = hn::Sqrt(hn::Mul(hn::Max(variance, zero), hn::Set(d, T(1.0 / 3))));
-    const V3<V> deviations{deviation, deviation, deviation};
-    const V3<V> range = sub(shown(add(mean, deviations), one), shown(sub(mean, deviations), one));
-    variance = hn::Mul(dot(range, range), hn::Set(d, T(0.25)));
-  }
-  variance = hn::Max(variance, error2);
+  const V variance = hn::Max(hn::MulSub(squares, whole, dot(shift, shift)), error2);
   // Not hn::Max: what is no number comes to nothing, too.
   return {hn::IfThenElseZero(hn::Gt(error2, zero), error2),
           hn::IfThenElseZero(hn::Gt(variance, zero), variance)};

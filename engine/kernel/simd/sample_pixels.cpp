@@ -177,7 +177,7 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
     const V3<V> all = load(d, sums.all, first);
     const Spread<V> spread =
         spread_of(d, load(d, sums.half_a, first), all, load(d, sums.origin, first),
-                  hn::Load(d, sums.squares + first), count, transfer);
+                  hn::Load(d, sums.squares + first), count, Transfer::linear);
     store(d, resolved(d, all, share_of(d, count), transfer), first, sums.all);
     hn::Store(spread.error2, d, sums.half_a.red + first);
     hn::Store(spread.variance, d, sums.squares + first);

@@ -1,0 +1,62 @@
+#include "engine/sample/shown_error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "engine/image/transfer.h"
+
+namespace raytracer {
+namespace {
+
+/// A rising function of [0, 1] as a polyline.
+class Polyline {
+ public:
+  template <typename Function>
+  explicit Polyline(const Function& function) {
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      values_[i] = function(static_cast<double>(i) / last);
+  }
+
+  double operator()(double x) const {
+    const double place = std::clamp(x, 0.0, 1.0) * last;
+    const auto i = std::min(static_cast<std::size_t>(place), last - 1);
+    return values_[i] + (place - static_cast<double>(i)) * (values_[i + 1] - values_[i]);
+  }
+
+ private:
+  static constexpr std::size_t last = 1024;
+  std::array<double, last + 1> values_;
+};
+
+/// sRGB of the square of its argument, which is as straight near black as elsewhere, and back.
+struct Curves {
+  Polyline encoded_square{[](double root) { return encode_channel(root * root, Transfer::srgb); }};
+  Polyline root_of{[](double shown) { return std::sqrt(decode_channel(shown, Transfer::srgb)); }};
+};
+
+}  // namespace
+
+double ShownError::of_pixel(double linear_error2, const float* pixel) {
+  static const Curves curves;
+  // The mean of a square over normal deviations: a sixth of it lies at the root of three of their
+  // standard deviation to either side, the rest at none (Gauss-Hermite quadrature of three points).
+  constexpr double channels = 3;
+  constexpr double outer_place2 = 3;
+  constexpr double outer_weight = 1.0 / 6;
+  const double deviation = std::sqrt(outer_place2 * linear_error2 / channels);
+  double sum = 0;
+  for (int channel = 0; channel < 3; ++channel) {
+    const auto shown = static_cast<double>(pixel[channel]);
+    const double root = curves.root_of(shown);
+    const double linear = root * root;
+    for (const double moved : {linear + deviation, linear - deviation}) {
+      const double change = curves.encoded_square(std::sqrt(std::clamp(moved, 0.0, 1.0))) - shown;
+      sum += outer_weight * change * change;
+    }
+  }
+  return sum;
+}
+
+}  // namespace raytracer
