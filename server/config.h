@@ -5,16 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <variant>
 
 #include "engine/engine.h"
-
-namespace CLI {
-class App;
-}
 
 namespace raytracer {
 
