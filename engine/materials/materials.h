@@ -8,18 +8,17 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 
-#include "engine/fields/types.h"
 #include "engine/materials/blinn_phong/blinn_phong.h"
 #include "engine/materials/mirror/mirror.h"
 
 namespace raytracer {
 
-/// In the order of the documentation.
-using MaterialEffects = Types<BlinnPhong, Mirror>;
-
-/// All effects together.
+/// All effects together, in the order of the documentation.
 struct Material : BlinnPhong, Mirror {
+  static constexpr auto fields = std::tuple_cat(BlinnPhong::fields, Mirror::fields);
+
   friend auto operator<=>(const Material&, const Material&) = default;
 };
 
