@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "engine/math/vec.h"
+
 namespace raytracer {
 
 /// An interval of doubles, with the words for it.
@@ -28,37 +30,58 @@ inline constexpr ValueRange not_negative{.least = 0};
 inline constexpr ValueRange positive{.least = 0, .least_excluded = true};
 inline constexpr ValueRange unit_interval{.least = 0, .most = 1};
 
+/// What to say of a value that must be what is `wanted`.
+std::string out_of_range(double value, std::string_view wanted);
+
+// A rule's complaint(value) says what is wrong with a value; nothing if it is right.
+
 /// A double.
 struct NumberRule {
   ValueRange range = any_number;
+
+  std::string complaint(double value) const {
+    return range.contains(value) ? "" : out_of_range(value, range.describe());
+  }
 };
 
 /// A number without a fraction, 3 and 3.0 alike.
 struct IntegerRule {
   std::int64_t least;
   std::int64_t most;
+
+  std::string complaint(double value) const;
 };
 
 /// A number of things: any integer from `least` on; the largest int stands for what is more.
 struct CountRule {
   int least;
+
+  std::string complaint(double value) const;
 };
 
 struct FlagRule {};
-struct StringRule {};
 
-/// An angle in radians, as is_field_of_view() has it.
-struct FieldOfViewRule {};
+/// An angle in radians that modulo 2 pi is strictly between 0 and pi. The double nearest to pi (or
+/// to a multiple of it) stands for that multiple, although it is a hair off.
+struct FieldOfViewRule {
+  static std::string complaint(double angle);
+};
 
 /// Three numbers.
-struct PointRule {};
+struct PointRule {
+  static std::string complaint(const Vec3& point);
+};
 /// A point that differs from the one under another key, and why.
 struct OtherPointRule {
   std::string_view other;
   std::string_view reason;
+
+  std::string complaint(const Vec3& point, const Vec3& other_point) const;
 };
 /// Three numbers, not all of them 0.
-struct DirectionRule {};
+struct DirectionRule {
+  static std::string complaint(const Vec3& direction);
+};
 /// Three numbers in [0, 1], or "#rrggbb".
 struct ColorRule {};
 

@@ -51,14 +51,14 @@ constexpr void for_each_field(const std::tuple<Field...>& table, const Visit& vi
 }
 
 /// The keys of a table, those of `more` behind them.
-template <std::size_t more_count, typename... Field>
-constexpr std::array<std::string_view, sizeof...(Field) + more_count> keys_of(
-    const std::tuple<Field...>& table, const std::array<std::string_view, more_count>& more) {
-  std::array<std::string_view, sizeof...(Field) + more_count> keys;
-  std::size_t count = 0;
-  for_each_field(table, [&](const auto& field) { keys[count++] = field.key; });
-  for (const std::string_view key : more) keys[count++] = key;
-  return keys;
+template <typename... Field, typename... More>
+constexpr auto keys_of(const std::tuple<Field...>& table, More... more) {
+  return std::apply(
+      [&](const auto&... field) {
+        return std::array<std::string_view, sizeof...(Field) + sizeof...(More)>{field.key...,
+                                                                                more...};
+      },
+      table);
 }
 
 }  // namespace raytracer

@@ -9,6 +9,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <tuple>
 
 #include "engine/fields/documented.h"
 #include "engine/fields/types.h"
@@ -29,6 +30,8 @@ static_assert(
 
 /// All effects together.
 struct Material : BlinnPhong, Mirror {
+  static constexpr auto fields = std::tuple_cat(BlinnPhong::fields, Mirror::fields);
+
   friend auto operator<=>(const Material&, const Material&) = default;
 };
 

@@ -18,6 +18,19 @@ void* allocate_pages(std::size_t bytes);
 /// Of so many bytes, as they were asked for.
 void free_pages(void* memory, std::size_t bytes);
 
+/// While it lives, huge pages back what is first written of memory that somebody else allocated.
+class HugePages {
+ public:
+  HugePages(void* memory, std::size_t bytes);
+  ~HugePages();
+  HugePages(const HugePages&) = delete;
+  HugePages& operator=(const HugePages&) = delete;
+
+ private:
+  void* const memory_;
+  const std::size_t bytes_;
+};
+
 /// For vectors whose elements are all written after they were made: it leaves them as they are.
 template <typename T>
 struct PageAllocator {

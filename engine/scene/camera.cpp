@@ -1,7 +1,6 @@
 #include "engine/scene/camera.h"
 
 #include <cmath>
-#include <limits>
 
 namespace raytracer {
 namespace {
@@ -16,15 +15,6 @@ Vec3 least_aligned_axis(const Vec3& d) {
 }
 
 }  // namespace
-
-bool is_field_of_view(double angle) {
-  if (angle > 0 && angle < 1) return true;  // however small
-  const double sine = std::sin(angle / 2);
-  const double cosine = std::cos(angle / 2);
-  const double spacing =
-      std::nextafter(std::abs(angle), std::numeric_limits<double>::infinity()) - std::abs(angle);
-  return sine * cosine > 0 && 2 * std::abs(sine) > spacing && 2 * std::abs(cosine) > spacing;
-}
 
 View make_view(const Camera& camera) {
   constexpr double parallel = 1e-12;

@@ -1,7 +1,6 @@
 // The pinhole camera: its documented fields, the rules that they obey and the view that they give.
 #pragma once
 
-#include <string_view>
 #include <tuple>
 
 #include "engine/fields/field_table.h"
@@ -28,16 +27,6 @@ struct Camera {
       required("width", &Camera::width, CountRule{1}, "Pixels."),
       required("height", &Camera::height, CountRule{1}, "Pixels."));
 };
-
-/// Whether the angle modulo 2 pi is strictly between 0 and pi. The double nearest to pi (or to a
-/// multiple of it) stands for that multiple, although it is a hair off.
-bool is_field_of_view(double angle);
-
-inline constexpr std::string_view fov_rule =
-    "the field of view, taken modulo 2 pi, must lie strictly between 0 and pi";
-
-inline constexpr std::string_view look_at_rule =
-    "must differ from origin: the camera has no direction";
 
 /// The view of a camera that obeys the rules (scene format, "Camera").
 View make_view(const Camera& camera);

@@ -11,13 +11,21 @@ namespace {
 /// Appends values as bytes, least significant first, so that all machines agree.
 class Bytes {
  public:
-  Bytes() {
-    constexpr std::size_t few_objects = 1024;
-    bytes_.reserve(few_objects);
+  template <typename... T>
+  void add(const T&... values) {
+    (append(values), ...);
   }
 
+  template <typename Structure>
+  void add_fields(const Structure& structure) {
+    for_each_field(Structure::fields, [&](const auto& row) { append(structure.*row.member); });
+  }
+
+  std::string take() && { return std::move(bytes_); }
+
+ private:
   template <std::integral T>
-  void add(T value) {
+  void append(T value) {
     std::array<char, 8> bytes{};
     for (std::size_t i = 0; i < bytes.size(); ++i)
       bytes[i] = static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * i) & 0xff);
@@ -25,65 +33,37 @@ class Bytes {
   }
   template <typename T>
   requires std::is_enum_v<T>
-  void add(T value) { add(static_cast<std::int64_t>(value)); }
-  void add(double value) { add(std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value)); }
-  void add(const Vec3& v) { add_all(v.x, v.y, v.z); }
-  void add(const std::array<std::uint32_t, 3>& indices) {
-    add_all(indices[0], indices[1], indices[2]);
+  void append(T value) { append(static_cast<std::int64_t>(value)); }
+  void append(double value) { append(std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value)); }
+  void append(const Vec3& v) { add(v.x, v.y, v.z); }
+  void append(const std::array<std::uint32_t, 3>& indices) {
+    add(indices[0], indices[1], indices[2]);
+  }
+  void append(const Object& o) { add(o.shape, o.material); }
+  void append(const Light& l) {
+    append(l.source);
+    add_fields(l);
   }
   template <typename T>
-  void add(const std::optional<T>& value) {
-    add(value.has_value());
-    if (value) add(*value);
-  }
-  template <typename T>
-  void add(const std::vector<T>& values) {
-    add_array(values);
-  }
-  template <typename T>
-  void add(const SharedArray<T>& values) {
-    add_array(values);
+  void append(const std::optional<T>& value) {
+    append(value.has_value());
+    if (value) append(*value);
   }
   template <typename... T>
-  void add(const std::variant<T...>& value) {
-    add(value.index());
-    std::visit([this](const auto& alternative) { this->add(alternative); }, value);
-  }
-
-  void add(const Material& m) {
-    const auto add_effects = [&]<class... Effect>(Types<Effect...>) {
-      (add_fields(static_cast<const Effect&>(m)), ...);
-    };
-    add_effects(MaterialEffects{});
-  }
-  void add(const Object& o) { add_all(o.shape, o.material); }
-  void add(const Light& l) {
-    add(l.source);
-    add_fields(l);
+  void append(const std::variant<T...>& value) {
+    append(value.index());
+    std::visit([this](const auto& alternative) { append(alternative); }, value);
   }
   template <typename Structure>
   requires requires { Structure::fields; }
-  void add(const Structure& structure) { add_fields(structure); }
-
-  template <typename... T>
-  void add_all(const T&... values) {
-    (add(values), ...);
-  }
-
-  template <typename Structure>
-  void add_fields(const Structure& structure) {
-    for_each_field(Structure::fields, [&](const auto& row) { add(structure.*row.member); });
-  }
-
-  std::string take() && { return std::move(bytes_); }
-
- private:
+  void append(const Structure& structure) { add_fields(structure); }
   template <typename Array>
-  void add_array(const Array& values) {
-    add(values.size());
+  requires requires(Array array) { array.begin(); }
+  void append(const Array& values) {
+    append(values.size());
     // Growing, it would be held twice.
     bytes_.reserve(bytes_.size() + values.size() * sizeof(typename Array::value_type));
-    for (const auto& value : values) add(value);
+    for (const auto& value : values) append(value);
   }
 
   std::string bytes_;
@@ -94,7 +74,7 @@ class Bytes {
 std::string canonical_content(const Scene& s) {
   Bytes bytes;
   bytes.add_fields(s);
-  bytes.add_all(s.lights, s.materials, s.objects);
+  bytes.add(s.lights, s.materials, s.objects);
   return std::move(bytes).take();
 }
 
@@ -102,7 +82,7 @@ std::string canonical_view(const Scene& s) {
   Bytes bytes;
   RenderSettings render = s.render;
   render.samples = render.samples.value_or(1);
-  bytes.add_all(s.camera, render);
+  bytes.add(s.camera, render);
   return std::move(bytes).take();
 }
 

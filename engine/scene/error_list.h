@@ -1,6 +1,7 @@
 // Errors as they are found, bounded: a hostile document can hold millions of them.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -18,16 +19,23 @@ class ErrorList {
 
   void add(ErrorKind kind, const Path& path, std::string detail);
 
-  bool empty() const { return count_ == 0; }
+  /// The same with what describe() returns, which is not asked for errors that are only counted.
+  template <std::invocable Describe>
+  void add(ErrorKind kind, const Path& path, const Describe& describe) {
+    if (is_full())
+      ++count_;
+    else
+      add(kind, path, describe());
+  }
 
-  /// Whether the list is closed: what is added only counts, and may as well be added in short.
-  bool is_full() const { return errors_.size() == most_errors; }
-  void add_unlisted() { ++count_; }
+  bool empty() const { return count_ == 0; }
 
   /// The errors in the order found; a last one says how many more there were.
   std::vector<Error> take() &&;
 
  private:
+  bool is_full() const { return errors_.size() == most_errors; }
+
   std::vector<Error> errors_;
   std::size_t count_ = 0;
   std::size_t bytes_ = 0;

@@ -1,12 +1,13 @@
 // Reading one JSON value as what it should be, or noting what is wrong with it.
 //
-// Every read_* function returns the value, or nothing after it has added an error that names the
+// Every read function returns the value, or nothing after it has added an error that names the
 // place. A reader goes on after an error, so that all of a document's errors are found at once.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -20,7 +21,6 @@
 #include "engine/scene/document.h"
 #include "engine/scene/error_list.h"
 #include "engine/scene/path.h"
-#include "engine/scene/result.h"
 
 namespace raytracer {
 
@@ -29,139 +29,134 @@ struct Field {
   JsonValue value;
   const Path& path;
   ErrorList& errors;
+  JsonObject siblings{};  ///< of a member of an object: all members
 
   void refuse(std::string detail) const { errors.add(ErrorKind::invalid, path, std::move(detail)); }
-  /// The same where `describe()` takes long: it is not called for errors that are only counted.
-  template <typename Describe>
-  void refuse_by(const Describe& describe) const {
-    if (errors.is_full())
-      errors.add_unlisted();
-    else
-      refuse(describe());
+  /// The same with what describe() returns, which is not asked for errors that are only counted.
+  template <std::invocable Describe>
+  void refuse(const Describe& describe) const {
+    errors.add(ErrorKind::invalid, path, describe);
   }
 };
 
-/// The elements of an array of numbers, if all are in `range`; otherwise nothing, and no error:
-/// large scenes are made of these, and one that fails is looked at again number by number.
-std::span<const double> numbers_within(const JsonValue& value, const ValueRange& range);
+std::optional<std::string_view> read_string(const Field& field);
+std::optional<JsonArray> read_array(const Field& field, std::string_view wanted = "an array");
 
-/// True for an array; notes an error otherwise.
-bool expect_array(const Field& field);
-
-/// Calls read(Field) for each element of an array.
+/// Calls read(Field) for each element.
 template <typename Read>
-void read_elements(const Field& field, Read read) {
+void read_elements(const Field& field, const JsonArray& array, const Read& read) {
   std::size_t index = 0;
-  field.value.for_each_element([&](JsonValue element) {
+  for (const JsonValue element : array) {
     const Path path = field.path.child(index++);
     read(Field{element, path, field.errors});
-  });
+  }
 }
 
-/// An object's members by key. On construction it notes a value that is no object, and every key
-/// that is not among `known`, with the nearest that is.
+/// Fills `numbers` with an array's elements if they are that many, all numbers in `range`. False
+/// otherwise, without an error: large scenes are made of these, and an array that fails is read
+/// again, number by number.
+bool get_numbers(const JsonArray& array, const ValueRange& range, std::span<double> numbers);
+
+/// An object's members by key.
 class ObjectReader {
  public:
-  ObjectReader(const Field& field, std::span<const std::string_view> known);
-  /// Of whatever keys, and of a value that has none if it is no object.
-  explicit ObjectReader(const Field& field)
-      : field_(field), is_object_(field.value.kind() == JsonKind::object) {}
+  ObjectReader(const JsonObject& object, const Field& field) : object_(object), field_(field) {}
+
+  /// Calls read(key, Field) for each member, duplicates included.
+  template <typename Read>
+  void for_each(const Read& read) const {
+    for (const auto& member : object_) {
+      const Path path = field_.path.child(member.key);
+      read(member.key, Field{member.value, path, field_.errors, object_});
+    }
+  }
+
+  /// Notes every key that is not among `known`, with the nearest that is.
+  void refuse_keys_but(std::span<const std::string_view> known) const;
 
   /// Sets `out` to what read(Field) returns for the member `key`, if it is there and right.
+  /// Returns whether it is there.
   template <typename T, typename Read>
-  void optional(std::string_view key, T& out, Read read) const {
-    set(key, out, read);
+  bool optional(std::string_view key, T& out, const Read& read) const {
+    const auto value = object_.at_key(key);
+    if (value.error()) return false;
+    const Path path = field_.path.child(key);
+    if (auto content = read(Field{value.value_unsafe(), path, field_.errors, object_}))
+      out = static_cast<T>(*std::move(content));
+    return true;
   }
 
   /// As `optional`, and a missing key is an error.
   template <typename T, typename Read>
-  void required(std::string_view key, T& out, Read read) const {
-    if (!set(key, out, read) && is_object_)
+  void required(std::string_view key, T& out, const Read& read) const {
+    if (!optional(key, out, read))
       field_.errors.add(ErrorKind::invalid, field_.path.child(key),
                         fmt::format("\"{}\" is required", key));
   }
 
-  /// What read(Field) makes of the member `key`, its errors unheard.
-  template <typename Read>
-  auto peek(std::string_view key, const Read& read) const -> decltype(read(std::declval<Field>())) {
-    const auto value = is_object_ ? field_.value.member(key) : std::nullopt;
-    if (!value) return {};
-    ErrorList unheard;
-    const Path path = field_.path.child(key);
-    return read(Field{*value, path, unheard});
-  }
-
-  /// How many elements the array at `key` has; nothing if there is no array there.
-  std::optional<std::size_t> element_count(std::string_view key) const;
-
  private:
-  template <typename T, typename Value>
-  static void assign(T& out, Value value) {
-    out = static_cast<T>(std::move(value));
-  }
-  template <typename T, typename Value>
-  static void assign(std::optional<T>& out, Value value) {
-    out = static_cast<T>(std::move(value));
-  }
-
-  /// False if there is no member `key`.
-  template <typename T, typename Read>
-  bool set(std::string_view key, T& out, Read read) const {
-    const auto value = is_object_ ? field_.value.member(key) : std::nullopt;
-    if (!value) return false;
-    const Path path = field_.path.child(key);
-    if (auto content = read(Field{*value, path, field_.errors})) assign(out, *std::move(content));
-    return true;
-  }
-
+  JsonObject object_;
   const Field& field_;
-  bool is_object_;
 };
 
-// One function for each rule of engine/fields/field_rules.h. `of` is the object that the field is
-// in.
-std::optional<double> read(const Field& field, const NumberRule& rule, const ObjectReader& of);
-std::optional<std::int64_t> read(const Field& field, const IntegerRule& rule,
-                                 const ObjectReader& of);
-std::optional<int> read(const Field& field, const CountRule& rule, const ObjectReader& of);
-std::optional<bool> read(const Field& field, const FlagRule& rule, const ObjectReader& of);
-std::optional<double> read(const Field& field, const FieldOfViewRule& rule, const ObjectReader& of);
-std::optional<Vec3> read(const Field& field, const PointRule& rule, const ObjectReader& of);
-std::optional<Vec3> read(const Field& field, const OtherPointRule& rule, const ObjectReader& of);
-std::optional<Vec3> read(const Field& field, const DirectionRule& rule, const ObjectReader& of);
-std::optional<Rgb> read(const Field& field, const ColorRule& rule, const ObjectReader& of);
-std::optional<std::vector<Vec3>> read(const Field& field, const PointsRule& rule,
-                                      const ObjectReader& of);
-std::optional<std::vector<Vec3>> read(const Field& field, const OtherPointPerItemRule& rule,
-                                      const ObjectReader& of);
-std::optional<std::vector<double>> read(const Field& field, const NumberPerItemRule& rule,
-                                        const ObjectReader& of);
-std::optional<std::vector<Rgb>> read(const Field& field, const ColorPerItemRule& rule,
-                                     const ObjectReader& of);
+std::optional<ObjectReader> read_object(const Field& field);
+
+// One function for each rule of engine/fields/field_rules.h.
+std::optional<double> read(const Field& field, const NumberRule& rule);
+std::optional<std::int64_t> read(const Field& field, const IntegerRule& rule);
+std::optional<int> read(const Field& field, const CountRule& rule);
+std::optional<bool> read(const Field& field, const FlagRule& rule);
+std::optional<double> read(const Field& field, const FieldOfViewRule& rule);
+std::optional<Vec3> read(const Field& field, const PointRule& rule);
+std::optional<Vec3> read(const Field& field, const OtherPointRule& rule);
+std::optional<Vec3> read(const Field& field, const DirectionRule& rule);
+std::optional<Rgb> read(const Field& field, const ColorRule& rule);
+std::optional<std::vector<Vec3>> read(const Field& field, const PointsRule& rule);
+std::optional<std::vector<Vec3>> read(const Field& field, const OtherPointPerItemRule& rule);
+std::optional<std::vector<double>> read(const Field& field, const NumberPerItemRule& rule);
+std::optional<std::vector<Rgb>> read(const Field& field, const ColorPerItemRule& rule);
 std::optional<std::vector<std::array<std::uint32_t, 3>>> read(const Field& field,
-                                                              const TriplesRule& rule,
-                                                              const ObjectReader& of);
+                                                              const TriplesRule& rule);
+
+/// What another member of the same object is, its errors unheard.
+template <typename Rule>
+auto read_sibling(const Field& field, std::string_view key, const Rule& rule)
+    -> decltype(read(field, rule)) {
+  const auto value = field.siblings.at_key(key);
+  if (value.error()) return {};
+  ErrorList unheard;
+  return read(Field{value.value_unsafe(), field.path, unheard}, rule);
+}
 
 /// The index of the string among `words`.
 std::optional<std::size_t> read_choice(const Field& field, std::span<const std::string_view> words);
 template <std::size_t count>
-std::optional<std::size_t> read(const Field& field, const ChoiceRule<count>& rule,
-                                const ObjectReader&) {
+std::optional<std::size_t> read(const Field& field, const ChoiceRule<count>& rule) {
   return read_choice(field, rule.words);
 }
-
-std::optional<std::string_view> read_string(const Field& field);
 
 /// Sets the members of `owner` whose fields are there and right.
 template <typename Owner, typename... Fields>
 void read_fields(const ObjectReader& object, const std::tuple<Fields...>& table, Owner& owner) {
   for_each_field(table, [&](const auto& row) {
-    const auto read_row = [&](const Field& field) { return read(field, row.rule, object); };
+    const auto read_row = [&](const Field& field) { return read(field, row.rule); };
     if (row.is_required)
       object.required(row.key, owner.*row.member, read_row);
     else
       object.optional(row.key, owner.*row.member, read_row);
   });
+}
+
+/// Reads a structure that an object says with the keys of its table and no others, as far as they
+/// are right.
+template <typename Structure>
+std::optional<Structure> read_structure(const Field& field) {
+  const std::optional<ObjectReader> object = read_object(field);
+  if (!object) return {};
+  object->refuse_keys_but(keys_of(Structure::fields));
+  Structure structure;
+  read_fields(*object, Structure::fields, structure);
+  return structure;
 }
 
 }  // namespace raytracer

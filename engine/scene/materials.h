@@ -15,8 +15,9 @@ namespace raytracer {
 /// Collects those materials that objects use.
 class MaterialReader {
  public:
+  MaterialReader() = default;
   /// Reads "materials": an object of named materials, each checked whether used or not.
-  void read_named(const Field& field);
+  explicit MaterialReader(const Field& field);
 
   /// Reads an object's "material": a name, or a material in place.
   std::optional<MaterialIndex> read_use(const Field& field);

@@ -1,42 +1,39 @@
 #include "engine/scene/nearest_key.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <vector>
 
 namespace raytracer {
 namespace {
 
+/// A longer word is no slip of the finger: only its start is compared.
+constexpr std::size_t longest = 64;
+
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// Its start, without capitals: a longer word is no slip of the finger, a capital is less of one
-/// than another letter.
+/// Without capitals: one is less of a slip than another letter.
 std::string start_of(std::string_view word) {
-  constexpr std::size_t longest = 64;
   std::string start(word.substr(0, longest));
   std::transform(start.begin(), start.end(), start.begin(), lower);
   return start;
 }
 
-/// Optimal string alignment distance, by dynamic programming over three rows.
+/// Optimal string alignment distance, by dynamic programming over their beginnings.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before_last(b.size() + 1);
-  std::vector<std::size_t> last(b.size() + 1);
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::swap(before_last, last);
-    std::swap(last, row);
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+  std::array<std::array<std::size_t, longest + 1>, longest + 1> of;
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      of[i][j] = std::max(i, j);
+      if (i == 0 || j == 0) continue;
+      const std::size_t substituted = of[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      of[i][j] = std::min({of[i - 1][j] + 1, of[i][j - 1] + 1, substituted});
       if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        row[j] = std::min(row[j], before_last[j - 2] + 1);
+        of[i][j] = std::min(of[i][j], of[i - 2][j - 2] + 1);
     }
-  }
-  return row[b.size()];
+  return of[a.size()][b.size()];
 }
 
 }  // namespace

@@ -3,24 +3,44 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
-
-#include "engine/scene/camera.h"
 
 namespace raytracer {
 namespace {
 
-template <typename T>
-void override_with(T& value, const std::optional<T>& over) {
+template <typename Value, typename T>
+void override_with(Value& value, const std::optional<T>& over) {
   if (over) value = *over;
 }
 
-template <typename T>
-void override_with(std::optional<T>& value, const std::optional<T>& over) {
-  if (over) value = over;
+/// The point that a structure has under a key.
+template <typename Structure>
+Vec3 point_of(const Structure& structure, std::string_view key) {
+  Vec3 point;
+  for_each_field(Structure::fields, [&](const auto& row) {
+    if constexpr (std::is_same_v<decltype(structure.*row.member), const Vec3&>)
+      if (row.key == key) point = structure.*row.member;
+  });
+  return point;
+}
+
+/// Notes what the rules of a structure's fields have to complain about.
+template <typename Structure>
+void check_fields(const Structure& structure, const Path& path, ErrorList& errors) {
+  for_each_field(Structure::fields, [&](const auto& row) {
+    const auto& value = structure.*row.member;
+    std::string complaint;
+    if constexpr (requires { row.rule.complaint(value); })
+      complaint = row.rule.complaint(value);
+    else if constexpr (requires { row.rule.complaint(*value); })
+      complaint = value ? row.rule.complaint(*value) : "";
+    else if constexpr (requires { row.rule.other; })
+      complaint = row.rule.complaint(value, point_of(structure, row.rule.other));
+    if (!complaint.empty()) errors.add(ErrorKind::invalid, path.child(row.key), complaint);
+  });
 }
 
 bool reflects(const Scene& scene) {
@@ -65,30 +85,8 @@ Scene with_overrides(Scene scene, const Overrides& over) {
 
 void check_view_rules(const Scene& scene, ErrorList& errors) {
   const Path root;
-  const Path camera_path = root.child("camera");
-  const Path render_path = root.child("render");
-  const auto demand = [&](bool holds, const Path& parent, std::string_view key,
-                          std::string_view rule) {
-    if (!holds) errors.add(ErrorKind::invalid, parent.child(key), std::string(rule));
-  };
-  const Camera& camera = scene.camera;
-  demand(camera.width >= 1, camera_path, "width", "must be at least 1");
-  demand(camera.height >= 1, camera_path, "height", "must be at least 1");
-  const auto is_finite = [](const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-  };
-  constexpr std::string_view finite_rule = "must be three finite numbers";
-  demand(is_finite(camera.origin), camera_path, "origin", finite_rule);
-  demand(is_finite(camera.look_at), camera_path, "look_at", finite_rule);
-  demand(is_finite(camera.up), camera_path, "up", finite_rule);
-  demand(camera.origin != camera.look_at, camera_path, "look_at", look_at_rule);
-  demand(camera.up != Vec3{}, camera_path, "up", "the zero vector has no direction");
-  demand(is_field_of_view(camera.fov), camera_path, "fov", fov_rule);
-  const RenderSettings& render = scene.render;
-  demand(render.samples.value_or(1) >= 1, render_path, "samples", "must be at least 1");
-  demand(render.target_rmse.value_or(1) > 0, render_path, "target_rmse", "must be above 0");
-  demand(render.budget_ms.value_or(1) > 0, render_path, "budget_ms", "must be above 0");
-  demand(render.max_depth >= 0, render_path, "max_depth", "must be at least 0");
+  check_fields(scene.camera, root.child("camera"), errors);
+  check_fields(scene.render, root.child("render"), errors);
 }
 
 void check_view_limits(const Scene& scene, const Limits& limits, ErrorList& errors) {

@@ -4,47 +4,55 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/scene/camera.h"
 #include "engine/scene/document.h"
 #include "engine/scene/fields.h"
 #include "engine/scene/materials.h"
-#include "engine/scene/read_objects.h"
 #include "engine/scene/read_typed.h"
 #include "engine/scene/scene_size.h"
 
 namespace raytracer {
 namespace {
 
-template <typename Structure>
-Structure read_structure(const Field& field) {
-  const ObjectReader object(field, keys_of(Structure::fields, std::array<std::string_view, 0>{}));
-  Structure structure;
-  read_fields(object, Structure::fields, structure);
-  return structure;
-}
-
-std::vector<Light> read_lights(const Field& field) {
+std::optional<std::vector<Light>> read_lights(const Field& field) {
   using Source = decltype(Light::source);
-  static constexpr auto also = keys_of(Light::fields, std::array<std::string_view, 0>{});
+  const auto array = read_array(field);
+  if (!array) return {};
   std::vector<Light> lights;
-  if (!expect_array(field)) return lights;
-  read_elements(field, [&](const Field& element) {
-    const std::optional<Source> source = read_typed<Source>(element, LightKinds{}, also);
-    if (element.value.kind() != JsonKind::object) return;
+  read_elements(field, *array, [&](const Field& element) {
     Light light;
-    read_fields(ObjectReader(element), Light::fields, light);
-    if (!source) return;
-    light.source = *source;
-    lights.push_back(light);
+    const auto read_others = [&](const ObjectReader& object) {
+      read_fields(object, Light::fields, light);
+    };
+    static constexpr auto others = keys_of(Light::fields);
+    if (auto source = read_typed<Source>(element, LightKinds{}, others, read_others)) {
+      light.source = *source;
+      lights.push_back(light);
+    }
   });
   return lights;
 }
 
-RenderSettings read_render(const Field& field) {
+std::optional<std::vector<Object>> read_objects(const Field& field, MaterialReader& materials) {
+  static constexpr std::array<std::string_view, 1> others{"material"};
+  const auto array = read_array(field);
+  if (!array) return {};
+  std::vector<Object> objects;
+  objects.reserve(array->size());
+  read_elements(field, *array, [&](const Field& element) {
+    MaterialIndex material = 0;
+    const auto read_others = [&](const ObjectReader& object) {
+      const auto read_use = [&](const Field& use) { return materials.read_use(use); };
+      if (!object.optional("material", material, read_use)) material = materials.use_default();
+    };
+    if (auto shape = read_typed<Shape>(element, ObjectDocuments{}, others, read_others))
+      objects.push_back({std::move(*shape), material});
+  });
+  return objects;
+}
+
+std::optional<RenderSettings> read_render(const Field& field) {
   const auto render = read_structure<RenderSettings>(field);
-  const auto has = [&](std::string_view key) {
-    return field.value.kind() == JsonKind::object && field.value.member(key);
-  };
+  const auto has = [&](std::string_view key) { return !field.value.at_key(key).error(); };
   for (const std::string_view contract : {"target_rmse", "budget_ms"}) {
     if (!has("samples") || !has(contract)) continue;
     field.errors.add(ErrorKind::invalid, field.path.child(contract),
@@ -55,28 +63,23 @@ RenderSettings read_render(const Field& field) {
 
 /// The whole document but for what depends on several of its parts.
 Scene read_document(const Field& root) {
-  static constexpr std::array<std::string_view, 8> others{
-      "camera", "lights", "materials", "objects", "render", "name", "description", "$schema"};
-  const ObjectReader object(root, keys_of(Scene::fields, others));
   Scene scene;
+  const auto object = read_object(root);
+  if (!object) return scene;
+  object->refuse_keys_but(keys_of(Scene::fields, "camera", "lights", "materials", "objects",
+                                  "render", "name", "description", "$schema"));
+  object->required("camera", scene.camera, read_structure<Camera>);
+  read_fields(*object, Scene::fields, scene);
+  object->optional("lights", scene.lights, read_lights);
   MaterialReader materials;
-  const auto read_part = [](auto read) {
-    return [read](const Field& f) { return std::optional(read(f)); };
-  };
-  object.required("camera", scene.camera, read_part(read_structure<Camera>));
-  read_fields(object, Scene::fields, scene);
-  object.optional("lights", scene.lights, read_part(read_lights));
-  bool has_materials = false;
-  object.optional("materials", has_materials, read_part([&](const Field& f) {
-                    materials.read_named(f);
-                    return true;
-                  }));
-  object.optional("objects", scene.objects,
-                  read_part([&](const Field& f) { return read_objects(f, materials); }));
-  object.optional("render", scene.render, read_part(read_render));
+  object->optional("materials", materials,
+                   [](const Field& field) { return std::optional(MaterialReader(field)); });
+  object->optional("objects", scene.objects,
+                   [&](const Field& field) { return read_objects(field, materials); });
+  object->optional("render", scene.render, read_render);
   for (const std::string_view key : {"name", "description", "$schema"}) {
     std::string_view text;  // for people
-    object.optional(key, text, read_string);
+    object->optional(key, text, read_string);
   }
   scene.materials = std::move(materials).take();
   return scene;
@@ -89,10 +92,9 @@ Result<ViewedScene> read_viewed_scene(std::string_view text, const Limits& limit
   Result<Document> parsed = parse_document(text);
   if (!parsed.ok()) return parsed.errors();
   Document document = std::move(parsed).value();
-
-  ErrorList errors = std::move(document.errors);
+  ErrorList& errors = document.errors;
   const Path root;
-  const Scene scene = read_document({JsonValue(document), root, errors});
+  const Scene scene = read_document({document.root(), root, errors});
   const bool document_is_valid = errors.empty();
 
   const Scene view = with_overrides(scene, overrides);

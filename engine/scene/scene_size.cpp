@@ -1,24 +1,17 @@
 #include "engine/scene/scene_size.h"
 
 #include <variant>
-#include <vector>
 
 namespace raytracer {
 namespace {
 
-template <typename Array>
-std::size_t bytes_of_array(const Array& values) {
-  return values.size() * sizeof *values.begin();
-}
-
-/// What a field has on the heap.
+/// What a list has on the heap; 0 of other values.
 template <typename Value>
-std::size_t bytes_of(const Value&) {
-  return 0;
-}
-template <typename Value>
-std::size_t bytes_of(const std::vector<Value>& values) {
-  return bytes_of_array(values);
+std::size_t heap_bytes(const Value& value) {
+  if constexpr (requires { value.begin(); })
+    return value.size() * sizeof *value.begin();
+  else
+    return 0;
 }
 
 }  // namespace
@@ -31,13 +24,13 @@ std::int64_t count_objects(const Scene& scene) {
 }
 
 std::size_t memory_bytes(const Scene& scene) {
-  std::size_t bytes = sizeof scene + bytes_of_array(scene.lights) +
-                      bytes_of_array(scene.materials) + bytes_of_array(scene.objects);
+  std::size_t bytes = sizeof scene + heap_bytes(scene.lights) + heap_bytes(scene.materials) +
+                      heap_bytes(scene.objects);
   for (const Object& object : scene.objects)
     std::visit(
         [&]<typename Document>(const Document& shape) {
           for_each_field(Document::fields,
-                         [&](const auto& row) { bytes += bytes_of(shape.*row.member); });
+                         [&](const auto& row) { bytes += heap_bytes(shape.*row.member); });
         },
         object.shape);
   return bytes;

@@ -121,14 +121,6 @@ Json typed_schema(Types<Document...>, const AddCommon& add_common) {
   return {{"type", "object"}, {"required", {"type"}}, {"oneOf", choices}};
 }
 
-Json material_schema() {
-  Json object = object_schema();
-  MaterialEffects::for_each([&]<class Effect>(std::type_identity<Effect>) {
-    add_fields(Effect::fields, Effect(), object);
-  });
-  return object;
-}
-
 Json render_schema() {
   Json render = structure_schema<RenderSettings>();
   render["allOf"] = {{{"not", {{"required", {"samples", "target_rmse"}}}}},
@@ -148,7 +140,7 @@ Json definitions() {
   defs["camera"] = structure_schema<Camera>();
   defs["light"] =
       typed_schema(LightKinds{}, [](Json& object) { add_fields(Light::fields, Light(), object); });
-  defs["material"] = material_schema();
+  defs["material"] = structure_schema<Material>();
   defs["material_of_object"] = {{"description",
                                  "A name from /materials, or a material written in place; without "
                                  "one, the default material."},

@@ -23,8 +23,7 @@ void expect_users(std::string_view header, const std::function<bool(const std::s
 
 TEST(Libraries, json_is_where_json_is_read_or_written) {
   expect_users("nlohmann/", [](const std::string& path) {
-    return path == "engine/scene/thorough_parse.cpp" ||  // reads scenes
-           path == "engine/scene/quick_parse.cpp" ||     // reads their unusual strings
+    return path == "engine/scene/syntax_error.cpp" ||    // says what is wrong with text
            path == "engine/scene/schema.cpp" ||          // writes the schema of scenes
            path == "engine/plan/explain.cpp" ||          // writes plans
            path == "server/answer.h" ||                  // writes answers (forward declarations)
@@ -44,6 +43,11 @@ TEST(Libraries, json_is_where_json_is_read_or_written) {
            path == "client/scene_errors.cpp" ||          // reads problems
            path == "client/pointer_lines.cpp";           // finds places in scenes
   });
+}
+
+TEST(Libraries, scenes_are_parsed_in_one_file) {
+  expect_users("simdjson.h",
+               [](const std::string& path) { return path == "engine/scene/document.h"; });
 }
 
 TEST(Libraries, http_is_in_the_server_and_the_clients_api) {
