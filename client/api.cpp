@@ -101,17 +101,17 @@ struct Api::Connection {
                                   detail.empty() ? "is it a raytracer-server?" : detail));
   }
 
-  /// The body as JSON; `what` names it in the error.
-  json parse(const httplib::Response& response, const char* what) const {
+  /// The body, a JSON object that has this key.
+  json parse(const httplib::Response& response, const char* key) const {
     json value = json::parse(response.body, nullptr, false);
-    if (!value.is_object())
+    if (!value.is_object() || !value.contains(key))
       throw ServerError(
-          fmt::format("{}: the answer is no {}: is it a raytracer-server?", url.text(), what));
+          fmt::format("{}: the answer has no \"{}\": is it a raytracer-server?", url.text(), key));
     return value;
   }
 
   Job read_job(const httplib::Response& response) const {
-    const json value = parse(response, "job");
+    const json value = parse(response, "status");
     return {text_of(value, "id"), text_of(value, "status"), value.value("progress", 0.0),
             text_of(value, "detail")};
   }
@@ -125,9 +125,9 @@ Api::Api(const ServerUrl& url, const std::string& token, Interrupts& interrupts)
 Api::~Api() { connection_->interrupts.on_signal(nullptr); }
 
 std::vector<ShippedScene> Api::scenes() {
-  const json list = connection_->parse(connection_->get("/scenes"), "list of scenes");
+  const json list = connection_->parse(connection_->get("/scenes"), "scenes");
   std::vector<ShippedScene> scenes;
-  for (const json& entry : list.value("scenes", json::array()))
+  for (const json& entry : list.at("scenes"))
     scenes.push_back({text_of(entry, "name"), text_of(entry, "description")});
   return scenes;
 }
@@ -150,7 +150,7 @@ void Api::validate(const SceneText& scene) {
 
 std::string Api::plan(const SceneText& scene, const Overrides& overrides) {
   const httplib::Response response = connection_->post("/plan", scene, overrides, 200);
-  connection_->parse(response, "plan");
+  connection_->parse(response, "features");
   return response.body;
 }
 

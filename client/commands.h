@@ -1,6 +1,7 @@
-// The commands, one source file each: it adds the command to the command line, with its options and
-// what it does, which throws InputError, ServerError or Interrupted. main.cpp lists them.
+// The commands, one source file each, COMMAND_command.cpp.
 #pragma once
+
+#include <array>
 
 #include "client/server_choice.h"
 
@@ -10,10 +11,18 @@ class App;
 
 namespace raytracer::client {
 
-void add_render(CLI::App& app, const ServerChoice& server);
-void add_plan(CLI::App& app, const ServerChoice& server);
-void add_tradeoff(CLI::App& app, const ServerChoice& server);
-void add_validate(CLI::App& app, const ServerChoice& server);
-void add_scenes(CLI::App& app, const ServerChoice& server);
+/// Adds a command to the command line: its options, and what it does when it is given, which throws
+/// InputError, ServerError or Interrupted.
+using AddCommand = void(CLI::App& app, const ServerChoice& server);
+
+AddCommand add_render;
+AddCommand add_plan;
+AddCommand add_tradeoff;
+AddCommand add_validate;
+AddCommand add_scenes;
+
+/// In the order of --help.
+inline constexpr std::array all_commands{add_render, add_plan, add_tradeoff, add_validate,
+                                         add_scenes};
 
 }  // namespace raytracer::client

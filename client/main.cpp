@@ -37,8 +37,7 @@ void run(int argc, char** argv) {
   });
   ServerChoice server;
   add_server_options(app, server);
-  for (const auto add_command : {add_render, add_plan, add_tradeoff, add_validate, add_scenes})
-    add_command(app, server);
+  for (AddCommand* const add_command : all_commands) add_command(app, server);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help

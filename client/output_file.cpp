@@ -40,7 +40,9 @@ std::string OutputFile::ending() const {
 
 void OutputFile::check_writable() const {
   const fs::path target = target_of(path);
-  if (fs::exists(target) && !fs::is_regular_file(target))
+  std::error_code error;
+  const fs::file_status status = fs::status(target, error);
+  if (fs::exists(status) && !fs::is_regular_file(status))
     throw InputError(fmt::format("{}: is there already and is not a file", path.string()));
   const fs::path directory = target.has_parent_path() ? target.parent_path() : ".";
   if (::access(directory.c_str(), W_OK | X_OK) != 0) throw failed(path.string(), "written");

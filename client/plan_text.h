@@ -5,8 +5,8 @@
 
 namespace raytracer::client {
 
-/// Lines of at most `columns` where words allow. `json` is the server's answer; what it does not
+/// Lines of at most `width` where words allow. `json` is the server's answer; what it does not
 /// say is left out.
-std::string plan_text(const std::string& json, int columns);
+std::string plan_text(const std::string& json, int width);
 
 }  // namespace raytracer::client

@@ -16,7 +16,7 @@ TEST_F(PlanCommand, says_each_choice_with_its_reason) {
   const Outcome outcome = run_with_server({"plan", "-"}, small_scene);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  for (const char* const part : {"needs", "1 sphere", "precision", "geometry", "screen bins",
+  for (const char* const part : {"objects", "1 sphere", "precision", "geometry", "screen bins",
                                  "sampling", "predicted time", "ms to trace", "predicted error"})
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part << " is not in\n" << outcome.out;
 }
