@@ -129,6 +129,10 @@ CommandLine::CommandLine(Config& config) {
           source.refuse("a non-empty text of letters, digits and -._~+/=");
         config.token = text;
       });
+  app_.footer(fmt::format(
+      "SIGTERM and SIGINT: no new work; what runs has {} s to finish, and a job's result {} s to be "
+      "fetched. A second signal ends both.\n",
+      time_to_finish.count(), time_to_fetch.count()));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -29,6 +30,10 @@ struct Config {
   std::string token;                    ///< empty: none is asked for
   bool quiet = false;                   ///< no line per request
 };
+
+// Once the server is told to end.
+inline constexpr std::chrono::seconds time_to_finish{30};  ///< for what runs
+inline constexpr std::chrono::seconds time_to_fetch{5};    ///< after its end, for a job's result
 
 /// A setting of how many there may be, beside the limits of a scene.
 struct SizeRow {
