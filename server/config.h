@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "engine/engine.h"
+#include "server/cross_origin.h"
 
 namespace CLI {
 class App;
@@ -28,6 +29,7 @@ struct Config {
   std::size_t max_kept = 256UL << 20;   ///< as size_table says
   std::size_t max_cache = 128UL << 20;  ///< as size_table says
   std::string token;                    ///< empty: none is asked for
+  AllowedOrigins allowed_origins{};     ///< whose pages may read answers
   bool quiet = false;                   ///< no line per request
 };
 

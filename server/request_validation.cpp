@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "server/body.h"
+#include "server/cross_origin.h"
 #include "server/etag.h"
 #include "server/problem.h"
 #include "server/request_text.h"
@@ -97,6 +98,7 @@ void validate_request(const httplib::Request& request, const RouteTable& routes,
   require_short_target(request);
   require_plain_field_names(request);
   require_one_host(request);
+  if (is_preflight(request, config.allowed_origins)) return require_no_body(request);
   const Route* const route = routes.find(request.method, request.path);
   if (!route || !route->is_public) require_token(request, config.token);
   const RouteTable::Match match = routes.match(request.method, request.path);
