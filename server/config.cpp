@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "engine/engine.h"
+#include "server/request_text.h"
 
 namespace raytracer {
 namespace {
@@ -72,13 +73,18 @@ class CommandLine {
  private:
   using Read = std::function<void(const std::string& text, const Source&)>;
 
-  void add(const Source& source, const std::string& placeholder, std::string_view help,
-           std::string_view default_text, const Read& read) {
-    app_.add_option_function<std::string>(
-            source.flag, [source, read](const std::string& text) { read(text, source); },
+  CLI::Option* add(const Source& source, const std::string& placeholder, std::string_view help,
+                   std::string_view default_text, const Read& read) {
+    const auto read_all = [source, read](const std::vector<std::string>& texts) {
+      for (const std::string& text : texts) read(text, source);
+    };
+    return app_
+        .add_option_function<std::vector<std::string>>(
+            source.flag, read_all,
             fmt::format("{}\n[{}] (or {})", help, default_text, source.variable))
         ->type_name(placeholder)
-        ->envname(source.variable);
+        ->envname(source.variable)
+        ->expected(1);
   }
 
   template <typename Integer>
@@ -130,6 +136,27 @@ CommandLine::CommandLine(Config& config) {
           source.refuse("a non-empty text of letters, digits and -._~+/=");
         config.token = text;
       });
+  add({"--allow-origin", "RAYTRACER_ALLOW_ORIGIN"}, "ORIGIN",
+      "pages that may read answers, by their origin, or * for all; repeatable, or a list with "
+      "commas",
+      "none: pages of other origins may not",
+      [&config](const std::string& text, const Source& source) {
+        for (const std::string_view part : parts_of(text, ',')) {
+          const std::optional<std::string> origin = read_origin(std::string(part));
+          if (!origin)
+            source.refuse(
+                fmt::format("origins as browsers write them, such as https://example.org or "
+                            "http://localhost:3000, or *, not \"{}\"",
+                            part));
+          config.allowed_origins.push_back(*origin);
+        }
+      })
+      ->expected(1, CLI::detail::expected_max_vector_size)
+      ->allow_extra_args(false);
+  app_.footer(fmt::format(
+      "SIGTERM and SIGINT: no new work; what runs has {} s to finish, and a job's result {} s to be "
+      "fetched. A second signal ends both.\n",
+      time_to_finish.count(), time_to_fetch.count()));
 }
 
 }  // namespace

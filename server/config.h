@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include <variant>
 
 #include "engine/engine.h"
+#include "server/cross_origin.h"
 
 namespace raytracer {
 
@@ -22,8 +24,13 @@ struct Config {
   std::size_t max_kept = 256UL << 20;   ///< as size_table says
   std::size_t max_cache = 128UL << 20;  ///< as size_table says
   std::string token;                    ///< empty: none is asked for
+  AllowedOrigins allowed_origins{};     ///< whose pages may read answers
   bool quiet = false;                   ///< no line per request
 };
+
+// Once the server is told to end.
+inline constexpr std::chrono::seconds time_to_finish{30};  ///< for what runs
+inline constexpr std::chrono::seconds time_to_fetch{5};    ///< after its end, for a job's result
 
 /// A setting of how many there may be, beside the limits of a scene.
 struct SizeRow {

@@ -43,6 +43,11 @@ const JobResult* Job::result() const {
   return state_.status == JobStatus::done ? &result_ : nullptr;
 }
 
+bool Job::awaits_fetch(std::chrono::seconds time) const {
+  const std::scoped_lock lock(mutex_);
+  return state_.status == JobStatus::done && !is_fetched_ && Clock::now() - ended_ < time;
+}
+
 void Job::begin() {
   const std::scoped_lock lock(mutex_);
   state_.queue_ms = slot_->queue_ms();

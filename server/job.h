@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -65,6 +66,11 @@ class Job {
 
   /// What came of it; null unless it is done. Constant from then on.
   const JobResult* result() const;
+  /// Somebody was given its result.
+  void note_fetched() const { is_fetched_ = true; }
+  /// Whether nobody was, of a job that was done at most so long ago.
+  bool awaits_fetch(std::chrono::seconds time) const;
+
   /// A render's picture as far as it has come; nothing if there is nothing to see yet, or it ended.
   std::optional<Image> image_so_far() const { return progress_.preview.so_far(); }
 
@@ -87,6 +93,7 @@ class Job {
   const Clock::time_point accepted_ = Clock::now();
   Clock::time_point ended_{};
   JobResult result_;
+  mutable std::atomic<bool> is_fetched_{false};
 };
 
 }  // namespace raytracer

@@ -121,6 +121,7 @@ void get_job_image(Services& services, Call& call) {
     return answer_image_so_far(services, call, *image, format);
   const auto& rendering = require_result<Rendering>(*job);
   const Representation wanted = represent(job->digest, format, services.renderer_id);
+  if (!call.is_head()) job->note_fetched();
   if (answer_without_image(call, wanted)) return;
   const auto image = std::make_shared<const FinishedImage>(
       finish_image(rendering, job->state().queue_ms, format, services.pool));
@@ -132,6 +133,7 @@ void get_job_result(Services& services, Call& call) {
   const auto job = services.jobs.at(call.captured);
   require_task(*job, JobTask::tradeoff);
   answer_json(call.response, 200, to_json(require_result<Curve>(*job)));
+  if (!call.is_head()) job->note_fetched();
 }
 
 void get_job_events(Services& services, Call& call) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 #include <utility>
@@ -72,6 +73,12 @@ void Jobs::remove(const std::string& id) {
   admission_.stop(entry->second->progress_);
   if (std::erase(finished_, entry->second) > 0) finished_bytes_ -= entry->second->result_bytes();
   jobs_.erase(entry);
+}
+
+bool Jobs::await_fetch(std::chrono::seconds time) const {
+  const std::scoped_lock lock(mutex_);
+  return std::any_of(jobs_.begin(), jobs_.end(),
+                     [&](const auto& entry) { return entry.second->awaits_fetch(time); });
 }
 
 std::map<JobStatus, std::size_t> Jobs::counts() const {

@@ -6,6 +6,7 @@
 // Finished jobs are kept until there are too many or they take too much memory, oldest out first.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <deque>
 #include <map>
@@ -41,6 +42,9 @@ class Jobs {
 
   /// Cancels and forgets the job. Throws HttpError 404.
   void remove(const std::string& id);
+
+  /// Whether a job awaits_fetch(time).
+  bool await_fetch(std::chrono::seconds time) const;
 
   /// How many of the jobs that are not forgotten have each status.
   std::map<JobStatus, std::size_t> counts() const;

@@ -16,6 +16,7 @@
 #include "server/answer.h"
 #include "server/body.h"
 #include "server/connection.h"
+#include "server/cross_origin.h"
 #include "server/problem.h"
 #include "server/request_validation.h"
 #include "server/thread_per_task.h"
@@ -118,6 +119,7 @@ void Listener::set_handlers() {
   const httplib::Server::Handler bodiless = [this](const Request& request, Response& response) {
     dispatch({request, response});
   };
+  server_.Options("/.*", [](const Request&, Response& response) { answer_preflight(response); });
   server_.Get("/.*", bodiless);
   server_.Delete("/.*", bodiless);
   server_.Post("/.*",
@@ -148,6 +150,7 @@ void Listener::set_handlers() {
     // Texts are compressed for those who accept it; images, which are not, vary by Accept.
     if (response.status == 200 && !response.has_header("Vary"))
       response.set_header("Vary", "Accept-Encoding");
+    add_cross_origin_fields(request, response, config_.allowed_origins);
   });
   server_.set_logger(
       [this](const Request& request, const Response& response) { finish(request, response); });

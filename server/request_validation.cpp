@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "server/body.h"
+#include "server/cross_origin.h"
 #include "server/etag.h"
 #include "server/problem.h"
 #include "server/request_text.h"
@@ -49,9 +50,7 @@ bool carries_token(std::string_view authorization, const std::string& token) {
 }
 
 void require_token(const httplib::Request& request, const std::string& token) {
-  const bool is_open = request.path == "/healthz" || request.path == "/readyz";
-  if (token.empty() || is_open) return;
-  if (carries_token(request.get_header_value("Authorization"), token)) return;
+  if (token.empty() || carries_token(request.get_header_value("Authorization"), token)) return;
   refuse(401, "This server wants a token: send Authorization: Bearer TOKEN",
          {{"WWW-Authenticate", "Bearer realm=\"raytracer\""}});
 }
@@ -99,7 +98,9 @@ void validate_request(const httplib::Request& request, const RouteTable& routes,
   require_short_target(request);
   require_plain_field_names(request);
   require_one_host(request);
-  require_token(request, config.token);
+  if (is_preflight(request, config.allowed_origins)) return require_no_body(request);
+  const Route* const route = routes.find(request.method, request.path);
+  if (!route || !route->is_public) require_token(request, config.token);
   const RouteTable::Match match = routes.match(request.method, request.path);
   if (match.route.body == RequestBody::none)
     require_no_body(request);

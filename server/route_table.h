@@ -20,6 +20,7 @@ struct Route {
   std::string pattern;  ///< a path; one {name} in it is a segment, not empty
   RequestBody body = RequestBody::none;
   Handler handler;
+  bool is_public = false;  ///< needs no token
 };
 
 class RouteTable {

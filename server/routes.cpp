@@ -12,6 +12,7 @@ RouteTable make_routes(Services& services) {
   const auto with = [&services](void (*handler)(Services&, Call&)) -> Handler {
     return [&services, handler](Call& call) { handler(services, call); };
   };
+  constexpr bool is_public = true;
   constexpr auto none = RequestBody::none;
   constexpr auto scene = RequestBody::scene;
   std::vector<Route> routes{
@@ -27,19 +28,20 @@ RouteTable make_routes(Services& services) {
       {"GET", "/scenes", none, with(get_scenes)},
       {"POST", "/scenes", scene, with(post_scene)},
       {"GET", "/scenes/{name}", none, with(get_scene)},
-      {"GET", "/healthz", none, with(get_health)},
-      {"GET", "/readyz", none, with(get_readiness)},
+      {"GET", "/healthz", none, with(get_health), is_public},
+      {"GET", "/readyz", none, with(get_readiness), is_public},
       {"GET", "/metrics", none, with(get_metrics)},
       {"GET", "/version", none, with(get_version)},
       {"GET", "/schema/scene.json", none, with(get_scene_schema)},
       {"GET", "/openapi.json", none, with(get_openapi)},
   };
+  // The page is no secret: it asks for the token and sends it with what it asks of the service.
   for (const EmbeddedFile& file : embedded_files()) {
     if (!file.path.starts_with(page_folder)) continue;
     const Handler handler = [&file](Call& call) { get_file(file, call); };
     const std::string path(file.path.substr(page_folder.size()));
-    routes.push_back({"GET", path, none, handler});
-    if (path == "/index.html") routes.push_back({"GET", "/", none, handler});
+    routes.push_back({"GET", path, none, handler, is_public});
+    if (path == "/index.html") routes.push_back({"GET", "/", none, handler, is_public});
   }
   return RouteTable(std::move(routes));
 }

@@ -46,16 +46,16 @@ void Shutdown::wait_and_drain() {
 
 void Shutdown::drain() {
   using Clock = std::chrono::steady_clock;
-  using std::chrono::milliseconds;
-  using std::chrono::seconds;
-  constexpr seconds to_finish{30};
-  constexpr seconds to_answer{10};
+  constexpr std::chrono::milliseconds between_looks{20};
+  constexpr std::chrono::seconds to_answer{10};
 
   services_.log.note("shutting down: no new work, waiting for what runs");
   services_.admission.close();
-  const auto end = Clock::now() + to_finish;
-  while (!services_.admission.wait_until_empty(milliseconds(20)))
+  const auto end = Clock::now() + time_to_finish;
+  while (!services_.admission.wait_until_empty(between_looks))
     if (Clock::now() > end || another_signal_came()) services_.admission.stop_running();
+  while (services_.jobs.await_fetch(time_to_fetch) && !another_signal_came())
+    std::this_thread::sleep_for(between_looks);
   services_.log.wait_until_empty(to_answer);
   listener_.stop();
 }

@@ -1,5 +1,5 @@
-// SIGTERM and SIGINT: no new work, what runs is finished and answered, then the end. A second
-// signal, or half a minute, stops what still runs.
+// SIGTERM and SIGINT: no new work, what runs is finished and answered, what jobs have made is
+// fetched, then the end. A second signal, or the times that config.h says, end the patience.
 #pragma once
 
 #include <signal.h>

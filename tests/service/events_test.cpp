@@ -156,11 +156,13 @@ TEST(Events, do_not_keep_the_server_from_its_end) {
 
 TEST(Events, of_what_is_finished_at_the_end_are_told) {
   ServerProcess server({"--threads", "1"});
-  const auto stream = watch(server, start(server, square_scene(200, 1), "?budget_ms=1000"));
+  const std::string job = start(server, square_scene(200, 1), "?budget_ms=1000");
+  const auto stream = watch(server, job);
   ASSERT_TRUE(stream->receives("event: progress", 5s));
   server.signal(SIGTERM);
   EXPECT_TRUE(stream->ends(10s));
   EXPECT_EQ(count(stream->received(), "event: done\n"), 1) << stream->received();
+  EXPECT_EQ(get(server, job + "/image").status, 200);
   EXPECT_EQ(server.wait(5s), 0) << server.log();
 }
 

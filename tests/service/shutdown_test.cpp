@@ -6,6 +6,7 @@
 #include <csignal>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/process/patience.h"
@@ -94,6 +95,49 @@ TEST(ShutdownSignal, open_connections_do_not_delay_the_end) {
   ASSERT_TRUE(idle.Get("/healthz"));
   server.signal(SIGTERM);
   EXPECT_EQ(server.wait(5s), 0) << server.log();
+}
+
+/// A job that is done within the second, on its way when it is returned.
+std::string start_short_job(const ServerProcess& server) {
+  std::string job =
+      post(server, "/jobs?budget_ms=500", square_scene(200, 1)).get_header_value("Location");
+  EXPECT_TRUE(
+      eventually([&] { return json_of(get(server, job)).value("status", "") == "running"; }));
+  return job;
+}
+
+TEST(ShutdownSignal, finished_job_is_kept_until_it_is_fetched) {
+  ServerProcess server;
+  const std::string job = start_short_job(server);
+  server.signal(SIGTERM);
+  ASSERT_TRUE(eventually([&] { return json_of(get(server, job)).value("status", "") == "done"; }));
+  std::this_thread::sleep_for(1s);  // a page may take its time
+  EXPECT_EQ(request(server, "HEAD", job + "/image").status, 200) << "which fetches nothing";
+  const Answer image = get(server, job + "/image");
+  EXPECT_EQ(image.status, 200);
+  EXPECT_EQ(image.get_header_value("Render-Stop"), "budget");
+  EXPECT_EQ(server.wait(2s), 0) << server.log();
+}
+
+TEST(ShutdownSignal, job_that_nobody_fetches_does_not_keep_the_server_for_ever) {
+  ServerProcess server;
+  start_short_job(server);
+  server.signal(SIGTERM);
+  EXPECT_FALSE(server.wait(3s)) << "nobody had the time to fetch it";
+  EXPECT_EQ(server.wait(8s), 0) << server.log();
+}
+
+TEST(ShutdownSignal, job_that_was_fetched_or_deleted_keeps_nobody) {
+  ServerProcess server;
+  const std::string fetched = start_short_job(server);
+  const std::string deleted = start_short_job(server);
+  for (const std::string& job : {fetched, deleted})
+    ASSERT_TRUE(
+        eventually([&] { return json_of(get(server, job)).value("status", "") == "done"; }));
+  EXPECT_EQ(get(server, fetched + "/image").status, 200);
+  EXPECT_EQ(request(server, "DELETE", deleted).status, 204);
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.wait(3s), 0) << server.log();
 }
 
 TEST(ShutdownSignal, running_job_does_not_keep_the_server_for_ever) {

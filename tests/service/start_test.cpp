@@ -85,6 +85,8 @@ TEST(Start, wrong_flags_are_refused_with_their_name_and_range) {
   expect_refusal(run_server({"--prot", "0"}), "--prot");
   expect_refusal(run_server({"scene.json"}), "scene.json");
   expect_refusal(run_server({"--port"}), "--port");
+  expect_refusal(run_server({"--port", "0", "--port", "1"}), "--port");
+  expect_refusal(run_server({"--allow-origin", "http://x", "http://y"}), "http://y");
 }
 
 TEST(Start, wrong_variables_are_refused_with_their_name) {
@@ -120,9 +122,9 @@ TEST(Start, help_names_every_flag_and_variable) {
   EXPECT_EQ(help.status, 0);
   for (const char* const name :
        {"--host", "--port", "--threads", "--max-body", "--max-pixels", "--max-objects",
-        "--max-lights", "--max-samples", "--max-work", "--max-queue", "--token", "RAYTRACER_HOST",
-        "RAYTRACER_PORT", "RAYTRACER_THREADS", "RAYTRACER_MAX_BODY", "RAYTRACER_MAX_QUEUE",
-        "RAYTRACER_TOKEN"})
+        "--max-lights", "--max-samples", "--max-work", "--max-queue", "--token", "--allow-origin",
+        "RAYTRACER_HOST", "RAYTRACER_PORT", "RAYTRACER_THREADS", "RAYTRACER_MAX_BODY",
+        "RAYTRACER_MAX_QUEUE", "RAYTRACER_TOKEN"})
     EXPECT_NE(help.out.find(name), std::string::npos) << name;
 }
 

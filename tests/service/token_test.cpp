@@ -1,4 +1,5 @@
-// The bearer token: nothing without it but health, and no listening beyond loopback without one.
+// The bearer token: nothing without it but the page and health, and no listening beyond loopback
+// without one.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,16 +12,21 @@ namespace {
 
 const Headers right{{"Authorization", "Bearer s3cret"}};
 
-TEST(Token, is_demanded_of_every_route_but_health) {
+TEST(Token, is_demanded_of_every_route_but_the_page_and_health) {
   const ServerProcess server({"--token", "s3cret"});
-  for (const char* const path : {"/", "/scenes", "/version", "/render?scene=demo", "/nothing"}) {
+  for (const char* const path :
+       {"/scenes", "/scenes/demo", "/openapi.json", "/version", "/render?scene=demo", "/nothing"}) {
     const Answer refused = get(server, path);
     expect_problem(refused, 401, "Bearer");
     EXPECT_EQ(refused.get_header_value("WWW-Authenticate").rfind("Bearer", 0), 0U);
   }
   expect_problem(post(server, "/render", small_scene), 401, "Bearer");
-  EXPECT_EQ(get(server, "/healthz").status, 200);
-  EXPECT_EQ(get(server, "/readyz").status, 200);
+  for (const char* const path :
+       {"/", "/index.html", "/main.js", "/style.css", "/favicon.svg", "/healthz", "/readyz"}) {
+    EXPECT_EQ(get(server, path).status, 200) << path;
+    EXPECT_EQ(request(server, "HEAD", path).status, 200) << path;
+    EXPECT_EQ(request(server, "DELETE", path).status, 401) << path;
+  }
 }
 
 TEST(Token, opens_every_route) {
