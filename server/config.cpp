@@ -153,10 +153,11 @@ CommandLine::CommandLine(Config& config) {
       })
       ->expected(1, CLI::detail::expected_max_vector_size)
       ->allow_extra_args(false);
-  app_.footer(fmt::format(
-      "SIGTERM and SIGINT: no new work; what runs has {} s to finish, and a job's result {} s to be "
-      "fetched. A second signal ends both.\n",
-      time_to_finish.count(), time_to_fetch.count()));
+  app_.footer(
+      fmt::format("SIGTERM and SIGINT: no new work; what runs has {} s to finish, and a job's "
+                  "result {} s to be "
+                  "fetched. A second signal ends both.\n",
+                  time_to_finish.count(), time_to_fetch.count()));
 }
 
 }  // namespace
