@@ -15,13 +15,12 @@
 namespace raytracer {
 namespace {
 
-using Model = RefinementModel;
-
 /// Numbers of samples as they are wanted, by their logarithm in units of a class.
-constexpr int log_count = (Model::most_samples_log2 + 1) * Model::classes_per_octave;
+constexpr int log_count =
+    (RefinementModel::most_samples_log2 + 1) * RefinementModel::classes_per_octave;
 
 int log_of(int samples) {
-  return static_cast<int>(std::floor(Model::classes_per_octave * std::log2(samples)));
+  return static_cast<int>(std::floor(RefinementModel::classes_per_octave * std::log2(samples)));
 }
 
 /// The same of the samples that an error coefficient asks for, plus what all have in common: of its
@@ -30,11 +29,12 @@ int log_of(int samples) {
 int log_of_coefficient(float coefficient) {
   static_assert(1 + SampleErrorModel::edge_fall == 5.0 / 2);
   constexpr int float_mantissa = std::numeric_limits<float>::digits - 1;
-  constexpr int dropped = float_mantissa - std::countr_zero(unsigned{Model::classes_per_octave});
+  constexpr int dropped =
+      float_mantissa - std::countr_zero(unsigned{RefinementModel::classes_per_octave});
   return (std::bit_cast<std::int32_t>(coefficient) >> dropped) * 2 / 5;
 }
 constexpr int most_log_of_coefficient =
-    2 * std::numeric_limits<float>::max_exponent * Model::classes_per_octave * 2 / 5;
+    2 * std::numeric_limits<float>::max_exponent * RefinementModel::classes_per_octave * 2 / 5;
 
 /// What every number of samples that can be wanted comes to: a step of 4, 16, 32, 48, 64, 96 ...
 class SampleLadder {
@@ -43,8 +43,8 @@ class SampleLadder {
   std::array<double, log_count> factors{};  ///< of an error coefficient: the squared error
 
   explicit SampleLadder(int most_samples) {
-    const int highest = most_samples - most_samples % Model::first_step;
-    int count = std::min(Model::first_step, highest);
+    const int highest = most_samples - most_samples % RefinementModel::first_step;
+    int count = std::min(RefinementModel::first_step, highest);
     for (int at = 0, i = 0; at < log_count; ++i) {
       const int next = count < highest ? std::min(samples_of(i + 1), highest) : highest;
       const int end = count < highest ? log_of(next) : log_count;
@@ -58,9 +58,9 @@ class SampleLadder {
 
  private:
   static constexpr int samples_of(int step) {
-    static_assert(Model::steps_per_octave == 2);
-    if (step < 2) return step == 0 ? Model::first_step : Model::second_step;
-    return (step % 2 == 0 ? 2 : 3) * Model::second_step << (step - 2) / 2;
+    static_assert(RefinementModel::steps_per_octave == 2);
+    if (step < 2) return step == 0 ? RefinementModel::first_step : RefinementModel::second_step;
+    return (step % 2 == 0 ? 2 : 3) * RefinementModel::second_step << (step - 2) / 2;
   }
 };
 
@@ -128,9 +128,9 @@ class Allocation {
 
   /// The samples that the pixels of a class get next, or 0.
   int samples_at(int log_factor, const ErrorClass& of) const {
-    const int samples =
-        std::min(ladder_.samples[place_of(log_factor, of)], Model::most_growth * of.samples);
-    return samples >= Model::least_growth * of.samples ? samples : 0;
+    const int samples = std::min(ladder_.samples[place_of(log_factor, of)],
+                                 RefinementModel::most_growth * of.samples);
+    return samples >= RefinementModel::least_growth * of.samples ? samples : 0;
   }
 
   /// Whether it would bring the sum to the goal, however many times the samples grow.
@@ -138,7 +138,7 @@ class Allocation {
     double sum = 0;
     for (const ErrorClass& each : classes_) {
       const std::size_t at = place_of(log_factor, each);
-      const bool is_refined = ladder_.samples[at] >= Model::least_growth * each.samples;
+      const bool is_refined = ladder_.samples[at] >= RefinementModel::least_growth * each.samples;
       sum += is_refined ? error2_at(at, each) : each.error2;
     }
     return sum <= goal_.error2;
@@ -157,7 +157,7 @@ class Allocation {
 
   double error2_at(std::size_t place, const ErrorClass& of) const {
     const double error2 = of.coefficient * ladder_.factors[place];
-    if (of.samples < Model::smooth_fall_samples) return error2;
+    if (of.samples < RefinementModel::smooth_fall_samples) return error2;
     static_assert(SampleErrorModel::smooth_fall - SampleErrorModel::edge_fall == 0.5);
     return error2 * std::sqrt(static_cast<double>(of.samples) / ladder_.samples[place]);
   }
@@ -170,16 +170,16 @@ class Allocation {
 }  // namespace
 
 int most_samples(const Scene& scene, const Limits& limits) {
-  constexpr double share_of_last = 1 - 1.0 / Model::least_growth;
+  constexpr double share_of_last = 1 - 1.0 / RefinementModel::least_growth;
   const double by_work = share_of_last * static_cast<double>(limits.work) / count_rays(scene, 1);
   return static_cast<int>(std::clamp(std::min(by_work, static_cast<double>(limits.samples)), 1.0,
-                                     static_cast<double>(1 << Model::most_samples_log2)));
+                                     static_cast<double>(1 << RefinementModel::most_samples_log2)));
 }
 
 int choose_pilot_samples(const SceneStatistics& statistics, int most_samples) {
-  if (most_samples < Model::first_step) return 1;
+  if (most_samples < RefinementModel::first_step) return 1;
   const int pilot = pilot_samples(statistics);
-  return pilot <= most_samples ? pilot : Model::first_step;
+  return pilot <= most_samples ? pilot : RefinementModel::first_step;
 }
 
 std::vector<PixelSamples> choose_samples(std::span<const PixelError> pixels,

@@ -14,7 +14,7 @@ struct Point {
 };
 
 /// u_slope u + v_slope v + offset is the distance to the line, positive on the inner side.
-struct Side {
+struct EdgeLine {
   double u_slope;
   double v_slope;
   double offset;
@@ -22,7 +22,7 @@ struct Side {
 
 /// The line from p to q. Of q and p it is the opposite to the bit, so that nothing lies outside of
 /// both triangles that share it.
-Side side(const Point& p, const Point& q) {
+EdgeLine edge_line(const Point& p, const Point& q) {
   const double u = q.u - p.u;
   const double v = q.v - p.v;
   const double size = std::sqrt(u * u + v * v);
@@ -40,7 +40,7 @@ TriangleOutline<T> outline(const LightAxes& axes, const PackedTriangle& triangle
   const double sign = turn < 0 ? -1 : 1;
   TriangleOutline<T> lines;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Side line = side(corners[i], corners[(i + 1) % 3]);
+    const EdgeLine line = edge_line(corners[i], corners[(i + 1) % 3]);
     lines.u_slopes[i] = static_cast<T>(sign * line.u_slope);
     lines.v_slopes[i] = static_cast<T>(sign * line.v_slope);
     lines.offsets[i] = static_cast<T>(sign * line.offset);

@@ -8,14 +8,16 @@ namespace raytracer {
 namespace {
 
 /// A corner in the plane across the ray, which passes through its origin.
-struct Point {
+struct ProjectedPoint {
   double u;
   double v;
 };
 
 /// On which side of the line from p to q the ray passes: the sign of a difference of two rounded
 /// products, which is right or 0 (rounding keeps their order), and opposite for q and p.
-double side(const Point& p, const Point& q) { return p.u * q.v - p.v * q.u; }
+double side_of_line(const ProjectedPoint& p, const ProjectedPoint& q) {
+  return p.u * q.v - p.v * q.u;
+}
 
 }  // namespace
 
@@ -25,14 +27,14 @@ std::optional<SurfaceHit> intersect(const Ray& ray, const PackedTriangle& triang
   const OrthonormalBasis plane = orthonormal_basis(ray.direction);
   const auto project = [&](const Vec3& corner) {
     const Vec3 from_origin = corner - origin;
-    return Point{dot(plane.u, from_origin), dot(plane.v, from_origin)};
+    return ProjectedPoint{dot(plane.u, from_origin), dot(plane.v, from_origin)};
   };
-  const Point a = project(corners[0]);
-  const Point b = project(corners[1]);
-  const Point c = project(corners[2]);
-  const double ab = side(a, b);
-  const double bc = side(b, c);
-  const double ca = side(c, a);
+  const ProjectedPoint a = project(corners[0]);
+  const ProjectedPoint b = project(corners[1]);
+  const ProjectedPoint c = project(corners[2]);
+  const double ab = side_of_line(a, b);
+  const double bc = side_of_line(b, c);
+  const double ca = side_of_line(c, a);
   const bool left = ab >= 0 && bc >= 0 && ca >= 0;
   const bool right = ab <= 0 && bc <= 0 && ca <= 0;
   if (!left && !right) return {};
