@@ -8,7 +8,7 @@ MAKEFLAGS += --no-print-directory
 
 sources = $(shell find engine server client tests -name '*.h' -o -name '*.cpp')
 scripts = raytracer-demo .ci/install .ci/run client/manual/help_of_all \
-  client/manual/completion.bash.in tests/instructions/check tests/load/run tests/package/check
+  client/manual/completion.bash.in tests/instructions/check tests/measure/load/run tests/package/check
 
 # Configures every time: it takes a second, and finds what was installed since the last time.
 # $(1) is the directory, $(2) more flags.
@@ -59,8 +59,8 @@ tradeoff:
 	.ci/install build test bench
 	$(call configure,build-bench,-DRAYTRACER_TESTS=ON -DRAYTRACER_BENCH=ON)
 	@cmake --build build-bench --parallel $(JOBS) --target raytracer_published_tradeoff
-	@mkdir -p tests/tradeoff/runs
-	build-bench/raytracer_published_tradeoff --runs tests/tradeoff/runs \
+	@mkdir -p tests/measure/tradeoff/runs
+	build-bench/raytracer_published_tradeoff --runs tests/measure/tradeoff/runs \
 	  --commit "$$(git describe --always --dirty --exclude='*')"
 
 # Another SEED, other scenes; fails if fewer than 99 % of the targets are kept.
@@ -77,8 +77,8 @@ bench:
 	.ci/install build test bench
 	$(call configure,build-bench,-DRAYTRACER_TESTS=ON -DRAYTRACER_BENCH=ON)
 	@cmake --build build-bench --parallel $(JOBS) --target raytracer_bench
-	@mkdir -p tests/bench/runs
-	build-bench/raytracer_bench --runs tests/bench/runs \
+	@mkdir -p tests/measure/bench/runs
+	build-bench/raytracer_bench --runs tests/measure/bench/runs \
 	  --commit "$$(git describe --always --dirty --exclude='*')"
 
 # Against the exact pictures, the peers beside it; fails if one picture is not right.
@@ -86,8 +86,8 @@ extremes:
 	.ci/install build test bench
 	$(call configure,build-bench,-DRAYTRACER_TESTS=ON -DRAYTRACER_BENCH=ON)
 	@cmake --build build-bench --parallel $(JOBS) --target raytracer_extremes
-	@mkdir -p tests/extremes/runs
-	build-bench/raytracer_extremes --write tests/extremes/runs/extremes.md
+	@mkdir -p tests/measure/extremes/runs
+	build-bench/raytracer_extremes --write tests/measure/extremes/runs/extremes.md
 
 # Both start from the shipped scenes and the extremes. A finding is left in build-fuzz.
 fuzz_sanitizers = address$(comma)undefined$(comma)fuzzer-no-link
@@ -104,7 +104,7 @@ fuzz:
 
 load: all
 	.ci/install build load
-	@tests/load/run build
+	@tests/measure/load/run build
 
 # Ten minutes of mixed traffic; fails if the server then holds more than at first.
 soak_seconds ?= 600
@@ -127,10 +127,10 @@ help:
 	@echo "make check     clang-format, clang-tidy, shellcheck, instruction counts; installs what is missing"
 	@echo "make sanitize  all tests with AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make tsan      all tests with ThreadSanitizer"
-	@echo "make tradeoff  error against time beside Embree and POV-Ray, written to tests/tradeoff/runs"
+	@echo "make tradeoff  error against time beside Embree and POV-Ray, written to tests/measure/tradeoff/runs"
 	@echo "make contracts targets on random scenes (SEED=$(SEED) SCENES=$(SCENES)): are they kept, and told truly?"
-	@echo "make bench     times against Embree and POV-Ray, written to tests/bench/runs"
-	@echo "make extremes  scenes at the extremes against exact pictures, written to tests/extremes/runs"
+	@echo "make bench     times against Embree and POV-Ray, written to tests/measure/bench/runs"
+	@echo "make extremes  scenes at the extremes against exact pictures, written to tests/measure/extremes/runs"
 	@echo "make fuzz      a minute each of random documents and of random scenes, with libFuzzer"
 	@echo "make load      small pictures a second against /healthz, with wrk"
 	@echo "make soak      ten minutes of mixed traffic: no memory, thread or descriptor is lost"

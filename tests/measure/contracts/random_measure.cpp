@@ -1,0 +1,94 @@
+#include "tests/measure/contracts/random_measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "tests/measure/contracts/random_scene.h"
+
+namespace raytracer::published {
+namespace {
+
+constexpr double share_of_target = 1.0 / 6;  // adds 1.4 % to the rms of an error of the target
+
+Scene scene_of(const RandomScene& random) {
+  Result<Scene> scene = read_scene(random.document, Limits{});
+  if (!scene.ok())
+    throw std::runtime_error(random.summary + ": " + scene.errors()[0].pointer + ": " +
+                             scene.errors()[0].detail);
+  return std::move(scene).value();
+}
+
+double rmse(const Image& image, const Image& other) {
+  double squares = 0;
+  for (std::size_t i = 0; i < image.values.size(); ++i) {
+    const double apart =
+        static_cast<double>(image.values[i]) - static_cast<double>(other.values[i]);
+    squares += apart * apart;
+  }
+  return std::sqrt(squares / static_cast<double>(image.values.size()));
+}
+
+struct ExactPicture {
+  Image image;
+  int samples;
+  double error;
+};
+
+Image render_many(const Scene& scene, int samples, WorkerPool& pool) {
+  Overrides overrides;
+  overrides.samples = samples;
+  overrides.precision = Precision::double_precision;
+  Limits limits;
+  limits.samples = samples;
+  limits.work = std::numeric_limits<std::int64_t>::max();
+  RenderProgress progress;
+  return render(with_overrides(scene, overrides), limits, pool, progress).image;
+}
+
+/// Errors fall at least as the root of the number of samples: the picture before has twice the
+/// error, and lies at least twice the later one's error from it.
+ExactPicture render_exactly(const Scene& scene, double wanted_error, double most_samples,
+                            WorkerPool& pool) {
+  constexpr int first = 240;  // and multiples of five, which no contract has: else samples coincide
+  const double pixel_count = static_cast<double>(scene.camera.width) * scene.camera.height;
+  Image earlier = render_many(scene, first / 4, pool);
+  for (int samples = first;; samples *= 4) {
+    Image image = render_many(scene, samples, pool);
+    const double error = rmse(image, earlier) / 2;
+    if (error <= wanted_error || 4 * samples * pixel_count > most_samples)
+      return {std::move(image), samples, error};
+    earlier = std::move(image);
+  }
+}
+
+}  // namespace
+
+MeasuredScene measure_random_scene(std::uint64_t seed, const std::vector<double>& targets,
+                                   double most_samples, WorkerPool& pool) {
+  const RandomScene random = random_scene(seed);
+  const Scene scene = scene_of(random);
+  const double wanted_error = share_of_target * *std::min_element(targets.begin(), targets.end());
+  const ExactPicture exact = render_exactly(scene, wanted_error, most_samples, pool);
+  MeasuredScene measured{.seed = seed,
+                         .summary = random.summary,
+                         .exact_samples = exact.samples,
+                         .exact_error = exact.error};
+  for (const double target : targets) {
+    Overrides overrides;
+    overrides.target_rmse = target;
+    RenderProgress progress;
+    const Rendering rendering = render(with_overrides(scene, overrides), Limits{}, pool, progress);
+    measured.targets.push_back({.target = target,
+                                .rmse = rmse(rendering.image, exact.image),
+                                .estimated_error = rendering.estimated_error,
+                                .samples_per_pixel = rendering.samples_per_pixel,
+                                .stop = rendering.stop});
+  }
+  return measured;
+}
+
+}  // namespace raytracer::published
