@@ -36,14 +36,17 @@ test:
 	$(call test_in,build)
 
 # The sets build and test as well: clang-tidy reads every source with the headers that it includes.
+# In a directory of its own, where each source is compiled by itself.
 check:
 	.ci/install build test check
 	clang-format --dry-run -Werror $(sources)
 	shellcheck $(scripts)
 	$(call configure,build,-DRAYTRACER_TESTS=ON)
-	@cmake --build build --parallel $(JOBS) --target all render_repeatedly  # headers are generated
+	@cmake --build build --parallel $(JOBS) --target render_repeatedly
 	tests/instructions/check build
-	run-clang-tidy -quiet -j $(JOBS) -p build '^$(CURDIR)/(engine|server|client|tests)/'
+	$(call configure,build-check,-DRAYTRACER_TESTS=ON -DCMAKE_UNITY_BUILD=OFF)
+	@cmake --build build-check --parallel $(JOBS)  # headers are generated
+	run-clang-tidy -quiet -j $(JOBS) -p build-check '^$(CURDIR)/(engine|server|client|tests)/'
 
 # Directories of their own: the two cannot be combined, and neither with the ordinary build.
 sanitize:
@@ -119,7 +122,7 @@ install: all
 	cmake --install build --prefix $(PREFIX)
 
 clean:
-	rm -rf build build-sanitize build-tsan build-bench build-fuzz
+	rm -rf build build-check build-sanitize build-tsan build-bench build-fuzz
 
 help:
 	@echo "make           build/raytracer-server and build/raytracer"
