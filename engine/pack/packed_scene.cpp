@@ -3,7 +3,9 @@
 #include <map>
 #include <variant>
 
+#include "engine/pack/make_frame.h"
 #include "engine/scene/features.h"
+#include "engine/scene/scene.h"
 
 namespace raytracer {
 namespace {

@@ -5,14 +5,17 @@
 #include <vector>
 
 #include "engine/lights/lights.h"
+#include "engine/lights/shadows.h"
+#include "engine/materials/materials.h"
+#include "engine/math/frame.h"
 #include "engine/math/view.h"
 #include "engine/objects/numbering.h"
 #include "engine/objects/objects.h"
-#include "engine/pack/make_frame.h"
 #include "engine/parallel/worker_pool.h"
-#include "engine/scene/scene.h"
 
 namespace raytracer {
+
+struct Scene;
 
 /// The materials of primitives: one for all of an object, or one for each of its items.
 class PrimitiveMaterials {

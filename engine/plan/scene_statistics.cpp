@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/parallel/chunks.h"
+#include "engine/scene/scene.h"
 
 namespace raytracer {
 namespace {

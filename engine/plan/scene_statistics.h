@@ -9,7 +9,6 @@
 #include "engine/pack/packed_scene.h"
 #include "engine/parallel/worker_pool.h"
 #include "engine/scene/features.h"
-#include "engine/scene/scene.h"
 
 namespace raytracer {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/errors/error_model.h"
-#include "engine/image/transfer.h"
+#include "engine/math/transfer.h"
 #include "engine/reference/radiance.h"
 
 namespace raytracer {

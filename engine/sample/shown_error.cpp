@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "engine/image/transfer.h"
+#include "engine/math/transfer.h"
 
 namespace raytracer {
 namespace {

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <variant>
 
+#include "engine/scene/scene.h"
+
 namespace raytracer {
 namespace {
 

@@ -9,9 +9,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/scene/scene.h"
+#include "engine/lights/lights.h"
+#include "engine/objects/objects.h"
 
 namespace raytracer {
+
+struct Scene;
 
 struct Features {
   std::array<std::size_t, ObjectKinds::count> primitives{};  ///< of each kind

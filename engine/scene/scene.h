@@ -11,7 +11,9 @@
 
 #include "engine/fields/field_table.h"
 #include "engine/lights/lights.h"
+#include "engine/lights/shadows.h"
 #include "engine/materials/materials.h"
+#include "engine/math/transfer.h"
 #include "engine/memory/shared_array.h"
 #include "engine/objects/objects.h"
 #include "engine/scene/camera.h"
@@ -29,13 +31,7 @@ inline std::size_t primitive_count(const Object& object) {
   return std::visit([](const auto& shape) { return item_count(shape); }, object.shape);
 }
 
-/// What a surface that a light does not reach shows of that light's ambient part; `off`: every
-/// light reaches every surface that faces it.
-enum class Shadows : std::uint8_t { black, ambient, off };
-
 enum class Precision : std::uint8_t { automatic, single_precision, double_precision };
-
-enum class Transfer : std::uint8_t { linear, srgb };
 
 struct RenderSettings {
   std::optional<int> samples;         ///< per pixel; never together with the two contracts

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "engine/image/transfer.h"
+#include "engine/math/transfer.h"
 #include "tests/analytic/expect_color.h"
 
 namespace raytracer::test {

@@ -133,6 +133,23 @@ TEST(Layers, kinds_finders_and_kernels_never_name_the_scene) {
     EXPECT_FALSE(std::regex_search(file.code(), scene)) << file.path;
 }
 
+/// Nor do they know it by way of a header that includes it.
+TEST(Layers, kernels_do_not_reach_the_scene) {
+  std::map<std::string, std::vector<std::string>> includes;
+  for (const SourceFile& file : source_files({"engine"})) includes[file.path] = file.own_includes();
+  std::map<std::string, std::string> reached_from;
+  const std::function<void(const std::string&)> visit = [&](const std::string& path) {
+    for (const std::string& include : includes[path])
+      if (reached_from.emplace(include, path).second) visit(include);
+  };
+  const auto files = includes;
+  for (const auto& [path, of_it] : files)
+    if (path.starts_with("engine/kernel/")) visit(path);
+  EXPECT_TRUE(reached_from.contains("engine/scene/features.h")) << "which kernels do read";
+  for (const char* const hidden : {"engine/scene/scene.h", "engine/scene/read_scene.h"})
+    EXPECT_FALSE(reached_from.contains(hidden)) << hidden << ", by " << reached_from[hidden];
+}
+
 TEST(Layers, engine_knows_nothing_of_its_users) {
   for (const SourceFile& file : source_files({"engine"}))
     for (const std::string& include : file.own_includes())

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "engine/image/transfer.h"
+#include "engine/math/transfer.h"
 
 namespace raytracer::test {
 namespace {

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/image/transfer.h"
+#include "engine/math/transfer.h"
 #include "engine/math/block.h"
 
 namespace raytracer::test {

@@ -11,7 +11,7 @@
 
 #include <cstdint>
 
-#include "engine/image/transfer.h"
+#include "engine/math/transfer.h"
 #include "engine/kernel/sample_point.h"
 #include "engine/math/block.h"
 #include "engine/packets/packet-inl.h"
@@ -128,7 +128,7 @@ HWY_INLINE V3<V> clamped(D d, const V3<V>& colour) {
   return {hn::Min(colour.x, one), hn::Min(colour.y, one), hn::Min(colour.z, one)};
 }
 
-/// As encode_channel() in engine/image/transfer.h.
+/// As encode_channel() in engine/math/transfer.h.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V encoded(D d, Transfer transfer, V linear) {
   if (transfer == Transfer::linear) return linear;

@@ -10,6 +10,7 @@
 #include "engine/kernel/beyond_range.h"
 #include "engine/kernel/packet_scene.h"
 #include "engine/kernel/sample_point.h"
+#include "engine/math/transfer.h"
 
 namespace raytracer {
 

@@ -11,6 +11,7 @@
 #include "engine/image/sampled_pixel.h"
 #include "engine/kernel/packet_scene.h"
 #include "engine/kernel/sample_point.h"
+#include "engine/math/transfer.h"
 
 namespace raytracer {
 

@@ -1,4 +1,4 @@
-#include "engine/image/transfer.h"
+#include "engine/math/transfer.h"
 
 #include <cmath>
 
