@@ -26,7 +26,7 @@ define test_in
 	$(3) ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
 endef
 
-.PHONY: all test check sanitize tsan tradeoff contracts bench extremes fuzz load soak install clean help
+.PHONY: all test check sanitize tsan bench tradeoff extremes contracts fuzz load soak install clean help
 
 all:
 	$(call configure,build)
@@ -57,14 +57,33 @@ tsan_options = suppressions=$(CURDIR)/tests/tsan.supp halt_on_error=1
 tsan:
 	$(call test_in,build-tsan,-DRAYTRACER_SANITIZE=thread,TSAN_OPTIONS="$(tsan_options)")
 
-# The peers are only for these, so they have a directory of their own.
-tradeoff:
+# The peers are only for these three, so they have a directory of their own. $(1) is the target.
+define with_peers
 	.ci/install build test bench
 	$(call configure,build-bench,-DRAYTRACER_TESTS=ON -DRAYTRACER_BENCH=ON)
-	@cmake --build build-bench --parallel $(JOBS) --target raytracer_published_tradeoff
+	@cmake --build build-bench --parallel $(JOBS) --target $(1)
+endef
+
+# SCENE=FILE, a document's path or a shipped scene's name: only prints what it measures.
+SCENE ?=
+measured = $(if $(SCENE),--scene "$(SCENE)",--runs $(1)) --commit "$(commit)"
+commit = $$(git describe --always --dirty --exclude='*')
+
+bench:
+	$(call with_peers,raytracer_bench)
+	@mkdir -p tests/measure/bench/runs
+	build-bench/raytracer_bench $(call measured,tests/measure/bench/runs)
+
+tradeoff:
+	$(call with_peers,raytracer_published_tradeoff)
 	@mkdir -p tests/measure/tradeoff/runs
-	build-bench/raytracer_published_tradeoff --runs tests/measure/tradeoff/runs \
-	  --commit "$$(git describe --always --dirty --exclude='*')"
+	build-bench/raytracer_published_tradeoff $(call measured,tests/measure/tradeoff/runs)
+
+# Against the exact pictures, the peers beside it; fails if one picture is not right.
+extremes:
+	$(call with_peers,raytracer_extremes)
+	@mkdir -p tests/measure/extremes/runs
+	build-bench/raytracer_extremes --write tests/measure/extremes/runs/extremes.md
 
 # Another SEED, other scenes; fails if fewer than 99 % of the targets are kept.
 SEED ?= 1
@@ -74,23 +93,7 @@ contracts:
 	$(call configure,build,-DRAYTRACER_TESTS=ON)
 	@cmake --build build --parallel $(JOBS) --target raytracer_random_contracts
 	build/raytracer_random_contracts --seed $(SEED) --scenes $(SCENES) \
-	  --commit "$$(git describe --always --dirty --exclude='*')"
-
-bench:
-	.ci/install build test bench
-	$(call configure,build-bench,-DRAYTRACER_TESTS=ON -DRAYTRACER_BENCH=ON)
-	@cmake --build build-bench --parallel $(JOBS) --target raytracer_bench
-	@mkdir -p tests/measure/bench/runs
-	build-bench/raytracer_bench --runs tests/measure/bench/runs \
-	  --commit "$$(git describe --always --dirty --exclude='*')"
-
-# Against the exact pictures, the peers beside it; fails if one picture is not right.
-extremes:
-	.ci/install build test bench
-	$(call configure,build-bench,-DRAYTRACER_TESTS=ON -DRAYTRACER_BENCH=ON)
-	@cmake --build build-bench --parallel $(JOBS) --target raytracer_extremes
-	@mkdir -p tests/measure/extremes/runs
-	build-bench/raytracer_extremes --write tests/measure/extremes/runs/extremes.md
+	  --commit "$(commit)"
 
 # Both start from the shipped scenes and the extremes. A finding is left in build-fuzz.
 fuzz_sanitizers = address$(comma)undefined$(comma)fuzzer-no-link
@@ -130,10 +133,10 @@ help:
 	@echo "make check     clang-format, clang-tidy, shellcheck, instruction counts; installs what is missing"
 	@echo "make sanitize  all tests with AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make tsan      all tests with ThreadSanitizer"
-	@echo "make tradeoff  error against time beside Embree and POV-Ray, written to tests/measure/tradeoff/runs"
+	@echo "make tradeoff  error against time beside other renderers; SCENE=FILE for any document"
 	@echo "make contracts targets on random scenes (SEED=$(SEED) SCENES=$(SCENES)): are they kept, and told truly?"
-	@echo "make bench     times against Embree and POV-Ray, written to tests/measure/bench/runs"
-	@echo "make extremes  scenes at the extremes against exact pictures, written to tests/measure/extremes/runs"
+	@echo "make bench     times beside other renderers; SCENE=FILE for any document"
+	@echo "make extremes  scenes at the extremes against exact pictures, other renderers beside it"
 	@echo "make fuzz      a minute each of random documents and of random scenes, with libFuzzer"
 	@echo "make load      small pictures a second against /healthz, with wrk"
 	@echo "make soak      ten minutes of mixed traffic: no memory, thread or descriptor is lost"

@@ -1,4 +1,4 @@
-// The project against Embree and POV-Ray on the same scenes, in turn in one run.
+// The project beside its peers on the same scenes, in turn in one run.
 //
 // Prints a Markdown report; with --runs it also writes it, and the raw figures, to
 // DIRECTORY/DATE-COMMIT.md and .json.
@@ -12,7 +12,6 @@
 #include <future>
 #include <iostream>
 #include <optional>
-#include <set>
 #include <thread>
 
 #include "tests/measure/bench/measure_case.h"
@@ -28,26 +27,25 @@ using namespace raytracer::bench;
 struct Options {
   std::vector<std::string> scenes;
   bool is_quick = false;
-  bool without_embree = false;
-  bool without_povray = false;
+  std::vector<std::string> peers;
   bool is_avx2 = false;
   Effort effort;
   std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   std::string commit = "unknown";
   std::string runs;
   std::string pictures;
+  std::string shipped = "server/scenes";
 };
 
 /// Returns the exit status where there is nothing more to do.
 std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
-  CLI::App app{"Measures the project, Embree and POV-Ray on the same scenes, in turn."};
-  std::set<std::string> names;
-  for (const Case& each : all_cases()) names.insert(each.scene);
-  app.add_option("--scene", options.scenes, "Only this scene; may be repeated")
-      ->check(CLI::IsMember(names));
+  CLI::App app{"Measures the project and its peers on the same scenes, in turn."};
+  app.add_option("--scene", options.scenes,
+                 "Only this scene: one that is made here, a shipped one, or a document's path; may "
+                 "be repeated");
   app.add_flag("--quick", options.is_quick, "Only small scenes at 700 x 500 with one sample");
-  app.add_flag("--no-embree", options.without_embree, "Leave Embree out");
-  app.add_flag("--no-povray", options.without_povray, "Leave POV-Ray out");
+  app.add_option("--peer", options.peers, "Only this peer; may be repeated")
+      ->check(CLI::IsMember({"Embree", "POV-Ray", "Tachyon"}));
   app.add_flag("--avx2", options.is_avx2, "Let the project use no more than AVX2; Embree may");
   app.add_option("--rounds", options.effort.rounds, "Rounds of each case")
       ->check(CLI::PositiveNumber)
@@ -64,6 +62,8 @@ std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
       ->check(CLI::ExistingDirectory);
   app.add_option("--pictures", options.pictures, "Write every peer's pictures into this directory")
       ->check(CLI::ExistingDirectory);
+  app.add_option("--shipped", options.shipped, "Where the shipped scenes are")
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -72,67 +72,70 @@ std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
   return {};
 }
 
-bool is_wanted(const Case& candidate, const Options& options) {
-  const bool is_named = options.scenes.empty() ||
-                        std::find(options.scenes.begin(), options.scenes.end(), candidate.scene) !=
-                            options.scenes.end();
-  const bool is_small = candidate.is_quick && candidate.width == 700 && candidate.samples == 1;
-  return is_named && (!options.is_quick || is_small);
+/// The standard cases of the scenes that are named; a scene without any as its document has it.
+std::vector<Case> wanted_cases(const Options& options) {
+  std::vector<Case> cases;
+  if (options.scenes.empty()) cases = standard_cases();
+  for (const std::string& name : options.scenes) {
+    const std::size_t before = cases.size();
+    for (Case& each : standard_cases())
+      if (each.scene.name == name) cases.push_back(std::move(each));
+    if (cases.size() == before) cases.push_back({measure::find_scene(name, options.shipped)});
+  }
+  if (options.is_quick) std::erase_if(cases, [](const Case& each) { return !each.is_quick; });
+  return cases;
+}
+
+peers::Peers wanted_peers(const Options& options, WorkerPool& pool) {
+  peers::Peers all = peers::all_peers(pool);
+  if (!options.peers.empty())
+    std::erase_if(all, [&](const auto& peer) {
+      return std::count(options.peers.begin(), options.peers.end(), peer->name()) == 0;
+    });
+  return all;
 }
 
 void write_pictures(const CaseFigures& figures, const std::filesystem::path& directory,
                     WorkerPool& pool) {
-  const auto write = [&](const ByteImage& image, const std::string& peer) {
+  const auto write = [&](const ByteImage& image, const std::string& what) {
     if (image.values.empty()) return;
-    std::string name = figures.measured.name() + ", " + peer + ".png";
+    std::string name = figures.measured.name() + ", " + what + ".png";
     std::replace(name.begin(), name.end(), ' ', '-');
     std::erase(name, ',');
-    write_file(directory / name, encode(image, ImageFormat::png, pool));
+    measure::write_file(directory / name, encode(image, ImageFormat::png, pool));
   };
-  write(figures.pictures.project, "project");
-  write(figures.pictures.project_without_ambient, "project-without-ambient");
-  write(figures.pictures.embree, "embree");
-  write(figures.pictures.povray, "povray");
+  for (const PeerFigures& peer : figures.peers) {
+    write(peer.picture, peer.name);
+    write(peer.project_picture, "project as " + peer.name);
+  }
 }
 
 /// As DATE-COMMIT.md and .json.
 void write_report(const Report& report, const std::filesystem::path& directory) {
-  const std::string name = report.date + '-' + report.commit;
-  write_file(directory / (name + ".md"), to_markdown(report));
-  write_file(directory / (name + ".json"), to_json(report));
+  const std::string name = report.head.date + '-' + report.head.commit;
+  measure::write_file(directory / (name + ".md"), to_markdown(report));
+  measure::write_file(directory / (name + ".json"), to_json(report));
 }
 
 /// Measures every case that is wanted. Writes the report after each: a run takes long.
 Report measure_all(const Options& options, const std::string& command) {
   // Before the engine asks what there is.
   if (options.is_avx2) hwy::SetSupportedTargetsForTest(HWY_AVX2 | HWY_SSE4 | HWY_SSSE3);
+  const std::vector<Case> cases = wanted_cases(options);
   WorkerPool pool(options.threads);
   const MachineCosts costs = measure_machine_costs(pool);
-  std::optional<EmbreePeer> embree;
-  std::optional<PovrayPeer> povray;
-  Report report{.date = today(),
-                .commit = options.commit,
-                .command = command,
-                .thread_count = options.threads,
-                .machine = describe_machine()};
-  if (!options.without_embree) {
-    embree.emplace(pool);
-    report.embree = fmt::format("{}, packets of {}", embree->version(), embree->packet_width());
-  }
-  if (!options.without_povray) {
-    povray.emplace(options.threads);
-    report.povray = PovrayPeer::version();
-  }
-  for (const Case& candidate : all_cases()) {
-    if (!is_wanted(candidate, options)) continue;
-    std::cerr << candidate.name() << std::endl;
-    CaseFigures figures = measure(candidate, options.effort,
-                                  {.pool = pool,
-                                   .costs = costs,
-                                   .embree = embree ? &*embree : nullptr,
-                                   .povray = povray ? &*povray : nullptr});
+  const auto all_peers = wanted_peers(options, pool);
+  Report report{.head = {.date = measure::today(),
+                         .commit = options.commit,
+                         .command = command,
+                         .thread_count = options.threads,
+                         .machine = measure::describe_machine()}};
+  for (const auto& peer : all_peers) report.head.peers.emplace_back(peer->name(), peer->version());
+  for (const Case& each : cases) {
+    std::cerr << each.name() << std::endl;
+    CaseFigures figures = measure_case(each, options.effort, costs, all_peers, pool);
     if (!options.pictures.empty()) write_pictures(figures, options.pictures, pool);
-    figures.pictures = Pictures();
+    for (PeerFigures& peer : figures.peers) peer.picture = peer.project_picture = {};
     report.cases.push_back(std::move(figures));
     if (!options.runs.empty()) write_report(report, options.runs);
   }
@@ -147,11 +150,11 @@ int main(int argc, char** argv) {
     if (const auto status = parse_arguments(argc, argv, options)) return *status;
     // Not by the main thread: jemalloc 5.3 makes its arena before it has read the options, and
     // gives back its blocks of 8 MB at once; most of the server's threads have others.
-    const auto measure = [&] {
-      return measure_all(options, command_text("raytracer_bench", argc, argv,
-                                               {"--runs", "--pictures", "--commit"}));
+    const auto run = [&] {
+      return measure_all(options, measure::command_text("raytracer_bench", argc, argv,
+                                                        {"--runs", "--pictures", "--commit"}));
     };
-    std::cout << to_markdown(std::async(std::launch::async, measure).get());
+    std::cout << to_markdown(std::async(std::launch::async, run).get());
   } catch (const std::exception& error) {
     std::cerr << "bench: " << error.what() << '\n';
     return 1;

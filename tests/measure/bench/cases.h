@@ -1,23 +1,24 @@
-// What is measured: every scene, some in more than one size or with more than one sample.
+// What is measured: scenes, some in more than one size or with more than one sample.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "engine/engine.h"
+#include "tests/measure/scenes/named_scene.h"
+
 namespace raytracer::bench {
 
 struct Case {
-  std::string scene;  ///< its name
-  std::string (*document)();
-  int width = 700;
-  int height = 500;
-  int samples = 1;
-  bool is_quick = false;  ///< a second or so for all peers together
+  measure::NamedScene scene;
+  Overrides view{};       ///< size and samples, where they are not the document's
+  bool is_quick = false;  ///< a second or so for all together
 
-  /// "square-500, 3840 x 2160, 16 samples", the usual size and number left out.
+  /// "reflections, 3840 x 2160, 16 samples", the document's own left out.
   std::string name() const;
 };
 
-std::vector<Case> all_cases();
+/// Those that are measured where no scene is named.
+std::vector<Case> standard_cases();
 
 }  // namespace raytracer::bench

@@ -1,5 +1,8 @@
 #include "tests/measure/bench/measure_case.h"
 
+#include <functional>
+#include <iostream>
+#include <stdexcept>
 #include <utility>
 
 #include "engine/measure/stopwatch.h"
@@ -7,75 +10,69 @@
 namespace raytracer::bench {
 namespace {
 
-Overrides overrides_of(const Case& measured) {
-  Overrides overrides;
-  overrides.width = measured.width;
-  overrides.height = measured.height;
-  overrides.samples = measured.samples;
-  return overrides;
+using peers::Peer;
+
+/// At least `fewest`, and no new one after `limit_ms`.
+void run_rounds(const Effort& effort, int fewest, double limit_ms,
+                const std::function<void()>& run_round) {
+  const Stopwatch watch;
+  for (int i = 0; i < effort.rounds && (i < fewest || watch.elapsed_ms() < limit_ms); ++i)
+    run_round();
 }
 
-/// The project and each of `peers` once. Replaces the pictures. The forecast is of `scene`, which
-/// is the document's.
-Round run_round(const Scene& scene, const std::string& document, const Overrides& overrides,
-                const Peers& peers, Pictures& pictures) {
-  Round round;
-  round.forecast = forecast_project(scene, peers.costs, peers.pool);
-  ProjectRun project = run_project(document, overrides, peers.pool);
-  round.project = project.times;
-  pictures.project = std::move(project.image);
-  if (peers.embree) {
-    EmbreeRun embree = peers.embree->run(project.scene);
-    round.embree = embree.times;
-    pictures.embree = std::move(embree.image);
+PeerFigures measure_peer(Peer& peer, const Scene& scene,
+                         const std::function<ProjectTimes()>& run_project, const Effort& effort,
+                         double limit_ms, WorkerPool& pool) {
+  PeerFigures figures{.name = peer.name(), .refusal = peer.refusal(scene)};
+  if (figures.refusal) return figures;
+  figures.differences = peer.differences(scene);
+  try {
+    peer.set_scene(scene);
+    if (!peer.is_program()) peer.draw();
+    Image image;
+    const int fewest = peer.is_program() ? 1 : 3;  // a program may read for half a minute
+    run_rounds(effort, fewest, limit_ms, [&] {
+      const ProjectTimes project = run_project();
+      peers::Drawing drawing = peer.draw();
+      figures.rounds.push_back({project, drawing.times, drawing.way});
+      image = std::move(drawing.image);
+    });
+    figures.picture = rounded(peers::stored(std::move(image), scene.render.transfer));
+    figures.project_picture = picture_of(peers::scene_drawn(peer, scene), pool);
+    figures.difference = compare_images(figures.project_picture, figures.picture);
+  } catch (const std::runtime_error& error) {
+    std::cerr << error.what() << std::endl;
+    figures = {.name = peer.name(), .refusal = "it fails, as it said while this ran"};
   }
-  if (peers.povray) {
-    PovrayRun povray = peers.povray->run();
-    round.povray = povray.times;
-    pictures.povray = std::move(povray.image);
-  }
-  return round;
-}
-
-void compare_pictures(const Rgb& background, CaseFigures& figures) {
-  const Pictures& pictures = figures.pictures;
-  figures.covered = covered_share(pictures.project, background);
-  if (!pictures.embree.values.empty())
-    figures.embree_off = compare_images(pictures.project, pictures.embree);
-  if (!pictures.povray.values.empty())
-    figures.povray_off = compare_images(pictures.project_without_ambient, pictures.povray);
+  return figures;
 }
 
 }  // namespace
 
-CaseFigures measure(const Case& measured, const Effort& effort, const Peers& peers) {
-  constexpr int fewest_rounds = 3;
-  constexpr int fewest_povray_rounds = 1;  // it may parse for half a minute
-  const double limit_ms = 1000 * effort.seconds_per_case / (peers.povray ? 2 : 1);
+CaseFigures measure_case(const Case& measured, const Effort& effort, const MachineCosts& costs,
+                         const peers::Peers& all_peers, WorkerPool& pool) {
+  const double limit_ms =
+      1000 * effort.seconds_per_case / static_cast<double>(1 + all_peers.size());
+  const std::string document = measured.scene.document();
+  Overrides view = measured.view;
+  if (!view.samples)
+    view.samples = measure::read_document(document, view).render.samples.value_or(1);
 
-  CaseFigures figures{.measured = measured};
-  const std::string document = measured.document();
-  const Overrides overrides = overrides_of(measured);
-  figures.document_bytes = document.size();
-
-  // The warm-up, and what is not timed.
-  const ProjectRun first = run_project(document, overrides, peers.pool);
-  if (peers.embree) peers.embree->run(first.scene);
-  if (peers.povray) {
-    peers.povray->set_scene(first.scene);
-    figures.pictures.project_without_ambient = render_without_ambient(first.scene, peers.pool);
-  }
-
-  const auto run_rounds = [&](int fewest, const Peers& taking_part, std::vector<Round>& rounds) {
-    const Stopwatch watch;
-    for (int i = 0; i < effort.rounds && (i < fewest || watch.elapsed_ms() < limit_ms); ++i)
-      rounds.push_back(run_round(first.scene, document, overrides, taking_part, figures.pictures));
-  };
-  run_rounds(fewest_rounds, {peers.pool, peers.costs, peers.embree, nullptr}, figures.rounds);
-  if (peers.povray)
-    run_rounds(fewest_povray_rounds, {peers.pool, peers.costs, nullptr, peers.povray},
-               figures.povray_rounds);
-  compare_pictures(first.scene.background, figures);
+  const ProjectRun first = run_project(document, view, pool);
+  const Scene& scene = first.scene;
+  CaseFigures figures{
+      .measured = measured,
+      .width_px = scene.camera.width,
+      .height_px = scene.camera.height,
+      .samples = *view.samples,
+      .document_bytes = document.size(),
+      .covered = covered_share(first.image, scene.background, scene.render.transfer)};
+  const auto project_times = [&] { return run_project(document, view, pool).times; };
+  run_rounds(effort, 3, limit_ms, [&] {
+    figures.rounds.push_back({forecast_project(scene, costs, pool), project_times()});
+  });
+  for (const auto& peer : all_peers)
+    figures.peers.push_back(measure_peer(*peer, scene, project_times, effort, limit_ms, pool));
   return figures;
 }
 

@@ -1,6 +1,9 @@
-// The report as a Markdown table: medians, for people.
+// The report as Markdown tables: medians, for people.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "tests/measure/bench/report.h"
 #include "tests/measure/bench/summary.h"
@@ -9,103 +12,108 @@
 namespace raytracer::bench {
 namespace {
 
-std::string heading(const Report& report) {
-  std::string text = fmt::format(
-      "# Bench, {}, commit {}\n\n"
-      "- processor: {}, {} cores, {}; {} threads for every peer\n"
-      "- system: {}; compiler: {}\n",
-      report.date, report.commit, report.machine.processor, report.machine.cores,
-      report.machine.vectors, report.thread_count, report.machine.system, report.machine.compiler);
-  if (report.embree) text += fmt::format("- Embree {}\n", *report.embree);
-  if (report.povray) text += fmt::format("- POV-Ray {}\n", *report.povray);
-  text += fmt::format("- command: `{}`\n\n", report.command);
-  return text +
-         "Times are milliseconds, medians over rounds in which the project and one peer ran once, "
-         "first those with Embree; ratios are medians of the rounds' ratios, above 1 where the "
-         "project is faster. 700 x 500 pixels and one sample where nothing else is said. \"Pixels "
-         "off\": those with a channel more than two of 255 levels from the project's, and the mean "
-         "difference in levels.\n";
+using measure::digits;
+using measure::percent;
+using measure::row;
+
+constexpr const char* heading =
+    "Times are milliseconds, medians over rounds in which the project and one peer ran once; "
+    "ratios are medians of the rounds' ratios, above 1 where the project is faster. A scene has "
+    "the size and the samples of its document where nothing else is said.\n";
+
+/// The figures of `name` for a case; every case has those of every peer.
+const PeerFigures& of_peer(const CaseFigures& figures, const std::string& name) {
+  return *std::find_if(figures.peers.begin(), figures.peers.end(),
+                       [&](const PeerFigures& peer) { return peer.name == name; });
 }
 
-std::string project_table(const Report& report, const std::vector<Summary>& summaries) {
+std::string overview_table(const Report& report) {
+  std::string head = "| scene | build, ms | trace, ms |";
+  std::string rule = "|:--|--:|--:|";
+  for (const auto& [name, version] : report.head.peers) {
+    head += fmt::format(" {}: trace | with build |", name);
+    rule += "--:|--:|";
+  }
+  std::string text = "\n## How many times as long others take\n\n" + head + '\n' + rule + '\n';
+  for (const CaseFigures& figures : report.cases) {
+    const ProjectTimes times = summarize(figures).project;
+    text += fmt::format("| {} | {} | {} |", figures.measured.name(), digits(times.build_ms),
+                        digits(times.trace_ms));
+    for (const auto& [name, version] : report.head.peers) {
+      const PeerFigures& peer = of_peer(figures, name);
+      const PeerSummary summary = peer.refusal ? PeerSummary{} : summarize(peer);
+      text += peer.refusal ? " - | - |"
+                           : fmt::format(" {}x | {}x |", digits(summary.trace_ratio),
+                                         digits(summary.build_and_trace_ratio));
+    }
+    text += '\n';
+  }
+  for (const CaseFigures& figures : report.cases)
+    for (const PeerFigures& peer : figures.peers)
+      if (peer.refusal)
+        text += fmt::format("\n{} cannot draw {}: {}\n", peer.name, figures.measured.name(),
+                            *peer.refusal);
+  return text;
+}
+
+std::string project_table(const Report& report) {
   std::string text = "\n## The project\n\n";
-  text += row("case", "rounds", "document, MB", "covered", "read", "plan", "build", "trace",
-              "encode", "in all");
-  text += "|:--|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
-  for (std::size_t i = 0; i < summaries.size(); ++i) {
-    const CaseFigures& figures = report.cases[i];
-    const ProjectTimes& times = summaries[i].project;
-    text += row(
-        figures.measured.name(), figures.rounds.size(),
-        digits(static_cast<double>(figures.document_bytes) / 1e6),
-        fmt::format("{:.0f} %", 100 * figures.covered), digits(times.read_ms),
-        digits(times.plan_ms), digits(times.build_ms), digits(times.trace_ms),
-        digits(times.encode_ms),
-        digits(times.read_ms + times.plan_ms + times.build_ms + times.trace_ms + times.encode_ms));
+  text += row("scene", "size", "samples", "rounds", "document, MB", "covered", "read", "plan",
+              "build", "trace", "encode", "in all");
+  text += "|:--|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+  for (const CaseFigures& figures : report.cases) {
+    const ProjectTimes times = summarize(figures).project;
+    text += row(figures.measured.name(),
+                fmt::format("{} x {}", figures.width_px, figures.height_px), figures.samples,
+                figures.rounds.size(), digits(static_cast<double>(figures.document_bytes) / 1e6),
+                fmt::format("{:.0f} %", 100 * figures.covered), digits(times.read_ms),
+                digits(times.plan_ms), digits(times.build_ms), digits(times.trace_ms),
+                digits(times.encode_ms), digits(whole_ms(times)));
   }
   return text;
 }
 
-std::string forecast_table(const Report& report, const std::vector<Summary>& summaries) {
+std::string forecast_table(const Report& report) {
   std::string text =
       "\n## Foreseen and measured\n\n"
       "What a plan predicts before each render, over what that render then took; and how long the "
       "prediction takes, building the structures included.\n\n";
-  text += row("case", "build foreseen", "measured", "**ratio**", "trace foreseen", "measured",
+  text += row("scene", "build foreseen", "measured", "**ratio**", "trace foreseen", "measured",
               "**ratio**", "taken");
   text += "|:--|--:|--:|--:|--:|--:|--:|--:|\n";
-  for (std::size_t i = 0; i < summaries.size(); ++i) {
-    const ForecastSummary& forecast = summaries[i].forecast;
-    text += row(report.cases[i].measured.name(), digits(forecast.times.build_ms),
-                digits(summaries[i].project.build_ms), digits(forecast.build_ratio),
-                digits(forecast.times.trace_ms), digits(summaries[i].project.trace_ms),
-                digits(forecast.trace_ratio), digits(forecast.times.taken_ms));
+  for (const CaseFigures& figures : report.cases) {
+    const auto [project, forecast] = summarize(figures);
+    text +=
+        row(figures.measured.name(), digits(forecast.times.build_ms), digits(project.build_ms),
+            digits(forecast.build_ratio), digits(forecast.times.trace_ms), digits(project.trace_ms),
+            digits(forecast.trace_ratio), digits(forecast.times.taken_ms));
   }
   return text;
 }
 
-std::string embree_table(const Report& report, const std::vector<Summary>& summaries) {
-  std::string text =
-      "\n## Against Embree\n\n"
-      "Its trace time is that of its best way; its build is the commit without filling its "
-      "arrays.\n\n";
-  text += row("case", "its build", "its trace", "by", "our trace", "**trace ratio**",
-              "**with build**", "pixels off", "mean");
-  text += "|:--|--:|--:|:--|--:|--:|--:|--:|--:|\n";
-  for (std::size_t i = 0; i < summaries.size(); ++i) {
-    const std::optional<EmbreeSummary>& embree = summaries[i].embree;
-    if (!embree) continue;
-    const ImageDifference& off = *report.cases[i].embree_off;
-    text +=
-        row(report.cases[i].measured.name(), digits(embree->times.build_ms),
-            digits(embree->trace_ms), name_of(embree->mode), digits(summaries[i].project.trace_ms),
-            digits(embree->trace_ratio), digits(embree->build_and_trace_ratio),
-            percent(off.share_off), fmt::format("{:.3f}", off.mean_levels));
-  }
-  return text;
-}
-
-std::string povray_table(const Report& report, const std::vector<Summary>& summaries) {
-  std::string text =
-      "\n## Against POV-Ray\n\n"
-      "Its own account of parsing, bounding and tracing, and the whole process against the "
-      "project from text to PNG. Its pictures are compared with the project's without ambient "
-      "light, which POV-Ray counts differently; its pattern of 16 samples is another. After a "
-      "process of seconds the project finds a processor that has slept and memory given back: its "
-      "times are longer here.\n\n";
-  text += row("case", "rounds", "its parse", "its bounding", "its trace", "its process",
-              "our trace", "**trace ratio**", "**process ratio**", "pixels off", "mean");
-  text += "|:--|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
-  for (std::size_t i = 0; i < summaries.size(); ++i) {
-    const std::optional<PovraySummary>& povray = summaries[i].povray;
-    if (!povray) continue;
-    const ImageDifference& off = *report.cases[i].povray_off;
-    text +=
-        row(report.cases[i].measured.name(), povray->round_count, digits(povray->times.parse_ms),
-            digits(povray->times.bounding_ms), digits(povray->times.trace_ms),
-            digits(povray->times.process_ms), digits(povray->project_trace_ms),
-            digits(povray->trace_ratio), digits(povray->process_ratio), percent(off.share_off),
-            fmt::format("{:.3f}", off.mean_levels));
+std::string peer_table(const Report& report, const std::string& name) {
+  std::string text = fmt::format(
+      "\n## Beside {}\n\n"
+      "Its own account of its stages; \"whole\": a program from its start to its end, over the "
+      "project from text to PNG. The pictures: root mean square of their difference, with "
+      "channels from 0 to 1, and the pixels with a channel off by more than two levels of 255.\n\n",
+      name);
+  text += row("scene", "rounds", "read", "build", "trace", "by", "whole", "our trace",
+              "**trace ratio**", "**with build**", "**whole**", "rmse", "pixels off",
+              "known differences");
+  text += "|:--|--:|--:|--:|--:|:--|--:|--:|--:|--:|--:|--:|--:|:--|\n";
+  for (const CaseFigures& figures : report.cases) {
+    const PeerFigures& peer = of_peer(figures, name);
+    if (peer.refusal) continue;
+    const PeerSummary summary = summarize(peer);
+    const bool is_program = summary.times.whole_ms > 0;
+    text += row(figures.measured.name(), peer.rounds.size(), digits(summary.times.read_ms),
+                digits(summary.times.build_ms), digits(summary.times.trace_ms), summary.way,
+                is_program ? digits(summary.times.whole_ms) : "-", digits(summary.project_trace_ms),
+                digits(summary.trace_ratio), digits(summary.build_and_trace_ratio),
+                is_program ? digits(summary.whole_ratio) : "-",
+                fmt::format("{:.2g}", peer.difference.rmse), percent(peer.difference.share_off),
+                fmt::format("{}", fmt::join(peer.differences, "; ")));
   }
   return text;
 }
@@ -113,12 +121,12 @@ std::string povray_table(const Report& report, const std::vector<Summary>& summa
 }  // namespace
 
 std::string to_markdown(const Report& report) {
-  std::vector<Summary> summaries;
-  for (const CaseFigures& figures : report.cases) summaries.push_back(summarize(figures));
-  std::string text =
-      heading(report) + project_table(report, summaries) + forecast_table(report, summaries);
-  if (report.embree) text += embree_table(report, summaries);
-  if (report.povray) text += povray_table(report, summaries);
+  std::string text = to_markdown(report.head, "Bench") + heading + overview_table(report) +
+                     project_table(report) + forecast_table(report);
+  for (const auto& version : report.head.peers)
+    if (std::any_of(report.cases.begin(), report.cases.end(),
+                    [&](const CaseFigures& each) { return !of_peer(each, version.first).refusal; }))
+      text += peer_table(report, version.first);
   return text;
 }
 

@@ -1,27 +1,12 @@
 // A case's rounds reduced to medians.
 #pragma once
 
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "tests/measure/bench/measure_case.h"
 
 namespace raytracer::bench {
-
-struct EmbreeSummary {
-  EmbreeMode mode{};  ///< the one with the least median of the trace time
-  EmbreeTimes times;
-  double trace_ms = 0;               ///< by that mode
-  double trace_ratio = 0;            ///< Embree's over the project's
-  double build_and_trace_ratio = 0;  ///< the project's with the plan
-};
-
-struct PovraySummary {
-  PovrayTimes times;
-  std::size_t round_count = 0;
-  double project_trace_ms = 0;  ///< in the same rounds
-  double trace_ratio = 0;       ///< POV-Ray's trace time over the project's
-  double process_ratio = 0;     ///< its process over read, plan, build, trace and encode
-};
 
 struct ForecastSummary {
   ProjectForecast times;
@@ -29,14 +14,26 @@ struct ForecastSummary {
   double trace_ratio = 0;
 };
 
+/// Of a peer that drew the scene. Its times over the project's.
+struct PeerSummary {
+  peers::PeerTimes times;
+  double project_trace_ms = 0;  ///< in the same rounds
+  double trace_ratio = 0;
+  double build_and_trace_ratio = 0;  ///< the project's with the plan
+  double whole_ratio = 0;            ///< over text to PNG; 0 for what is no program
+  std::string way;                   ///< the most frequent
+};
+
 /// Ratios are medians of the rounds' ratios, not ratios of medians.
 struct Summary {
   ProjectTimes project;
   ForecastSummary forecast;
-  std::optional<EmbreeSummary> embree{};
-  std::optional<PovraySummary> povray{};
 };
 
+double whole_ms(const ProjectTimes& times);
+
 Summary summarize(const CaseFigures& figures);
+
+PeerSummary summarize(const PeerFigures& figures);
 
 }  // namespace raytracer::bench

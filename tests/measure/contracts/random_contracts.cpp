@@ -93,10 +93,10 @@ std::string progress_text(const MeasuredScene& scene, double seconds) {
 }
 
 int measure_all(const Options& options, const std::string& command) {
-  const bench::Machine machine = bench::describe_machine();
+  const measure::Machine machine = measure::describe_machine();
   std::cout << fmt::format(
                    "# Targets on random scenes\n\n`{}`, commit {}, {}, {} threads of {}, {}\n\n",
-                   command, options.commit, bench::today(), options.threads, machine.processor,
+                   command, options.commit, measure::today(), options.threads, machine.processor,
                    machine.compiler)
             << std::flush;
   WorkerPool pool(options.threads);
@@ -125,8 +125,8 @@ int main(int argc, char** argv) {
     if (const auto status = parse_arguments(argc, argv, options)) return *status;
     if (options.write.empty())
       return measure_all(
-          options, bench::command_text("raytracer_random_contracts", argc, argv, {"--commit"}));
-    bench::write_file(options.write, random_scene(*options.scene_seed).document);
+          options, measure::command_text("raytracer_random_contracts", argc, argv, {"--commit"}));
+    measure::write_file(options.write, random_scene(*options.scene_seed).document);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "raytracer_random_contracts: " << error.what() << '\n';

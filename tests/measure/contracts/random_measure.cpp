@@ -1,36 +1,18 @@
 #include "tests/measure/contracts/random_measure.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
+#include "engine/tradeoff/difference.h"
 #include "tests/measure/contracts/random_scene.h"
+#include "tests/measure/scenes/named_scene.h"
 
 namespace raytracer::published {
 namespace {
 
 constexpr double share_of_target = 1.0 / 6;  // adds 1.4 % to the rms of an error of the target
-
-Scene scene_of(const RandomScene& random) {
-  Result<Scene> scene = read_scene(random.document, Limits{});
-  if (!scene.ok())
-    throw std::runtime_error(random.summary + ": " + scene.errors()[0].pointer + ": " +
-                             scene.errors()[0].detail);
-  return std::move(scene).value();
-}
-
-double rmse(const Image& image, const Image& other) {
-  double squares = 0;
-  for (std::size_t i = 0; i < image.values.size(); ++i) {
-    const double apart =
-        static_cast<double>(image.values[i]) - static_cast<double>(other.values[i]);
-    squares += apart * apart;
-  }
-  return std::sqrt(squares / static_cast<double>(image.values.size()));
-}
 
 struct ExactPicture {
   Image image;
@@ -58,7 +40,7 @@ ExactPicture render_exactly(const Scene& scene, double wanted_error, double most
   Image earlier = render_many(scene, first / 4, pool);
   for (int samples = first;; samples *= 4) {
     Image image = render_many(scene, samples, pool);
-    const double error = rmse(image, earlier) / 2;
+    const double error = difference(image, earlier).rmse / 2;
     if (error <= wanted_error || 4 * samples * pixel_count > most_samples)
       return {std::move(image), samples, error};
     earlier = std::move(image);
@@ -70,7 +52,7 @@ ExactPicture render_exactly(const Scene& scene, double wanted_error, double most
 MeasuredScene measure_random_scene(std::uint64_t seed, const std::vector<double>& targets,
                                    double most_samples, WorkerPool& pool) {
   const RandomScene random = random_scene(seed);
-  const Scene scene = scene_of(random);
+  const Scene scene = measure::read_document(random.document, {});
   const double wanted_error = share_of_target * *std::min_element(targets.begin(), targets.end());
   const ExactPicture exact = render_exactly(scene, wanted_error, most_samples, pool);
   MeasuredScene measured{.seed = seed,
@@ -83,7 +65,7 @@ MeasuredScene measure_random_scene(std::uint64_t seed, const std::vector<double>
     RenderProgress progress;
     const Rendering rendering = render(with_overrides(scene, overrides), Limits{}, pool, progress);
     measured.targets.push_back({.target = target,
-                                .rmse = rmse(rendering.image, exact.image),
+                                .rmse = difference(rendering.image, exact.image).rmse,
                                 .estimated_error = rendering.estimated_error,
                                 .samples_per_pixel = rendering.samples_per_pixel,
                                 .stop = rendering.stop});

@@ -9,6 +9,8 @@
 
 namespace raytracer::published {
 
+using measure::Dice;
+
 struct RandomObject {
   nlohmann::json object;  ///< as in a scene document, without its material
   std::string words;      ///< what it is, for people; lengths in halves of the cube's side

@@ -12,7 +12,7 @@
 namespace raytracer::published {
 namespace {
 
-using bench::row;
+using measure::row;
 
 constexpr double clearly_above = 2;    // adds at most 12 % to the error, mostly 4 %
 constexpr double least_judged = 1e-4;  // a fortieth of a level of 8 bits; flat pictures have less
@@ -58,7 +58,7 @@ std::string exactness_text(const std::vector<MeasuredScene>& scenes) {
   errors.reserve(scenes.size());
   for (const MeasuredScene& scene : scenes) errors.push_back(scene.exact_error);
   return fmt::format("\nErrors of the exact pictures: median {:.2g}, the largest {:.2g}.\n",
-                     bench::median(errors), *std::max_element(errors.begin(), errors.end()));
+                     measure::median(errors), *std::max_element(errors.begin(), errors.end()));
 }
 
 }  // namespace
@@ -95,8 +95,8 @@ std::string report_random(const std::vector<MeasuredScene>& scenes) {
     text += row(scenes[0].targets[i].target, fmt::format("{} of {}", sum.kept_count, sum.count),
                 sum.judged_count, share_text(sum.within_2_count, sum.judged_count),
                 share_text(sum.within_2_5_count, sum.judged_count),
-                share_text(sum.below_half_count, sum.judged_count), bench::digits(sum.least_ratio),
-                bench::digits(sum.most_ratio));
+                share_text(sum.below_half_count, sum.judged_count),
+                measure::digits(sum.least_ratio), measure::digits(sum.most_ratio));
     kept_count += sum.kept_count;
     count += sum.count;
   }

@@ -1,5 +1,5 @@
-// The table of the extremes: each scene with this project's precisions and, where they are found,
-// its peers, against the exact picture.
+// The table of the extremes: each scene with this project's precisions and its peers, against the
+// exact picture.
 //
 //   raytracer_extremes [--write FILE] [NAME...]
 
@@ -18,7 +18,7 @@
 #include "engine/plan/plan.h"
 #include "tests/extremes/cases.h"
 #include "tests/extremes/comparison.h"
-#include "tests/measure/extremes/peers.h"
+#include "tests/measure/peers/all_peers.h"
 
 namespace {
 
@@ -36,7 +36,23 @@ std::string pixels_text(const Comparison& c) {
   return c.at_edge > 0 ? fmt::format("{} (+{})", c.off, c.at_edge) : fmt::format("{}", c.off);
 }
 
-Row measure(const Extreme& extreme, Peers& peers, WorkerPool& pool) {
+/// Without what is found only at an edge: peers are compared as this project is. "-" for a scene
+/// that is none of the peer's.
+std::string wrong_pixels(peers::Peer& peer, const Scene& scene, const ExactImage& exact,
+                         WorkerPool& pool) {
+  if (peer.refusal(scene)) return "-";
+  try {
+    peer.set_scene(scene);
+    const Image image = peers::stored(peer.draw().image, scene.render.transfer);
+    if (!peer.omits_ambient(scene)) return pixels_text(compare(image, exact, scene));
+    const Scene drawn = peers::scene_drawn(peer, scene);
+    return pixels_text(compare(image, exact_image(drawn, pool), drawn));
+  } catch (const std::runtime_error&) {
+    return "fails";
+  }
+}
+
+Row measure(const Extreme& extreme, const peers::Peers& all_peers, WorkerPool& pool) {
   const Scene& scene = extreme.scene;
   const ExactImage exact = exact_image(scene, pool);
   const Plan plan = make_plan(scene, this_machine(1));
@@ -51,13 +67,14 @@ Row measure(const Extreme& extreme, Peers& peers, WorkerPool& pool) {
   const bool is_right = chosen.off == 0 && chosen.nans == 0 &&
                         chosen.displacement_px <= std::max(1e-6, foreseen.displacement_px) &&
                         chosen.levels <= foreseen.levels;
-  return {
-      fmt::format("| {} | {} | {:.1g} px, {:.1g} | {:.1g} px, {:.1g} | {} | {} | {} | {} | {} |\n",
+  std::string text =
+      fmt::format("| {} | {} | {:.1g} px, {:.1g} | {:.1g} px, {:.1g} | {} | {} | {} |",
                   extreme.name, is_single ? "single" : "double", foreseen.displacement_px,
                   foreseen.levels, chosen.displacement_px, chosen.levels, pixels_text(chosen),
-                  pixels_text(single), pixels_text(in_double), peers.povray(scene, exact),
-                  peers.embree(scene, exact)),
-      is_single, is_right, single.off > 0};
+                  pixels_text(single), pixels_text(in_double));
+  for (const auto& peer : all_peers)
+    text += fmt::format(" {} |", wrong_pixels(*peer, scene, exact, pool));
+  return {text + '\n', is_single, is_right, single.off > 0};
 }
 
 }  // namespace
@@ -73,13 +90,18 @@ int main(int argc, char** argv) try {
   CLI11_PARSE(app, argc, argv);
 
   WorkerPool pool(threads);
-  Peers peers(pool);
+  const auto all_peers = peers::all_peers(pool);
   std::string report =
       "# The extremes, printed by `make extremes`\n\n"
       "Pixels off by more than a level of 255, in brackets those that are right within 1e-6 "
       "pixel.\n\n"
-      "| scene | auto | predicted | measured | auto: pixels wrong | single | double | POV-Ray | "
-      "Embree |\n|---|---|---|---|--:|--:|--:|--:|--:|\n";
+      "| scene | auto | predicted | measured | auto: pixels wrong | single | double |";
+  std::string rule = "\n|---|---|---|---|--:|--:|--:|";
+  for (const auto& peer : all_peers) {
+    report += fmt::format(" {} |", peer->name());
+    rule += "--:|";
+  }
+  report += rule + '\n';
   std::cout << report << std::flush;
   int count = 0;
   int right = 0;
@@ -87,7 +109,7 @@ int main(int argc, char** argv) try {
   int needs_double = 0;
   for (const Extreme& extreme : all_extremes()) {
     if (!names.empty() && std::count(names.begin(), names.end(), extreme.name) == 0) continue;
-    const Row row = measure(extreme, peers, pool);
+    const Row row = measure(extreme, all_peers, pool);
     std::cout << row.text << std::flush;
     report += row.text;
     ++count;

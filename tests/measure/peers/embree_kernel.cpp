@@ -5,7 +5,7 @@
 #include "tests/measure/peers/embree_lanes.h"
 #include "tests/measure/peers/embree_rays.h"
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 namespace {
 
 // Of the distance from the eye, which is the largest number in the computation of a hit: a little
@@ -70,6 +70,7 @@ class TileTracer : Lanes<width> {
   using Lanes<width>::load;
   using Lanes<width>::plus;
   using Lanes<width>::power;
+  using Lanes<width>::root;
   using Lanes<width>::splat;
   using Lanes<width>::times;
   using Lanes<width>::total;
@@ -195,24 +196,36 @@ class TileTracer : Lanes<width> {
 
   Vector shade(const Vector& point, const Vector& normal, const Vector& direction,
                const Surface& surface, M active, int depth) {
-    Vector sum{};
+    const F ambient = surface.ka * frame_.ambient;
+    const F everywhere = frame_.is_ambient_everywhere ? ambient : F{};
+    const F where_lit = frame_.is_ambient_everywhere ? F{} : ambient;
+    Vector sum{everywhere, everywhere, everywhere};
     for (int i = 0; i < frame_.light_count; ++i) {
       const EmbreeLight& light = frame_.lights[i];
-      const Vector towards = splat(light.towards);
+      Vector towards = splat(light.place);
+      F reach = splat(far_away);
+      F weakened = splat(1);
+      if (light.is_point) {
+        const Vector path = plus(towards, times(point, splat(-1)));
+        weakened = 1.0F / dot(path, path);
+        reach = dot(path, path) * root(weakened);
+        towards = times(path, root(weakened));
+      }
       const F cosine = dot(normal, towards);
       M visible = active & (cosine > 0.0F);
       if (!any(visible)) continue;
-      visible = visible & ~rays_.occluded(point, towards, visible, depth);
+      if (frame_.has_shadows)
+        visible = visible & ~rays_.occluded(point, towards, reach, visible, depth);
       if (!any(visible)) continue;
 
       const Vector half = unit(plus(towards, times(direction, splat(-1))));
       F aligned = dot(half, normal);
       aligned = aligned > 1e-20F ? aligned : splat(1e-20F);
-      const F direct = surface.kd * cosine + surface.ks * power(aligned, surface.shininess);
-      const F ambient = surface.ka * frame_.ambient;
-      sum.x += visible ? ambient + direct * light.intensity[0] : F{};
-      sum.y += visible ? ambient + direct * light.intensity[1] : F{};
-      sum.z += visible ? ambient + direct * light.intensity[2] : F{};
+      const F direct =
+          weakened * (surface.kd * cosine + surface.ks * power(aligned, surface.shininess));
+      sum.x += visible ? where_lit + direct * light.intensity[0] : F{};
+      sum.y += visible ? where_lit + direct * light.intensity[1] : F{};
+      sum.z += visible ? where_lit + direct * light.intensity[2] : F{};
     }
     return {sum.x * surface.color.x, sum.y * surface.color.y, sum.z * surface.color.z};
   }
@@ -253,4 +266,4 @@ void trace_embree_tile(const EmbreeFrame& frame, EmbreeMode mode, int packet_wid
   trace_tile(frame, mode, packet_width, x_begin, y_begin, x_end, y_end, rgb);
 }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

@@ -8,7 +8,7 @@
 
 #include <embree3/rtcore.h>
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 
 /// How rays are handed to Embree: in packets of the widest kind that it traverses natively, with or
 /// without the promise that they are coherent, in packets half as wide, or one by one.
@@ -25,8 +25,9 @@ struct EmbreeMaterial {
 };
 
 struct EmbreeLight {
-  float towards[3];    ///< unit
-  float intensity[3];  ///< times colour
+  bool is_point;
+  float place[3];      ///< the unit vector towards a distant light; where a point light is
+  float intensity[3];  ///< times colour; of a point light over 4 pi, at distance 1
 };
 
 /// normal . x = offset; intersected outside Embree, which has no unbounded primitives.
@@ -48,6 +49,8 @@ struct EmbreeFrame {
   int sample_count;
   float background[3];
   float ambient;
+  bool is_ambient_everywhere;  ///< else only where a light is visible, for each that is
+  bool has_shadows;
   int max_depth;
   const EmbreeLight* lights;
   int light_count;
@@ -69,4 +72,4 @@ void trace_embree_tile(const EmbreeFrame& frame, EmbreeMode mode, int packet_wid
 void trace_embree_tile(const EmbreeFrame& frame, EmbreeMode mode, int packet_width, int x_begin,
                        int y_begin, int x_end, int y_end, float* rgb);
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 
 template <int width>
 using Floats __attribute__((vector_size(4 * width))) = float;
@@ -85,4 +85,4 @@ struct Lanes {
   static Vector clamped(const Vector& a) { return {clamped(a.x), clamped(a.y), clamped(a.z)}; }
 };
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

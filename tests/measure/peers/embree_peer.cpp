@@ -3,16 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/measure/stopwatch.h"
+#include "tests/measure/peers/scene_features.h"
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 namespace {
 
 constexpr int tile_side_px = 32;
+constexpr int largest_side = 32;
+constexpr int side_in_all_modes = 6;  // beyond, only the fastest of smaller ones
 
-}  // namespace
+constexpr std::array modes{EmbreeMode::coherent_packets, EmbreeMode::incoherent_packets,
+                           EmbreeMode::narrow_packets, EmbreeMode::single_rays};
 
 std::string name_of(EmbreeMode mode) {
   switch (mode) {
@@ -28,32 +34,100 @@ std::string name_of(EmbreeMode mode) {
   return {};
 }
 
+Image as_floats(const ByteImage& levels) {
+  Image image(levels.width, levels.height);
+  std::transform(levels.values.begin(), levels.values.end(), image.values.begin(),
+                 [](unsigned char level) { return static_cast<float>(level) / 255; });
+  return image;
+}
+
+}  // namespace
+
 EmbreePeer::EmbreePeer(WorkerPool& pool)
     : pool_(pool),
       device_(rtcNewDevice(fmt::format("threads={}", pool.thread_count()).c_str())),
-      packet_width_(device_ ? embree_packet_width(device_) : 0) {
+      packet_width_(device_ ? embree_packet_width(device_.get()) : 0) {
   if (!device_) throw std::runtime_error("Embree did not start");
 }
 
-EmbreePeer::~EmbreePeer() { rtcReleaseDevice(device_); }
-
-EmbreeRun EmbreePeer::run(const Scene& scene) {
-  EmbreeRun run;
-  const auto world = build(scene, run.times.build_ms);
-  for (std::size_t i = 0; i < embree_modes.size(); ++i) {
-    ByteImage image(scene.camera.width, scene.camera.height);
-    run.times.trace_ms[i] = trace(*world, embree_modes[i], image);
-    if (i == 0) run.image = std::move(image);
-  }
-  return run;
+std::string EmbreePeer::version() const {
+  const auto property = [&](RTCDeviceProperty name) {
+    return static_cast<int>(rtcGetDeviceProperty(device_.get(), name));
+  };
+  return fmt::format("{}.{}.{}, packets of {}", property(RTC_DEVICE_PROPERTY_VERSION_MAJOR),
+                     property(RTC_DEVICE_PROPERTY_VERSION_MINOR),
+                     property(RTC_DEVICE_PROPERTY_VERSION_PATCH), packet_width_);
 }
 
-std::unique_ptr<EmbreeWorld> EmbreePeer::build(const Scene& scene, double& build_ms) {
-  auto world = make_embree_world(device_, scene);
+std::optional<std::string> EmbreePeer::refusal(const Scene& scene) const {
+  const SceneFeatures features = features_of(scene);
+  if (auto type = first_unknown(features.objects,
+                                {"sphere", "spheres", "sphere_square", "plane", "mesh"}, "objects"))
+    return type;
+  if (auto type = first_unknown(features.lights, {"distant", "point"}, "lights")) return type;
+  return first_reason({{features.has_item_colors, "sets with a colour for each item"}});
+}
+
+void EmbreePeer::set_scene(const Scene& scene) {
+  world_.reset();
+  scene_ = scene;
+}
+
+Drawing EmbreePeer::draw() {
+  Drawing drawing;
+  const auto world = build(drawing.times.build_ms);
+  if (scene_.render.transfer == Transfer::linear) {
+    ByteImage image(scene_.camera.width, scene_.camera.height);
+    trace_in_all_modes(*world, image, drawing);
+    drawing.image = as_floats(image);
+  } else {  // 8 bits would be too few before the transfer
+    drawing.image = Image(scene_.camera.width, scene_.camera.height);
+    trace_in_all_modes(*world, drawing.image, drawing);
+  }
+  return drawing;
+}
+
+std::vector<Ladder> EmbreePeer::ladders() {
+  constexpr double always = std::numeric_limits<double>::infinity();  // a finer grid may be worse
+  double build_ms = 0;
+  world_ = build(build_ms);
+  image_ = Image(scene_.camera.width, scene_.camera.height);
+  Ladder all{{}, always};
+  Ladder filling_packets{{}, always};
+  for (int side = 1; side <= largest_side; ++side) {
+    all.settings.push_back(grid(side));
+    if (side * side % packet_width_ == 0) filling_packets.settings.push_back(grid(side));
+  }
+  return {std::move(all), std::move(filling_packets)};
+}
+
+Setting EmbreePeer::grid(int side) {
+  return {fmt::format("{0} x {0}", side), [this, side] { return draw_grid(side); }};
+}
+
+Drawing EmbreePeer::draw_grid(int side) {
+  set_sample_grid(*world_, side);
+  EmbreeMode& fastest = fastest_[side * side % packet_width_ == 0 ? 1 : 0];
+  Drawing drawing;
+  drawing.times.trace_ms = std::numeric_limits<double>::infinity();
+  for (const EmbreeMode mode : modes) {
+    if (side > side_in_all_modes && mode != fastest) continue;
+    const double ms = trace(*world_, mode, image_);
+    if (ms >= drawing.times.trace_ms) continue;
+    drawing.times.trace_ms = ms;
+    drawing.way = name_of(mode);
+    fastest = mode;
+  }
+  drawing.image = image_;
+  return drawing;
+}
+
+std::unique_ptr<EmbreeWorld> EmbreePeer::build(double& build_ms) {
+  auto world = make_embree_world(device_.get(), scene_);
   const Stopwatch watch;
   rtcCommitScene(world->scene.get());
   build_ms = watch.elapsed_ms();
-  if (rtcGetDeviceError(device_) != RTC_ERROR_NONE)
+  if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE)
     throw std::runtime_error("Embree reports an error");
   return world;
 }
@@ -77,16 +151,16 @@ double EmbreePeer::trace(const EmbreeWorld& world, EmbreeMode mode, Raster<Chann
   return watch.elapsed_ms();
 }
 
-template double EmbreePeer::trace(const EmbreeWorld&, EmbreeMode, ByteImage&);
-template double EmbreePeer::trace(const EmbreeWorld&, EmbreeMode, Image&);
-
-std::string EmbreePeer::version() const {
-  const auto property = [&](RTCDeviceProperty name) {
-    return static_cast<int>(rtcGetDeviceProperty(device_, name));
-  };
-  return fmt::format("{}.{}.{}", property(RTC_DEVICE_PROPERTY_VERSION_MAJOR),
-                     property(RTC_DEVICE_PROPERTY_VERSION_MINOR),
-                     property(RTC_DEVICE_PROPERTY_VERSION_PATCH));
+template <typename Channel>
+void EmbreePeer::trace_in_all_modes(const EmbreeWorld& world, Raster<Channel>& image,
+                                    Drawing& drawing) {
+  drawing.times.trace_ms = std::numeric_limits<double>::infinity();
+  for (const EmbreeMode mode : modes) {
+    const double ms = trace(world, mode, image);
+    if (ms >= drawing.times.trace_ms) continue;
+    drawing.times.trace_ms = ms;
+    drawing.way = name_of(mode);
+  }
 }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

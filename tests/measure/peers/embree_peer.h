@@ -3,7 +3,6 @@
 // What the comparison grants it: this machine's instruction set without dispatch, relaxed
 // arithmetic, the best of four ways to hand rays over, an image that was touched before. Squares
 // of spheres become spheres, because it has nothing like them; planes are intersected beside it.
-// Limits: distant lights, shadows "black", the transfer "linear".
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -12,54 +11,53 @@
 #include <memory>
 #include <string>
 
-#include "engine/engine.h"
 #include "tests/measure/peers/embree_kernel.h"
 #include "tests/measure/peers/embree_world.h"
+#include "tests/measure/peers/peer.h"
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 
-inline constexpr std::array embree_modes{EmbreeMode::coherent_packets,
-                                         EmbreeMode::incoherent_packets, EmbreeMode::narrow_packets,
-                                         EmbreeMode::single_rays};
-
-std::string name_of(EmbreeMode mode);
-
-struct EmbreeTimes {
-  double build_ms = 0;                                 ///< the commit alone, not its arrays
-  std::array<double, embree_modes.size()> trace_ms{};  ///< by mode
-};
-
-struct EmbreeRun {
-  EmbreeTimes times;
-  ByteImage image;  ///< of the first mode
-};
-
-class EmbreePeer {
+class EmbreePeer : public Peer {
  public:
   /// Builds and traces on as many threads as `pool` has.
   explicit EmbreePeer(WorkerPool& pool);
-  ~EmbreePeer();
-  EmbreePeer(const EmbreePeer&) = delete;
-  EmbreePeer& operator=(const EmbreePeer&) = delete;
 
-  /// Throws std::runtime_error for a scene outside the limits above.
-  EmbreeRun run(const Scene& scene);
-
-  /// The two halves of that, for who traces one scene more than once. `build_ms` is the commit
-  /// alone; throws as `run` does.
-  std::unique_ptr<EmbreeWorld> build(const Scene& scene, double& build_ms);
-
-  /// Milliseconds. Of a channel either 8 bits or a float remain; `image` has the frame's size.
-  template <typename Channel>
-  double trace(const EmbreeWorld& world, EmbreeMode mode, Raster<Channel>& image);
-
-  std::string version() const;
-  int packet_width() const { return packet_width_; }
+  std::string name() const override { return "Embree"; }
+  std::string version() const override;
+  bool is_program() const override { return false; }
+  std::optional<std::string> refusal(const Scene& scene) const override;
+  bool omits_ambient(const Scene&) const override { return false; }
+  std::vector<std::string> differences(const Scene&) const override { return {}; }
+  void set_scene(const Scene& scene) override;
+  Drawing draw() override;
+  /// Regular grids of side x side samples in every pixel.
+  std::vector<Ladder> ladders() override;
 
  private:
+  struct ReleaseDevice {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  };
+
+  Drawing draw_grid(int side);
+  /// In the way that was the fastest on a small grid of this kind; on a small one in every way.
+  Setting grid(int side);
+
+  /// `build_ms` is the commit alone, not its arrays.
+  std::unique_ptr<EmbreeWorld> build(double& build_ms);
+  /// Milliseconds. Of a channel either 8 bits or a float remain.
+  template <typename Channel>
+  double trace(const EmbreeWorld& world, EmbreeMode mode, Raster<Channel>& image);
+  /// By the fastest of all modes.
+  template <typename Channel>
+  void trace_in_all_modes(const EmbreeWorld& world, Raster<Channel>& image, Drawing& drawing);
+
   WorkerPool& pool_;
-  RTCDevice device_;
+  std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice> device_;
   int packet_width_;
+  Scene scene_;
+  std::unique_ptr<EmbreeWorld> world_;   ///< of the ladders
+  Image image_;                          ///< theirs
+  std::array<EmbreeMode, 2> fastest_{};  ///< grids that do not fill packets, and those that do
 };
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

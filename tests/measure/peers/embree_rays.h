@@ -9,7 +9,9 @@
 #include "tests/measure/peers/embree_kernel.h"
 #include "tests/measure/peers/embree_lanes.h"
 
-namespace raytracer::bench {
+namespace raytracer::peers {
+
+constexpr float far_away = 1e30F;
 
 template <int width>
 struct Packet;
@@ -64,7 +66,7 @@ class RayCaster : Lanes<width> {
   /// What the rays meet: tfar, geomID (planes count on from the geometries) and Ng are filled in.
   RayHit intersect(const Vector& origin, const Vector& direction, M active, int depth) {
     RayHit hit;
-    prepare(hit.ray, origin, direction);
+    prepare(hit.ray, origin, direction, splat(far_away));
     for (int i = 0; i < width; ++i) {
       hit.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
       hit.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
@@ -82,13 +84,15 @@ class RayCaster : Lanes<width> {
     return hit;
   }
 
-  /// Which of the rays meet anything, however far.
-  M occluded(const Vector& origin, const Vector& direction, M active, int depth) {
+  /// Which of the rays meet anything nearer than `reach`.
+  M occluded(const Vector& origin, const Vector& direction, F reach, M active, int depth) {
     Ray ray;
-    prepare(ray, origin, direction);
+    prepare(ray, origin, direction, reach);
     M blocked{};
-    for (int i = 0; i < frame_.plane_count; ++i)
-      blocked |= active & (distance(ray, frame_.planes[i]) > 0.0F);
+    for (int i = 0; i < frame_.plane_count; ++i) {
+      const F t = distance(ray, frame_.planes[i]);
+      blocked |= active & (t > 0.0F) & (t < reach);
+    }
     active &= ~blocked;
     if (!any(active)) return blocked;
 
@@ -115,13 +119,11 @@ class RayCaster : Lanes<width> {
   using Lanes<width>::splat;
   using Lanes<width>::store;
 
-  static constexpr float far_away = 1e30F;
-
-  static void prepare(Ray& ray, const Vector& origin, const Vector& direction) {
+  static void prepare(Ray& ray, const Vector& origin, const Vector& direction, F reach) {
     store(ray.org_x, ray.org_y, ray.org_z, origin);
     store(ray.dir_x, ray.dir_y, ray.dir_z, direction);
     store(ray.tnear, F{});
-    store(ray.tfar, splat(far_away));
+    store(ray.tfar, reach);
     store(ray.time, F{});
     for (int i = 0; i < width; ++i) {
       ray.mask[i] = ~0U;
@@ -164,7 +166,7 @@ class RayCaster : Lanes<width> {
     RTCRay one;
     _mm_store_ps(&one.org_x, _mm_setr_ps(ray.org_x[i], ray.org_y[i], ray.org_z[i], 0));
     _mm_store_ps(&one.dir_x, _mm_setr_ps(ray.dir_x[i], ray.dir_y[i], ray.dir_z[i], 0));
-    one.tfar = far_away;
+    one.tfar = ray.tfar[i];
     one.mask = ~0U;
     one.id = 0;
     one.flags = 0;
@@ -186,4 +188,4 @@ class RayCaster : Lanes<width> {
   RTCIntersectContext secondary_;  ///< for what was reflected
 };
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

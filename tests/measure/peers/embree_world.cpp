@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -9,7 +10,7 @@
 #include "tests/measure/peers/expanded_square.h"
 #include "tests/measure/peers/eye_view.h"
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 namespace {
 
 void set(float (&to)[3], const Vec3& from) {
@@ -49,18 +50,11 @@ class GeometryCollector {
  private:
   void add(const Sphere& sphere) { add_sphere(sphere.center, sphere.radius); }
   void add(const Spheres& spheres) {
-    if (!spheres.colors.empty())
-      throw std::runtime_error("the Embree peer draws sets of one colour only");
     for (std::size_t i = 0; i < spheres.centers.size(); ++i)
       add_sphere(spheres.centers[i], spheres.radius(i));
   }
   void add(const SphereSquare& square) { add(expanded(square)); }
-  void add(const Cylinder&) { refuse_cylinders(); }
-  void add(const Cylinders&) { refuse_cylinders(); }
-
-  [[noreturn]] static void refuse_cylinders() {
-    throw std::runtime_error("the Embree peer draws no cylinders");
-  }
+  void add(const auto&) { throw std::logic_error("not a shape that the Embree peer draws"); }
 
   void add(const Plane& plane) {
     const Vec3 normal = unit(plane.normal);
@@ -126,11 +120,15 @@ class GeometryCollector {
 std::vector<EmbreeLight> embree_lights(const Scene& scene) {
   std::vector<EmbreeLight> lights;
   for (const Light& light : scene.lights) {
-    const auto* distant = std::get_if<DistantLight>(&light.source);
-    if (!distant) throw std::runtime_error("the Embree peer draws distant lights only");
     EmbreeLight result{};
-    set(result.towards, -unit(distant->direction));
-    set(result.intensity, light.color * light.intensity);
+    if (const auto* point = std::get_if<PointLight>(&light.source)) {
+      result.is_point = true;
+      set(result.place, point->position - scene.camera.origin);
+      set(result.intensity, light.color * (light.intensity / (4 * std::numbers::pi)));
+    } else {
+      set(result.place, -unit(std::get<DistantLight>(light.source).direction));
+      set(result.intensity, light.color * light.intensity);
+    }
     lights.push_back(result);
   }
   return lights;
@@ -147,8 +145,6 @@ void set_samples(EmbreeWorld& world, std::vector<float> x, std::vector<float> y)
 }  // namespace
 
 std::unique_ptr<EmbreeWorld> make_embree_world(RTCDevice device, const Scene& scene) {
-  if (scene.shadows != Shadows::black || scene.render.transfer != Transfer::linear)
-    throw std::runtime_error("the Embree peer draws black shadows and the linear transfer only");
   auto world = std::make_unique<EmbreeWorld>();
   world->scene.reset(rtcNewScene(device));
   rtcSetSceneBuildQuality(world->scene.get(), RTC_BUILD_QUALITY_MEDIUM);
@@ -173,6 +169,8 @@ std::unique_ptr<EmbreeWorld> make_embree_world(RTCDevice device, const Scene& sc
   frame.height = scene.camera.height;
   set(frame.background, scene.background);
   frame.ambient = static_cast<float>(scene.ambient);
+  frame.is_ambient_everywhere = scene.shadows != Shadows::black;
+  frame.has_shadows = scene.shadows != Shadows::off;
   frame.max_depth = scene.render.max_depth;
   frame.lights = world->lights.data();
   frame.light_count = static_cast<int>(world->lights.size());
@@ -194,4 +192,4 @@ void set_sample_grid(EmbreeWorld& world, int side) {
   set_samples(world, std::move(x), std::move(y));
 }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

@@ -10,7 +10,7 @@
 #include "engine/engine.h"
 #include "tests/measure/peers/embree_kernel.h"
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 
 struct ReleaseScene {
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
@@ -28,10 +28,10 @@ struct EmbreeWorld {
 };
 
 /// One geometry for all spheres of a material, one for each mesh.
-/// Throws std::runtime_error for what the peer does not draw.
+/// The scene must be one that the peer can draw.
 std::unique_ptr<EmbreeWorld> make_embree_world(RTCDevice device, const Scene& scene);
 
 /// side x side samples in every pixel, each in the middle of its cell, instead of the scene's own.
 void set_sample_grid(EmbreeWorld& world, int side);
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

@@ -1,6 +1,6 @@
 #include "tests/measure/peers/expanded_square.h"
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 
 Spheres expanded(const SphereSquare& square) {
   Vec3 first{1, 0, 0};
@@ -20,4 +20,4 @@ Spheres expanded(const SphereSquare& square) {
   return spheres;
 }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

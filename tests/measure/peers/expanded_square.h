@@ -3,9 +3,9 @@
 
 #include "engine/engine.h"
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 
 /// 2n x 2n touching spheres, as a square places them.
 Spheres expanded(const SphereSquare& square);
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 
 EyeView make_eye_view(const Camera& camera) {
   const Vec3 forward = unit(camera.look_at - camera.origin);
@@ -20,4 +20,4 @@ EyeView make_eye_view(const Camera& camera) {
   return {forward, u * half_width, v * (half_width * camera.height / camera.width)};
 }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

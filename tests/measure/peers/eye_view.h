@@ -3,7 +3,7 @@
 
 #include "engine/engine.h"
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 
 /// The direction through image point (x, y) in pixels, y upwards from the lower edge, is that of
 /// forward + right (2x/width - 1) + up (2y/height - 1).
@@ -16,4 +16,4 @@ struct EyeView {
 /// The field of view must be in (0, pi).
 EyeView make_eye_view(const Camera& camera);
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

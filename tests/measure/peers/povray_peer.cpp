@@ -1,142 +1,108 @@
 #include "tests/measure/peers/povray_peer.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <array>
-#include <cstdio>
-#include <cstdlib>
+#include <cmath>
 #include <fstream>
-#include <iterator>
-#include <regex>
 #include <stdexcept>
-#include <type_traits>
 
-#include "engine/measure/stopwatch.h"
 #include "tests/measure/peers/povray_scene.h"
+#include "tests/measure/peers/scene_features.h"
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 namespace {
 
-struct CommandOutcome {
-  int status;
-  std::string output;  ///< both streams
-};
+constexpr std::array thresholds{0.3, 0.1, 0.03, 0.01, 0.0};
+constexpr std::array recursive_depths{1, 2, 3, 4, 5, 6};
+constexpr std::array flat_depths{2, 3, 4, 5, 6, 8, 11, 16, 23};
 
-CommandOutcome run_command(const std::string& command) {
-  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  if (!pipe) throw std::runtime_error("no shell to run " + command);
-  std::string output;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe))
-    output.append(buffer.data(), size);
-  return {pclose(pipe), output};
+int root_of(int samples) { return static_cast<int>(std::lround(std::sqrt(samples))); }
+
+/// "Trace Time:  0 hours  0 minutes  0 seconds (0.088 seconds)".
+std::string pattern_of(const char* stage) {
+  return std::string(stage) + R"( Time:.*\(([0-9.]+) seconds\))";
 }
 
-/// From a line such as "  Trace Time:  0 hours  0 minutes  0 seconds (0.088 seconds)"; 0 where
-/// POV-Ray says nothing, because there was nothing to do.
-double time_ms(const std::string& output, const std::string& stage) {
-  const std::regex line(stage + R"( Time:.*\(([0-9.]+) seconds\))");
-  std::smatch match;
-  return std::regex_search(output, match, line) ? 1000 * std::stod(match[1]) : 0;
-}
-
-/// The next word of a PPM's head; comments reach from # to the end of the line.
-std::string head_word(std::istream& file) {
-  std::string word;
-  while (file >> word && word[0] == '#') std::getline(file, word);
-  return word;
-}
-
-unsigned char channel_at(const std::string& bytes, std::size_t index, const ByteImage&) {
-  return static_cast<unsigned char>(bytes[index]);
-}
-
-/// Of 16 bits, the upper eight first.
-float channel_at(const std::string& bytes, std::size_t index, const Image&) {
-  const auto byte = [&](std::size_t i) { return int{static_cast<unsigned char>(bytes[i])}; };
-  return static_cast<float>(256 * byte(2 * index) + byte(2 * index + 1)) / 65535;
-}
-
-template <typename Channel>
-Raster<Channel> read_ppm(const std::filesystem::path& path) {
-  constexpr std::size_t bytes_of_channel = std::is_same_v<Channel, float> ? 2 : 1;
-  std::ifstream file(path, std::ios::binary);
-  const std::string magic = head_word(file);
-  const int width = std::atoi(head_word(file).c_str());
-  const int height = std::atoi(head_word(file).c_str());
-  const std::string largest = head_word(file);
-  if (!file || magic != "P6" || largest != (bytes_of_channel == 2 ? "65535" : "255") ||
-      width <= 0 || height <= 0)
-    throw std::runtime_error(fmt::format("POV-Ray wrote no PPM of {} bits", 8 * bytes_of_channel));
-  file.get();
-  Raster<Channel> image(width, height);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (bytes.size() != bytes_of_channel * image.values.size())
-    throw std::runtime_error("POV-Ray's PPM is cut off");
-  for (std::size_t i = 0; i < image.values.size(); ++i)
-    image.values[i] = channel_at(bytes, i, image);
-  return image;
-}
-
-std::filesystem::path make_directory() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "bench-XXXXXX").string();
-  if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary directory");
-  return pattern;
+std::string antialiasing(int method, double threshold, int depth) {
+  return fmt::format("+AM{} +A{:.3f} +R{}", method, threshold, depth);
 }
 
 }  // namespace
 
-PovrayPeer::PovrayPeer(std::size_t thread_count)
-    : thread_count_(thread_count), directory_(make_directory()) {}
+std::string PovrayPeer::version() const {
+  return stated_version("povray --version", R"(POV-Ray ([0-9.]*[0-9]))");
+}
 
-PovrayPeer::~PovrayPeer() {
-  std::error_code ignored;
-  std::filesystem::remove_all(directory_, ignored);
+std::optional<std::string> PovrayPeer::refusal(const Scene& scene) const {
+  const SceneFeatures features = features_of(scene);
+  if (auto type = first_unknown(
+          features.objects,
+          {"sphere", "spheres", "sphere_square", "plane", "mesh", "cylinder", "cylinders"},
+          "objects"))
+    return type;
+  if (auto type = first_unknown(features.lights, {"distant", "point"}, "lights")) return type;
+  const int root = root_of(features.samples);
+  return first_reason(
+      {{features.has_item_colors, "sets with a colour for each item"},
+       {features.has_flat_highlights, "highlights of shininess 0"},
+       {root * root != features.samples, "a number of samples that is not a square"}});
+}
+
+bool PovrayPeer::omits_ambient(const Scene& scene) const {
+  return scene.shadows == Shadows::black && features_of(scene).has_ambient_part;
+}
+
+std::vector<std::string> PovrayPeer::differences(const Scene& scene) const {
+  const SceneFeatures features = features_of(scene);
+  std::vector<std::string> differences;
+  if (omits_ambient(scene)) differences.push_back("drawn without ambient light");
+  if (features.has_colored_highlights)
+    differences.push_back("highlights on coloured surfaces have a Fresnel term");
+  if (features.samples > 1) differences.push_back("other sample positions");
+  return differences;
 }
 
 void PovrayPeer::set_scene(const Scene& scene) {
-  std::ofstream file(directory_ / "scene.pov");
-  write_povray_scene(scene, file);
+  std::ofstream file(folder_.path() / "scene.pov");
+  write_povray_scene(scene_drawn(*this, scene), file);
   if (!file.flush()) throw std::runtime_error("POV-Ray's scene could not be written");
   width_ = scene.camera.width;
   height_ = scene.camera.height;
   samples_ = scene.render.samples.value_or(1);
 }
 
-PovrayRun PovrayPeer::run() const {
-  if (samples_ != 1 && samples_ != 16)
-    throw std::runtime_error("the POV-Ray peer takes 1 or 16 samples");
-  return run_with<unsigned char>(samples_ == 1 ? "+FP -A" : "+FP +A0.0 +AM1 +R4 -J");
+Drawing PovrayPeer::draw() {
+  return run(samples_ == 1 ? "-A" : antialiasing(1, 0, root_of(samples_)));
 }
 
-PovrayFloatRun PovrayPeer::run(const PovrayAntialiasing& antialiasing) const {
-  return run_with<float>(fmt::format("+FP16 +A{:.3f} +AM{} +R{} -J", antialiasing.threshold,
-                                     antialiasing.method, antialiasing.depth));
+std::vector<Ladder> PovrayPeer::ladders() {
+  constexpr double worth_it = 0.85;
+  std::vector<Ladder> ladders;
+  for (const double threshold : thresholds) {
+    const auto add = [&](int method, const auto& depths) {
+      ladders.push_back({{}, worth_it});
+      for (const int depth : depths) {
+        const std::string options = antialiasing(method, threshold, depth);
+        ladders.back().settings.push_back({options, [this, options] { return run(options); }});
+      }
+    };
+    add(2, recursive_depths);
+    add(1, flat_depths);
+  }
+  return ladders;
 }
 
-template <typename Channel>
-BasicPovrayRun<Channel> PovrayPeer::run_with(const std::string& options) const {
-  const Stopwatch watch;
-  const CommandOutcome outcome = run_command(fmt::format(
-      "cd '{}' && povray +Iscene.pov +Oscene.ppm File_Gamma=1.0 -D -V -P +W{} +H{} +WT{} {}",
-      directory_.string(), width_, height_, thread_count_, options));
-  BasicPovrayRun<Channel> run;
-  run.times.process_ms = watch.elapsed_ms();
-  if (outcome.status != 0) throw std::runtime_error("POV-Ray failed:\n" + outcome.output);
-  run.times.parse_ms = time_ms(outcome.output, "Parse");
-  run.times.bounding_ms = time_ms(outcome.output, "Bounding");
-  run.times.trace_ms = time_ms(outcome.output, "Trace");
-  run.image = read_ppm<Channel>(directory_ / "scene.ppm");
-  return run;
+Drawing PovrayPeer::run(const std::string& antialiasing) const {
+  const ProgramRun run = folder_.run(fmt::format(
+      "povray +Iscene.pov +Oscene.ppm +FP16 File_Gamma=1.0 -D -V -P +W{} +H{} +WT{} {} -J", width_,
+      height_, thread_count_, antialiasing));
+  return {.times = {.read_ms = stated_ms(run.output, pattern_of("Parse")),
+                    .build_ms = stated_ms(run.output, pattern_of("Bounding")),
+                    .trace_ms = stated_ms(run.output, pattern_of("Trace")),
+                    .whole_ms = run.whole_ms},
+          .image = folder_.read_ppm("scene.ppm"),
+          .way = {}};
 }
 
-std::string PovrayPeer::version() {
-  const std::string output = run_command("povray --version").output;
-  std::smatch match;
-  return std::regex_search(output, match, std::regex(R"(POV-Ray ([0-9.]*[0-9]))")) ? match[1].str()
-                                                                                   : "unknown";
-}
-
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

@@ -1,67 +1,40 @@
 // POV-Ray 3.7 as a peer: its program on a scene file, its own account of the time.
 //
-// 16 samples are its supersampling of 4 x 4 (+A0.0 +AM1 +R4 without jitter), which adds one ray to
-// each pixel.
+// n x n samples are its supersampling (+A0.0 +AM1 +Rn without jitter), which adds one ray to each
+// pixel. Its anti-aliasing takes means of colours that are not clamped yet.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
-#include "engine/engine.h"
+#include "tests/measure/peers/peer.h"
+#include "tests/measure/peers/program.h"
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 
-struct PovrayTimes {
-  double parse_ms = 0;
-  double bounding_ms = 0;
-  double trace_ms = 0;
-  double process_ms = 0;  ///< from start to end, with the picture written
-};
-
-/// Bytes are its 8 bits; floats are from 16, of which rounding leaves an rmse below 1e-5.
-template <typename Channel>
-struct BasicPovrayRun {
-  PovrayTimes times;
-  Raster<Channel> image;
-};
-using PovrayRun = BasicPovrayRun<unsigned char>;
-using PovrayFloatRun = BasicPovrayRun<float>;
-
-/// Its +AM, +A and +R; jitter is off.
-struct PovrayAntialiasing {
-  int method = 1;        ///< 1: all of a pixel's depth^2 samples or none; 2: recursive
-  double threshold = 0;  ///< difference of neighbours that makes it sample further
-  int depth = 1;
-};
-
-class PovrayPeer {
+class PovrayPeer : public Peer {
  public:
-  explicit PovrayPeer(std::size_t thread_count);
-  ~PovrayPeer();
-  PovrayPeer(const PovrayPeer&) = delete;
-  PovrayPeer& operator=(const PovrayPeer&) = delete;
+  explicit PovrayPeer(std::size_t thread_count) : thread_count_(thread_count) {}
 
-  /// Writes the scene that `run` draws from then on; not timed.
-  void set_scene(const Scene& scene);
-
-  /// Throws std::runtime_error with POV-Ray's output if it fails.
-  PovrayRun run() const;
-
-  /// Alike, with these samples in place of the scene's own.
-  PovrayFloatRun run(const PovrayAntialiasing& antialiasing) const;
-
-  /// As "3.7.0.10".
-  static std::string version();
+  std::string name() const override { return "POV-Ray"; }
+  std::string version() const override;
+  bool is_program() const override { return true; }
+  std::optional<std::string> refusal(const Scene& scene) const override;
+  bool omits_ambient(const Scene& scene) const override;
+  std::vector<std::string> differences(const Scene& scene) const override;
+  void set_scene(const Scene& scene) override;
+  Drawing draw() override;
+  /// Its anti-aliasing methods 1 and 2, several thresholds, ever more depth: method 1 has a limit
+  /// of its own, which more depth does not take away.
+  std::vector<Ladder> ladders() override;
 
  private:
-  template <typename Channel>
-  BasicPovrayRun<Channel> run_with(const std::string& options) const;
+  Drawing run(const std::string& antialiasing) const;
 
   std::size_t thread_count_;
-  std::filesystem::path directory_;  ///< its own, removed at the end
+  ProgramFolder folder_;
   int width_ = 0;
   int height_ = 0;
-  int samples_ = 1;  ///< per pixel, as the scene has them
+  int samples_ = 1;
 };
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

@@ -3,57 +3,28 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <algorithm>
-#include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "tests/measure/peers/expanded_square.h"
 #include "tests/measure/peers/eye_view.h"
+#include "tests/measure/peers/scene_features.h"
+#include "tests/measure/peers/smallest_feature.h"
 
-namespace raytracer::bench {
+namespace raytracer::peers {
 namespace {
 
 std::string vector_text(const Vec3& v) {
   return fmt::format("<{:.17g},{:.17g},{:.17g}>", v.x, v.y, v.z);
 }
 
-/// The length that POV-Ray's tolerances have to be small against.
-double smallest_feature(const Scene& scene) {
-  struct Visitor {
-    double operator()(const Sphere& sphere) const { return sphere.radius; }
-    double operator()(const Spheres& spheres) const {
-      return *std::min_element(spheres.radii.begin(), spheres.radii.end());
-    }
-    double operator()(const SphereSquare& square) const { return square.radius; }
-    double operator()(const Cylinder& cylinder) const {
-      return of(cylinder.from, cylinder.to, cylinder.radius);
-    }
-    double operator()(const Cylinders& cylinders) const {
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t i = 0; i < cylinders.from.size(); ++i)
-        least = std::min(least, of(cylinders.from[i], cylinders.to[i], cylinders.radius(i)));
-      return least;
-    }
-    static double of(const Vec3& from, const Vec3& to, double radius) {
-      return std::min(radius, length(to - from));
-    }
-    double operator()(const Plane&) const { return std::numeric_limits<double>::infinity(); }
-    double operator()(const Mesh& mesh) const {
-      double extent = 0;
-      for (const Vec3& vertex : mesh.vertices) extent = std::max(extent, max_abs(vertex));
-      return extent / 100;
-    }
-  };
-  double smallest = 1;
-  for (const Object& object : scene.objects)
-    smallest = std::min(smallest, std::visit(Visitor{}, object.shape));
-  return smallest;
-}
-
 class Writer {
  public:
   Writer(const Scene& scene, std::ostream& out)
-      : scene_(scene), out_(out), scale_(10 / smallest_feature(scene)) {}
+      : scene_(scene),
+        out_(out),
+        scale_(10 / smallest_feature(scene)),
+        no_shadow_(scene.shadows == Shadows::off ? " no_shadow" : "") {}
 
   void write() {
     fmt::print(out_,
@@ -80,46 +51,51 @@ class Writer {
   }
 
   void write_light(const Light& light) {
-    const auto* distant = std::get_if<DistantLight>(&light.source);
-    if (!distant) throw std::runtime_error("the POV-Ray peer draws distant lights only");
+    if (const auto* point = std::get_if<PointLight>(&light.source)) {
+      // 2 / (1 + (distance / fade)^2) of its colour: an inverse square far outside of `fade`.
+      constexpr double fade = 1e-3;
+      const double at_one = light.intensity * scale_ * scale_ / (4 * std::numbers::pi);
+      fmt::print(out_, "light_source {{ {} color rgb {} fade_distance {:.17g} fade_power 2 }}\n",
+                 point_text(point->position),
+                 vector_text(light.color * (at_one / (2 * fade * fade))), fade);
+      return;
+    }
     constexpr double outside = 1e6;  // of the scene; POV-Ray's rays end at 1e7
+    const auto& distant = std::get<DistantLight>(light.source);
     fmt::print(out_, "light_source {{ {} color rgb {} parallel point_at <0,0,0> }}\n",
-               vector_text(unit(distant->direction) * -outside),
+               vector_text(unit(distant.direction) * -outside),
                vector_text(light.color * light.intensity));
   }
 
   /// An object without a texture takes the default, without a copy of its own. What a default
   /// leaves out stays as the default before it had it.
   void write_default_texture(const Material& material) {
-    if (!(material.shininess > 0))
-      throw std::runtime_error("the POV-Ray peer draws no highlights of shininess 0");
     const Rgb& color = material.color;
-    const bool is_grey = color.x == color.y && color.y == color.z;
     fmt::print(out_,
-               "#default {{ texture {{ pigment {{ color rgb {} }} finish {{ ambient 0 diffuse {} "
+               "#default {{ texture {{ pigment {{ color rgb {} }} finish {{ ambient {} diffuse {} "
                "specular {} roughness {:.17g} metallic {} reflection {} }} }} }}\n",
-               vector_text(color), material.kd, is_grey ? material.ks * color.x : material.ks,
-               1 / material.shininess, is_grey ? 0 : 1, material.reflectivity);
+               vector_text(color), material.ka * scene_.ambient, material.kd,
+               is_grey(color) ? material.ks * color.x : material.ks,
+               material.shininess > 0 ? 1 / material.shininess : 1, is_grey(color) ? 0 : 1,
+               material.reflectivity);
   }
 
   void write(const Sphere& sphere) { write_sphere(sphere.center, sphere.radius); }
   void write(const Spheres& spheres) {
-    refuse_colors(spheres.colors);
     for (std::size_t i = 0; i < spheres.centers.size(); ++i)
       write_sphere(spheres.centers[i], spheres.radius(i));
   }
   void write(const SphereSquare& square) { write(expanded(square)); }
   void write(const Cylinder& c) { write_cylinder(c.from, c.to, c.radius, c.caps); }
   void write(const Cylinders& cylinders) {
-    refuse_colors(cylinders.colors);
     for (std::size_t i = 0; i < cylinders.from.size(); ++i)
       write_cylinder(cylinders.from[i], cylinders.to[i], cylinders.radius(i), cylinders.caps);
   }
 
   void write(const Plane& plane) {
     const Vec3 normal = unit(plane.normal);
-    fmt::print(out_, "plane {{ {}, {:.17g} }}\n", vector_text(normal),
-               dot(normal, plane.point) * scale_);
+    fmt::print(out_, "plane {{ {}, {:.17g}{} }}\n", vector_text(normal),
+               dot(normal, plane.point) * scale_, no_shadow_);
   }
 
   void write(const Mesh& mesh) {
@@ -128,33 +104,29 @@ class Writer {
     fmt::print(out_, " }} face_indices {{ {}", mesh.triangles.size());
     for (const auto& triangle : mesh.triangles)
       fmt::print(out_, ",<{},{},{}>", triangle[0], triangle[1], triangle[2]);
-    out_ << " } }\n";
+    fmt::print(out_, " }}{} }}\n", no_shadow_);
   }
 
   void write_sphere(const Vec3& center, double radius) {
-    fmt::print(out_, "sphere {{ {}, {:.17g} }}\n", point_text(center), radius * scale_);
+    fmt::print(out_, "sphere {{ {}, {:.17g}{} }}\n", point_text(center), radius * scale_,
+               no_shadow_);
   }
 
   void write_cylinder(const Vec3& from, const Vec3& to, double radius, bool caps) {
-    fmt::print(out_, "cylinder {{ {}, {}, {:.17g}{} }}\n", point_text(from), point_text(to),
-               radius * scale_, caps ? "" : " open");
+    fmt::print(out_, "cylinder {{ {}, {}, {:.17g}{}{} }}\n", point_text(from), point_text(to),
+               radius * scale_, caps ? "" : " open", no_shadow_);
   }
 
-  static void refuse_colors(const std::vector<Rgb>& colors) {
-    if (!colors.empty()) throw std::runtime_error("the POV-Ray peer draws sets of one colour only");
-  }
+  void write(const auto&) { throw std::logic_error("not a shape that the POV-Ray peer draws"); }
 
   const Scene& scene_;
   std::ostream& out_;
   double scale_;
+  const char* no_shadow_;  ///< of each object: lights without shadows have no highlights there
 };
 
 }  // namespace
 
-void write_povray_scene(const Scene& scene, std::ostream& out) {
-  if (scene.shadows == Shadows::off || scene.render.transfer != Transfer::linear)
-    throw std::runtime_error("the POV-Ray peer draws shadows and the linear transfer only");
-  Writer(scene, out).write();
-}
+void write_povray_scene(const Scene& scene, std::ostream& out) { Writer(scene, out).write(); }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::peers

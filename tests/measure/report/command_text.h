@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace raytracer::bench {
+namespace raytracer::measure {
 
 /// The program and its arguments, without `left_out` and their values: those only say where files
 /// go, or have a place of their own in the report.
@@ -22,4 +22,4 @@ inline std::string command_text(std::string program, int argc, char** argv,
   return program;
 }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::measure

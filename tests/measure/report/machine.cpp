@@ -8,7 +8,7 @@
 #include <fstream>
 #include <thread>
 
-namespace raytracer::bench {
+namespace raytracer::measure {
 namespace {
 
 /// The value of the first line in /proc/cpuinfo that begins with `key`; empty without one.
@@ -49,4 +49,4 @@ Machine describe_machine() {
 
 std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::measure

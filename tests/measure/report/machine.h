@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace raytracer::bench {
+namespace raytracer::measure {
 
 struct Machine {
   std::string processor;  ///< model, as the kernel calls it
@@ -18,4 +18,4 @@ Machine describe_machine();
 /// Today as 2024-01-31, in UTC.
 std::string today();
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::measure

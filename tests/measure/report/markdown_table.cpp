@@ -1,6 +1,6 @@
 #include "tests/measure/report/markdown_table.h"
 
-namespace raytracer::bench {
+namespace raytracer::measure {
 
 std::string digits(double value) {
   if (value >= 99.95) return fmt::format("{:.0f}", value);
@@ -10,4 +10,4 @@ std::string digits(double value) {
 
 std::string percent(double share) { return fmt::format("{:.2f} %", 100 * share); }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::measure

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-namespace raytracer::bench {
+namespace raytracer::measure {
 
 /// Three digits that count, without an exponent; two after the point at most.
 std::string digits(double value);
@@ -22,4 +22,4 @@ std::string row(const Cells&... cells) {
   return text + '\n';
 }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::measure

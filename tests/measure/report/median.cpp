@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace raytracer::bench {
+namespace raytracer::measure {
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -11,4 +11,4 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::measure

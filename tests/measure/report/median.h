@@ -3,9 +3,9 @@
 
 #include <vector>
 
-namespace raytracer::bench {
+namespace raytracer::measure {
 
 /// Of at least one value; of an even number the mean of the two in the middle.
 double median(std::vector<double> values);
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::measure

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace raytracer::bench {
+namespace raytracer::measure {
 
 void write_file(const std::filesystem::path& path, const std::string& content) {
   std::ofstream file(path, std::ios::binary);
@@ -11,4 +11,4 @@ void write_file(const std::filesystem::path& path, const std::string& content) {
   if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::measure

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-namespace raytracer::bench {
+namespace raytracer::measure {
 
 /// Replaces the file at `path`. Throws std::runtime_error if it cannot be written.
 void write_file(const std::filesystem::path& path, const std::string& content);
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::measure

@@ -8,7 +8,7 @@
 
 #include "engine/math/vec.h"
 
-namespace raytracer::published {
+namespace raytracer::measure {
 
 /// Taken from the generator's bits: the standard's distributions differ between libraries.
 class Dice {
@@ -49,4 +49,4 @@ class Dice {
   std::mt19937_64 generator_;
 };
 
-}  // namespace raytracer::published
+}  // namespace raytracer::measure

@@ -10,7 +10,7 @@
 
 #include "engine/math/vec.h"
 
-namespace raytracer::bench {
+namespace raytracer::measure {
 namespace {
 
 constexpr const char* lights = R"([
@@ -191,4 +191,4 @@ std::string reflections() {
   return document(from_the_front, spheres + ",\n" + square_object(14));
 }
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::measure

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace raytracer::bench {
+namespace raytracer::measure {
 
 /// Two spheres of radius 2.
 std::string two_spheres();
@@ -32,4 +32,4 @@ std::string bumpy_torus(int around, int across);
 /// Five mirror spheres above a square of 28 x 28 and a slightly mirroring plane.
 std::string reflections();
 
-}  // namespace raytracer::bench
+}  // namespace raytracer::measure

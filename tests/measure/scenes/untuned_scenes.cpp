@@ -6,9 +6,8 @@
 #include <iterator>
 
 #include "tests/measure/scenes/dice.h"
-#include "tests/measure/scenes/scene_documents.h"
 
-namespace raytracer::published {
+namespace raytracer::measure {
 namespace {
 
 std::string text_of(const Vec3& point) {
@@ -103,19 +102,11 @@ std::string many_triangles() { return document(matt, triangle_soup(16, 2000, 0.2
 
 }  // namespace
 
-std::vector<ContractCase> untuned_scenes() {
-  return {{"sphere-soup", sphere_soup()},
-          {"glint-soup", glint_soup()},
-          {"mirror-soup", mirror_soup()},
-          {"dust", dust()},
-          {"far-square", far_square()},
-          {"few-triangles", few_triangles()},
-          {"many-triangles", many_triangles()},
-          {"random-1000", bench::random_spheres(1000)},
-          {"bench-sphereflake", bench::sphereflake(4)},
-          {"torus", bench::bumpy_torus(60, 40)},
-          {"reflections", bench::reflections()},
-          {"bench-square-500", bench::two_spheres_and_square(250)}};
+std::vector<NamedScene> untuned_scenes() {
+  return {{"sphere-soup", sphere_soup},      {"glint-soup", glint_soup},
+          {"mirror-soup", mirror_soup},      {"dust", dust},
+          {"far-square", far_square},        {"few-triangles", few_triangles},
+          {"many-triangles", many_triangles}};
 }
 
-}  // namespace raytracer::published
+}  // namespace raytracer::measure

@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "tests/measure/tradeoff/contracts.h"
+#include "tests/measure/scenes/named_scene.h"
 
-namespace raytracer::published {
+namespace raytracer::measure {
 
-std::vector<ContractCase> untuned_scenes();
+std::vector<NamedScene> untuned_scenes();
 
-}  // namespace raytracer::published
+}  // namespace raytracer::measure

@@ -18,7 +18,7 @@ BudgetVerdict judge(const std::vector<BudgetSceneFigures>& figures) {
       }
       if (before) {
         ++verdict.step_count;
-        if (bench::median(budget.rmse) > bench::median(before->rmse)) ++verdict.worse_count;
+        if (measure::median(budget.rmse) > measure::median(before->rmse)) ++verdict.worse_count;
       }
       before = &budget;
     }

@@ -5,19 +5,20 @@
 
 namespace raytracer::published {
 
-std::vector<BudgetSceneFigures> measure_budgets(const std::vector<BudgetCase>& cases,
+std::vector<BudgetSceneFigures> measure_budgets(const std::vector<measure::NamedScene>& cases,
                                                 const std::vector<double>& budgets_ms,
                                                 int exact_samples, int repetitions,
                                                 WorkerPool& pool) {
-  constexpr int width_px = 350;
-  constexpr int height_px = 250;
+  Overrides size;
+  size.width = 350;
+  size.height = 250;
   std::vector<Scene> scenes;
   std::vector<ExactPicture> exact;
   std::vector<BudgetSceneFigures> figures;
-  for (const BudgetCase& each : cases) {
-    scenes.push_back(scene_of(each.document, width_px, height_px));
+  for (const measure::NamedScene& each : cases) {
+    scenes.push_back(measure::read_document(each.document(), size));
     exact.push_back(render_exactly(scenes.back(), exact_samples, pool));
-    BudgetSceneFigures scene{.scene = each.scene,
+    BudgetSceneFigures scene{.scene = each.name,
                              .exact_samples = exact.back().samples,
                              .exact_error = exact.back().estimated_error};
     for (const double budget_ms : budgets_ms) {

@@ -6,13 +6,9 @@
 #include <vector>
 
 #include "engine/engine.h"
+#include "tests/measure/scenes/named_scene.h"
 
 namespace raytracer::published {
-
-struct BudgetCase {
-  std::string scene{};  ///< its name
-  std::string document{};
-};
 
 struct BudgetFigures {
   double budget_ms = 0;
@@ -28,7 +24,7 @@ struct BudgetSceneFigures {
 };
 
 /// At 350 x 250, all scenes and budgets in turn.
-std::vector<BudgetSceneFigures> measure_budgets(const std::vector<BudgetCase>& cases,
+std::vector<BudgetSceneFigures> measure_budgets(const std::vector<measure::NamedScene>& cases,
                                                 const std::vector<double>& budgets_ms,
                                                 int exact_samples, int repetitions,
                                                 WorkerPool& pool);

@@ -36,7 +36,10 @@ std::optional<Subject> choose_subject(const std::string& document, double wanted
                                       double most_seconds, WorkerPool& pool) {
   std::optional<Subject> best;
   for (const Size size : sizes) {
-    Scene scene = scene_of(document, size.width_px, size.height_px);
+    Overrides overrides;
+    overrides.width = size.width_px;
+    overrides.height = size.height_px;
+    Scene scene = measure::read_document(document, overrides);
     if (foreseen_seconds(scene, samples, pool) > most_seconds) continue;
     ExactPicture exact = render_exactly(scene, samples, pool);
     if (!best || exact.estimated_error < best->exact.estimated_error)
@@ -49,17 +52,16 @@ std::optional<Subject> choose_subject(const std::string& document, double wanted
 
 }  // namespace
 
-std::optional<ContractFigures> measure_contracts(const ContractCase& measured,
+std::optional<ContractFigures> measure_contracts(const measure::NamedScene& measured,
                                                  const std::vector<double>& targets,
                                                  int exact_samples, double most_seconds,
                                                  WorkerPool& pool) {
   const double wanted_error = targets.back() / 4;
   const std::optional<Subject> subject =
-      choose_subject(measured.document, wanted_error, exact_samples, most_seconds, pool);
+      choose_subject(measured.document(), wanted_error, exact_samples, most_seconds, pool);
   if (!subject) return {};
   const auto& [scene, exact] = *subject;
-  ContractFigures figures{.scene = measured.scene,
-                          .is_shipped = measured.is_shipped,
+  ContractFigures figures{.scene = measured.name,
                           .width_px = scene.camera.width,
                           .height_px = scene.camera.height,
                           .exact_samples = exact.samples,

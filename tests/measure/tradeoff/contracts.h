@@ -7,14 +7,9 @@
 #include <vector>
 
 #include "engine/engine.h"
+#include "tests/measure/scenes/named_scene.h"
 
 namespace raytracer::published {
-
-struct ContractCase {
-  std::string scene{};  ///< its name
-  std::string document{};
-  bool is_shipped = false;  ///< the others were never looked at while the sampler was made
-};
 
 struct KeptTarget {
   double target = 0;
@@ -27,7 +22,6 @@ struct KeptTarget {
 
 struct ContractFigures {
   std::string scene{};
-  bool is_shipped = false;
   int width_px = 0;
   int height_px = 0;
   int exact_samples = 0;
@@ -38,7 +32,7 @@ struct ContractFigures {
 /// At 175 x 125; at a half or a quarter of that where the exact picture would take longer than
 /// `most_seconds`, or with four or sixteen times the samples where its error is not a fourth of the
 /// least target. Nothing where the exact picture would take too long at any size. `targets` fall.
-std::optional<ContractFigures> measure_contracts(const ContractCase& measured,
+std::optional<ContractFigures> measure_contracts(const measure::NamedScene& measured,
                                                  const std::vector<double>& targets,
                                                  int exact_samples, double most_seconds,
                                                  WorkerPool& pool);

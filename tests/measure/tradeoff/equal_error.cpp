@@ -3,16 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <iostream>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 #include "engine/measure/stopwatch.h"
 #include "engine/tradeoff/difference.h"
 #include "tests/measure/report/median.h"
 #include "tests/measure/tradeoff/exact_picture.h"
-#include "tests/measure/tradeoff/peer_sweeps.h"
+#include "tests/measure/tradeoff/peer_sweep.h"
 #include "tests/measure/tradeoff/settled_time.h"
 
 namespace raytracer::published {
@@ -50,16 +53,10 @@ Sweep sweep_targets(const Scene& scene, const Image& exact, double least_target,
   return sweep;
 }
 
-/// All that runs in turn, and what it is compared with.
-struct Contest {
-  const Scene& scene;
-  const Image& exact;
-  WorkerPool& pool;
-  bench::EmbreePeer& embree;
-  bench::EmbreeWorld& world;
-  const EmbreeSweep& embree_sweep;
-  const bench::PovrayPeer& povray;
-  const PovraySweep& povray_sweep;
+/// A peer that can draw the scene, and its sweep.
+struct Contestant {
+  const peers::Peer* peer;
+  PeerSweep sweep;
 };
 
 /// A peer's setting that may be its fastest for a target, which is known only at the end.
@@ -86,49 +83,36 @@ void run_round(std::vector<Candidate>& candidates, double most_seconds) {
 
 std::optional<PeerFigures> best_of(std::vector<Candidate>& candidates) {
   const auto best = std::min_element(candidates.begin(), candidates.end(), [](auto& a, auto& b) {
-    return bench::median(a.figures.trace_ms) < bench::median(b.figures.trace_ms);
+    return measure::median(a.figures.trace_ms) < measure::median(b.figures.trace_ms);
   });
   if (best == candidates.end()) return {};
   return std::move(best->figures);
 }
 
-/// The cheapest grid, every way to hand its rays over.
-std::vector<Candidate> embree_candidates(double target, const Contest& contest, Image& image) {
-  std::vector<Candidate> candidates;
-  const auto grid = cheapest_within(contest.embree_sweep.points, target);
-  if (!grid) return candidates;
-  const SweepPoint& point = contest.embree_sweep.points[*grid];
-  for (const bench::EmbreeMode mode : bench::embree_modes)
-    candidates.push_back({{point.setting + ", " + name_of(mode), point.rmse},
-                          [&contest, &image, mode, side = static_cast<int>(*grid) + 1] {
-                            bench::set_sample_grid(contest.world, side);
-                            return settled_ms(
-                                [&] { return contest.embree.trace(contest.world, mode, image); });
-                          }});
-  return candidates;
-}
-
-/// Several: its times are of whole milliseconds, and the sweep's are measured once.
-std::vector<Candidate> povray_candidates(double target, const Contest& contest) {
+/// Several: those of the sweep were measured once.
+std::vector<Candidate> candidates_of(const Contestant& contestant, double target,
+                                     Transfer transfer) {
   constexpr std::size_t few = 3;
   std::vector<Candidate> candidates;
-  for (const std::size_t i : cheapest_few_within(contest.povray_sweep.points, target, few)) {
-    const SweepPoint& point = contest.povray_sweep.points[i];
+  for (const std::size_t i : cheapest_few_within(contestant.sweep.points, target, few)) {
+    const SweepPoint& point = contestant.sweep.points[i];
     candidates.push_back(
-        {{point.setting, point.rmse}, [&contest, setting = contest.povray_sweep.settings[i]] {
-           return contest.povray.run(setting).times.trace_ms;
+        {{point.setting, point.rmse}, [&contestant, i, transfer] {
+           return draw(*contestant.peer, contestant.sweep.settings[i], transfer).times.trace_ms;
          }});
   }
   return candidates;
 }
 
-TargetFigures measure_target(double target, const EqualErrorEffort& effort,
-                             const Contest& contest) {
+TargetFigures measure_target(double target, const EqualErrorEffort& effort, const Scene& scene,
+                             const Image& exact, const std::vector<Contestant>& contestants,
+                             WorkerPool& pool) {
   constexpr int fewest_rounds = 3;
   TargetFigures row{.target = target};
-  Image image(contest.exact.width, contest.exact.height);
-  std::vector<Candidate> embree = embree_candidates(target, contest, image);
-  std::vector<Candidate> povray = povray_candidates(target, contest);
+  std::vector<std::vector<Candidate>> candidates;
+  candidates.reserve(contestants.size());
+  for (const Contestant& contestant : contestants)
+    candidates.push_back(candidates_of(contestant, target, scene.render.transfer));
   Overrides overrides;
   overrides.target_rmse = target;
   const Stopwatch watch;
@@ -137,51 +121,72 @@ TargetFigures measure_target(double target, const EqualErrorEffort& effort,
        ++i) {
     Rendering rendering;
     row.trace_ms.push_back(settled_ms([&] {
-      rendering = render_with(contest.scene, overrides, contest.pool);
+      rendering = render_with(scene, overrides, pool);
       return rendering.trace_ms;
     }));
-    row.rmse = difference(rendering.image, contest.exact).rmse;
+    row.rmse = difference(rendering.image, exact).rmse;
     row.estimated_error = rendering.estimated_error;
     row.samples_per_pixel = rendering.samples_per_pixel;
-    run_round(embree, effort.seconds);
-    run_round(povray, effort.seconds);
+    for (std::vector<Candidate>& of_peer : candidates) run_round(of_peer, effort.seconds);
   }
-  row.embree = best_of(embree);
-  row.povray = best_of(povray);
+  for (std::vector<Candidate>& of_peer : candidates) row.peers.push_back(best_of(of_peer));
   return row;
+}
+
+/// Of as many pixels as 175 x 125, which 700 x 500 becomes.
+Scene made_small(const std::string& document) {
+  constexpr double pixel_count = 175 * 125;
+  const Scene scene = measure::read_document(document, {});
+  const double width = scene.camera.width;
+  const double height = scene.camera.height;
+  const double scale = std::sqrt(pixel_count / (width * height));
+  Overrides overrides;
+  overrides.width = std::max(1, static_cast<int>(std::lround(width * scale)));
+  overrides.height = std::max(1, static_cast<int>(std::lround(height * scale)));
+  overrides.samples = 1;  // no contract; each who draws has its own
+  return with_overrides(scene, overrides);
 }
 
 }  // namespace
 
-EqualErrorFigures measure_equal_error(const EqualErrorCase& measured, ImageSize size,
-                                      const EqualErrorEffort& effort, WorkerPool& pool,
-                                      bench::EmbreePeer& embree, bench::PovrayPeer& povray) {
+EqualErrorFigures measure_equal_error(const measure::NamedScene& measured,
+                                      const EqualErrorEffort& effort, const peers::Peers& all_peers,
+                                      WorkerPool& pool) {
   const double least_target = effort.targets.back();
-  const Scene scene = scene_of(measured.document, size.width_px, size.height_px);
+  const Scene scene = made_small(measured.document());
   const ExactPicture exact = render_exactly(scene, effort.exact_samples, pool);
-  EqualErrorFigures figures{.scene = measured.scene,
+  EqualErrorFigures figures{.scene = measured.name,
+                            .width_px = scene.camera.width,
+                            .height_px = scene.camera.height,
                             .exact_samples = exact.samples,
                             .exact_error = exact.estimated_error};
   figures.with_samples = sweep_samples(scene, exact.image, least_target, pool);
   figures.with_target = sweep_targets(scene, exact.image, least_target, pool);
 
-  double build_ms = 0;
-  const auto world = embree.build(scene, build_ms);
-  EmbreeSweep embree_sweep = sweep_embree(embree, *world, exact.image, least_target);
-
-  Scene without_ambient = scene;
-  without_ambient.ambient = 0;
-  povray.set_scene(scene);
-  PovraySweep povray_sweep = sweep_povray(
-      povray, render_exactly(without_ambient, effort.exact_samples, pool).image, least_target);
-
-  const Contest contest{scene,  exact.image,  pool,   embree,
-                        *world, embree_sweep, povray, povray_sweep};
+  std::optional<Image> without_ambient;
+  std::vector<Contestant> contestants;
+  for (const auto& peer : all_peers) {
+    contestants.push_back({peer.get(), {}});
+    PeerOutcome outcome{.name = peer->name(), .refusal = peer->refusal(scene)};
+    const bool omits_ambient = peer->omits_ambient(scene);
+    if (!outcome.refusal && omits_ambient && !without_ambient)
+      without_ambient =
+          render_exactly(peers::scene_drawn(*peer, scene), effort.exact_samples, pool).image;
+    if (!outcome.refusal) try {
+        peer->set_scene(scene);
+        contestants.back().sweep = sweep_peer(*peer, omits_ambient ? *without_ambient : exact.image,
+                                              scene.render.transfer, least_target);
+        outcome.differences = peer->differences(scene);
+        outcome.sweep = contestants.back().sweep.points;
+      } catch (const std::runtime_error& error) {
+        std::cerr << error.what() << std::endl;
+        outcome.refusal = "it fails, as it said while this ran";
+      }
+    figures.peers.push_back(std::move(outcome));
+  }
   for (const double target : effort.targets)
-    figures.targets.push_back(measure_target(target, effort, contest));
-  figures.embree = std::move(embree_sweep.points);
-  figures.embree_floor = embree_sweep.floor_rmse;
-  figures.povray = std::move(povray_sweep.points);
+    figures.targets.push_back(
+        measure_target(target, effort, scene, exact.image, contestants, pool));
   return figures;
 }
 
@@ -189,7 +194,7 @@ double median_ratio(const TargetFigures& figures, const PeerFigures& peer) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < peer.trace_ms.size(); ++i)
     ratios.push_back(peer.trace_ms[i] / figures.trace_ms[i]);
-  return bench::median(std::move(ratios));
+  return measure::median(std::move(ratios));
 }
 
 }  // namespace raytracer::published

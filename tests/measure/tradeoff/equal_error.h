@@ -1,5 +1,5 @@
-// What the same error costs the project, Embree on a regular grid and POV-Ray with the best of its
-// anti-aliasing, on one scene.
+// What the same error costs the project and each peer with the best of its anti-aliasing, on one
+// scene.
 //
 // The setting of each peer is the cheapest of a sweep whose true error is at most the target; the
 // project is asked for the target. Then all run in turn, round after round. Errors are from the
@@ -11,16 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "tests/measure/peers/embree_peer.h"
-#include "tests/measure/peers/povray_peer.h"
+#include "tests/measure/peers/all_peers.h"
+#include "tests/measure/scenes/named_scene.h"
 #include "tests/measure/tradeoff/sweep.h"
 
 namespace raytracer::published {
-
-struct EqualErrorCase {
-  std::string scene{};     ///< its name
-  std::string document{};  ///< black shadows and the linear transfer, which all draw
-};
 
 struct EqualErrorEffort {
   std::vector<double> targets{};  ///< falling
@@ -41,31 +36,34 @@ struct TargetFigures {
   double rmse = 0;                          ///< the project's, true
   std::optional<double> estimated_error{};  ///< as it said itself
   double samples_per_pixel = 0;
-  std::vector<double> trace_ms{};       ///< the project's, by round
-  std::optional<PeerFigures> embree{};  ///< absent where no setting is that good
-  std::optional<PeerFigures> povray{};
+  std::vector<double> trace_ms{};  ///< the project's, by round
+  /// By peer; absent where it cannot draw the scene, or no setting is that good.
+  std::vector<std::optional<PeerFigures>> peers{};
+};
+
+struct PeerOutcome {
+  std::string name{};
+  std::optional<std::string> refusal{};    ///< why it cannot draw the scene
+  std::vector<std::string> differences{};  ///< that are known
+  Sweep sweep{};
 };
 
 struct EqualErrorFigures {
   std::string scene{};
+  int width_px = 0;
+  int height_px = 0;
   int exact_samples = 0;
   double exact_error = 0;  ///< estimated; see exact_picture.h
   Sweep with_samples{};    ///< the project, samples fixed
   Sweep with_target{};     ///< the project, by the targets
-  Sweep embree{};
-  Sweep povray{};
-  double embree_floor = 0;  ///< with very many samples; 0 where all targets were reached
+  std::vector<PeerOutcome> peers{};
   std::vector<TargetFigures> targets{};
 };
 
-struct ImageSize {
-  int width_px = 175;
-  int height_px = 125;
-};
-
-EqualErrorFigures measure_equal_error(const EqualErrorCase& measured, ImageSize size,
-                                      const EqualErrorEffort& effort, WorkerPool& pool,
-                                      bench::EmbreePeer& embree, bench::PovrayPeer& povray);
+/// With as many pixels as 175 x 125, in the proportions of the document.
+EqualErrorFigures measure_equal_error(const measure::NamedScene& measured,
+                                      const EqualErrorEffort& effort, const peers::Peers& all_peers,
+                                      WorkerPool& pool);
 
 /// The median of the rounds' ratios of `peer` to the project.
 double median_ratio(const TargetFigures& figures, const PeerFigures& peer);

@@ -2,23 +2,12 @@
 
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "engine/tradeoff/reference.h"
 #include "engine/tradeoff/trials.h"
 
 namespace raytracer::published {
-
-Scene scene_of(const std::string& document, int width_px, int height_px) {
-  Overrides overrides;
-  overrides.width = width_px;
-  overrides.height = height_px;
-  Result<Scene> scene = read_scene(document, Limits{}, overrides);
-  if (!scene.ok())
-    throw std::runtime_error(scene.errors()[0].pointer + ": " + scene.errors()[0].detail);
-  return std::move(scene).value();
-}
 
 Rendering render_with(const Scene& scene, const Overrides& overrides, WorkerPool& pool) {
   RenderProgress progress;

@@ -2,14 +2,9 @@
 // enough to tell the others' errors.
 #pragma once
 
-#include <string>
-
 #include "engine/engine.h"
 
 namespace raytracer::published {
-
-/// Throws std::runtime_error with the first error if the document is refused.
-Scene scene_of(const std::string& document, int width_px, int height_px);
 
 /// With these settings in place of the scene's own.
 Rendering render_with(const Scene& scene, const Overrides& overrides, WorkerPool& pool);

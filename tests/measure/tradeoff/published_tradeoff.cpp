@@ -1,27 +1,20 @@
-// The published trade: what accuracy costs the project, Embree and POV-Ray; whether targets and
-// budgets are kept.
+// The published trade: what accuracy costs the project and its peers; whether targets and budgets
+// are kept.
 //
 // Prints a Markdown report; with --runs it also writes it, the raw figures and a drawing of error
 // against time to DIRECTORY/DATE-COMMIT.md, .json and .svg.
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <future>
 #include <iostream>
-#include <iterator>
 #include <optional>
-#include <regex>
-#include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "tests/measure/report/command_text.h"
 #include "tests/measure/report/written_file.h"
-#include "tests/measure/scenes/scene_documents.h"
+#include "tests/measure/scenes/named_scene.h"
 #include "tests/measure/scenes/untuned_scenes.h"
 #include "tests/measure/tradeoff/report.h"
 #include "tests/measure/tradeoff/trade_svg.h"
@@ -29,6 +22,7 @@
 namespace {
 
 using namespace raytracer;
+using namespace raytracer::measure;
 using namespace raytracer::published;
 namespace fs = std::filesystem;
 
@@ -51,8 +45,10 @@ struct Options {
 
 /// Returns the exit status where there is nothing more to do.
 std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
-  CLI::App app{"Measures what accuracy costs, beside Embree and POV-Ray, and what is kept of it."};
-  app.add_option("--scene", options.scenes, "Only this scene; may be repeated");
+  CLI::App app{"Measures what accuracy costs, beside other renderers, and what is kept of it."};
+  app.add_option("--scene", options.scenes,
+                 "Only this scene, in all parts: one that is made here, a shipped one, or a "
+                 "document's path; may be repeated");
   app.add_option("--part", options.parts, "Only this part; may be repeated")
       ->check(CLI::IsMember({"equal-error", "contracts", "budgets"}));
   app.add_flag("--quick", options.is_quick,
@@ -95,114 +91,82 @@ std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
   return {};
 }
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw std::runtime_error("cannot read " + path.string());
-  return text;
+std::vector<NamedScene> named(const std::vector<std::string>& names, const Options& options) {
+  std::vector<NamedScene> scenes;
+  scenes.reserve(names.size());
+  for (const std::string& name : names) scenes.push_back(find_scene(name, options.shipped));
+  return scenes;
 }
 
-/// With what all programs draw: no ambient light in shadows, no transfer.
-std::string comparable_demo(const Options& options) {
-  std::string text = text_of(fs::path(options.shipped) / "demo.json");
-  text = std::regex_replace(text, std::regex(R"("shadows": "ambient")"), R"("shadows": "black")");
-  return std::regex_replace(text, std::regex(R"("transfer": "srgb")"), R"("transfer": "linear")");
+std::vector<NamedScene> contract_scenes(const Options& options) {
+  std::vector<NamedScene> scenes = shipped_scenes(options.shipped);
+  for (const auto& more : {untuned_scenes(), named({"random-1000", "sphereflake-7381", "mesh-4800",
+                                                    "reflections", "square-500x500"},
+                                                   options)})
+    scenes.insert(scenes.end(), more.begin(), more.end());
+  return scenes;
 }
 
-std::vector<EqualErrorCase> equal_error_cases(const Options& options) {
-  return {{"two-spheres", bench::two_spheres()},
-          {"square-28", bench::two_spheres_and_square(14)},
-          {"square-80", bench::two_spheres_and_square(40)},
-          {"demo", comparable_demo(options)}};
-}
-
-std::vector<ContractCase> contract_cases(const Options& options) {
-  std::set<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(options.shipped))
-    if (entry.path().extension() == ".json") paths.insert(entry.path());
-  std::vector<ContractCase> cases;
-  cases.reserve(paths.size());
-  for (const fs::path& path : paths) cases.push_back({path.stem().string(), text_of(path), true});
-  for (ContractCase& untuned : untuned_scenes()) cases.push_back(std::move(untuned));
-  return cases;
-}
-
-std::vector<BudgetCase> budget_cases(const Options& options) {
-  const auto shipped = [&](const char* name) {
-    return BudgetCase{name, text_of(fs::path(options.shipped) / (std::string(name) + ".json"))};
-  };
-  return {shipped("demo"),
-          shipped("mirrors"),
-          shipped("mesh"),
-          {"random-1000", bench::random_spheres(1000)}};
-}
-
-bool is_among(const std::vector<std::string>& names, const std::string& name) {
-  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// The cases of a part that are wanted.
-template <typename Case>
-std::vector<Case> wanted(const Options& options, const char* part, std::vector<Case> cases) {
-  if (!is_among(options.parts, part)) return {};
-  std::erase_if(cases, [&](const Case& each) { return !is_among(options.scenes, each.scene); });
-  return cases;
+/// The scenes that are named, or those that `part` has by itself; none where it is not wanted.
+std::vector<NamedScene> wanted(const Options& options, const std::string& part) {
+  const auto& parts = options.parts;
+  if (!parts.empty() && std::find(parts.begin(), parts.end(), part) == parts.end()) return {};
+  if (!options.scenes.empty()) return named(options.scenes, options);
+  if (part == "contracts") return contract_scenes(options);
+  if (part == "budgets") return named({"demo", "mirrors", "mesh", "random-1000"}, options);
+  return named({"two-spheres", "square-28x28", "square-80x80", "demo", "reflections", "random-1000",
+                "mesh-4800"},
+               options);
 }
 
 /// As DATE-COMMIT.md, .json and, of the demo, .svg.
 void write_report(const Report& report, const std::string& directory) {
   if (directory.empty()) return;
-  const std::string name = report.date + '-' + report.commit;
-  bench::write_file(fs::path(directory) / (name + ".md"), to_markdown(report));
-  bench::write_file(fs::path(directory) / (name + ".json"), to_json(report));
+  const std::string name = report.head.date + '-' + report.head.commit;
+  write_file(fs::path(directory) / (name + ".md"), to_markdown(report));
+  write_file(fs::path(directory) / (name + ".json"), to_json(report));
   for (const EqualErrorFigures& figures : report.equal_error)
     if (figures.scene == "demo")
-      bench::write_file(fs::path(directory) / (name + ".svg"),
-                        trade_svg(figures, report.equal_error_size, report.thread_count));
+      write_file(fs::path(directory) / (name + ".svg"),
+                 trade_svg(figures, report.head.thread_count));
 }
 
 /// Measures what is wanted. Writes the report after each scene: a run takes long.
 Report measure_all(const Options& options, const std::string& command) {
   WorkerPool pool(options.threads);
-  bench::EmbreePeer embree(pool);
-  bench::PovrayPeer povray(options.threads);
-  Report report{.date = bench::today(),
-                .commit = options.commit,
-                .command = command,
-                .thread_count = options.threads,
-                .machine = bench::describe_machine(),
-                .embree = fmt::format("{}, packets of {}", embree.version(), embree.packet_width()),
-                .povray = bench::PovrayPeer::version(),
-                .equal_error_size = {},
+  const auto all_peers = peers::all_peers(pool);
+  Report report{.head = {.date = today(),
+                         .commit = options.commit,
+                         .command = command,
+                         .thread_count = options.threads,
+                         .machine = describe_machine()},
                 .equal_error = {},
                 .contracts = {},
                 .skipped = {},
                 .budgets = {}};
-  for (const EqualErrorCase& each : wanted(options, "equal-error", equal_error_cases(options))) {
-    std::cerr << "equal error: " << each.scene << std::endl;
-    report.equal_error.push_back(
-        measure_equal_error(each, report.equal_error_size, options.effort, pool, embree, povray));
+  for (const auto& peer : all_peers) report.head.peers.emplace_back(peer->name(), peer->version());
+  for (const NamedScene& each : wanted(options, "equal-error")) {
+    std::cerr << "equal error: " << each.name << std::endl;
+    report.equal_error.push_back(measure_equal_error(each, options.effort, all_peers, pool));
     write_report(report, options.runs);
   }
-  for (const ContractCase& each : wanted(options, "contracts", contract_cases(options))) {
-    std::cerr << "targets: " << each.scene << std::endl;
+  for (const NamedScene& each : wanted(options, "contracts")) {
+    std::cerr << "targets: " << each.name << std::endl;
     auto figures = measure_contracts(each, options.contract_targets, options.contract_samples,
                                      options.exact_seconds, pool);
     if (figures)
       report.contracts.push_back(std::move(*figures));
     else
-      report.skipped.push_back(each.scene);
+      report.skipped.push_back(each.name);
     write_report(report, options.runs);
   }
-  const auto budgets = wanted(options, "budgets", budget_cases(options));
+  const std::vector<NamedScene> budgets = wanted(options, "budgets");
   if (!budgets.empty()) {
     std::cerr << "budgets" << std::endl;
     report.budgets = measure_budgets(budgets, options.budgets_ms, options.budget_samples,
                                      options.budget_repetitions, pool);
     write_report(report, options.runs);
   }
-  if (report.equal_error.empty() && report.contracts.empty() && report.budgets.empty())
-    throw std::runtime_error("nothing was measured: no such scene in the parts that are wanted");
   return report;
 }
 
@@ -214,11 +178,11 @@ int main(int argc, char** argv) {
     if (const auto status = parse_arguments(argc, argv, options)) return *status;
     // Not by the main thread: jemalloc 5.3 makes its arena before it has read the options, and
     // gives back its blocks of 8 MB at once; most of the server's threads have others.
-    const auto measure = [&] {
-      return measure_all(options, bench::command_text("raytracer_published_tradeoff", argc, argv,
-                                                      {"--runs", "--commit"}));
+    const auto run = [&] {
+      return measure_all(options, command_text("raytracer_published_tradeoff", argc, argv,
+                                               {"--runs", "--commit"}));
     };
-    std::cout << to_markdown(std::async(std::launch::async, measure).get());
+    std::cout << to_markdown(std::async(std::launch::async, run).get());
   } catch (const std::exception& error) {
     std::cerr << "published_tradeoff: " << error.what() << '\n';
     return 1;

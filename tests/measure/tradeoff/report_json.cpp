@@ -1,9 +1,7 @@
 // The report as JSON: every figure of every round.
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "tests/measure/report/machine_json.h"
 #include "tests/measure/tradeoff/report.h"
 
 namespace raytracer::published {
@@ -11,14 +9,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// To a tenth of a microsecond: the clock knows no more, and the file stays short.
+using measure::rounded;
+
 Json rounded(const std::vector<double>& times_ms) {
   Json json = Json::array();
-  for (const double ms : times_ms) json.push_back(std::round(ms * 1e4) / 1e4);
+  for (const double ms : times_ms) json.push_back(rounded(ms));
   return json;
 }
-
-double rounded(double ms) { return std::round(ms * 1e4) / 1e4; }
 
 Json json_of(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
@@ -37,27 +34,33 @@ Json json_of(const std::optional<PeerFigures>& peer) {
 
 Json json_of(const EqualErrorFigures& figures) {
   Json json{{"scene", figures.scene},
+            {"width", figures.width_px},
+            {"height", figures.height_px},
             {"exact_samples", figures.exact_samples},
             {"exact_error", figures.exact_error},
             {"with_samples", json_of(figures.with_samples)},
             {"with_target", json_of(figures.with_target)},
-            {"embree", json_of(figures.embree)},
-            {"povray", json_of(figures.povray)},
-            {"embree_floor", figures.embree_floor}};
-  for (const TargetFigures& target : figures.targets)
+            {"peers", Json::array()}};
+  for (const PeerOutcome& peer : figures.peers)
+    json["peers"].push_back({{"name", peer.name},
+                             {"refusal", peer.refusal ? Json(*peer.refusal) : Json()},
+                             {"known_differences", peer.differences},
+                             {"sweep", json_of(peer.sweep)}});
+  for (const TargetFigures& target : figures.targets) {
+    Json peers = Json::array();
+    for (const std::optional<PeerFigures>& peer : target.peers) peers.push_back(json_of(peer));
     json["targets"].push_back({{"target_rmse", target.target},
                                {"rmse", target.rmse},
                                {"estimated_error", json_of(target.estimated_error)},
                                {"samples_per_pixel", target.samples_per_pixel},
                                {"trace_ms", rounded(target.trace_ms)},
-                               {"embree", json_of(target.embree)},
-                               {"povray", json_of(target.povray)}});
+                               {"peers", std::move(peers)}});
+  }
   return json;
 }
 
 Json json_of(const ContractFigures& figures) {
   Json json{{"scene", figures.scene},
-            {"is_shipped", figures.is_shipped},
             {"width", figures.width_px},
             {"height", figures.height_px},
             {"exact_samples", figures.exact_samples},
@@ -98,15 +101,8 @@ std::string lines_of(const char* key, const std::vector<Figures>& all) {
 }  // namespace
 
 std::string to_json(const Report& report) {
-  const Json head{{"date", report.date},
-                  {"commit", report.commit},
-                  {"command", report.command},
-                  {"threads", report.thread_count},
-                  {"machine", bench::json_of(report.machine)},
-                  {"engine", build_id},
-                  {"embree", report.embree},
-                  {"povray", report.povray},
-                  {"skipped", report.skipped}};
+  Json head = json_of(report.head);
+  head["skipped"] = report.skipped;
   return "{\"run\": " + head.dump() + lines_of("equal_error", report.equal_error) +
          lines_of("contracts", report.contracts) + lines_of("budgets", report.budgets) + "}\n";
 }

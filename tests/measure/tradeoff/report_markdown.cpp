@@ -1,6 +1,7 @@
 // The report as Markdown tables: medians, for people.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,9 @@
 namespace raytracer::published {
 namespace {
 
-using bench::digits;
-using bench::median;
-using bench::row;
+using measure::digits;
+using measure::median;
+using measure::row;
 
 /// Two digits that count.
 std::string error_text(double error) { return fmt::format("{:.2g}", error); }
@@ -24,65 +25,86 @@ std::string error_text(const std::optional<double>& error) {
   return error ? error_text(*error) : "-";
 }
 
-std::string heading(const Report& report) {
-  return fmt::format(
-      "# What accuracy costs, {}, commit {}\n\n"
-      "- processor: {}, {} cores, {}; {} threads for every program\n"
-      "- system: {}; compiler: {}\n"
-      "- Embree {}\n- POV-Ray {}\n"
-      "- command: `{}`\n\n"
-      "Errors are root mean squares over all pixels and channels, before rounding to 8 bits, from "
-      "the project's own picture of thousands of samples per pixel in double precision, whose own "
-      "error is estimated from the picture before it (see engine/tradeoff/reference.h). Times are "
-      "milliseconds of tracing.\n",
-      report.date, report.commit, report.machine.processor, report.machine.cores,
-      report.machine.vectors, report.thread_count, report.machine.system, report.machine.compiler,
-      report.embree, report.povray, report.command);
+constexpr const char* heading =
+    "Errors are root mean squares over all pixels and channels, before rounding to 8 bits, from "
+    "the "
+    "project's own picture of thousands of samples per pixel in double precision, whose own error "
+    "is estimated from the picture before it (see engine/tradeoff/reference.h). Times are "
+    "milliseconds of tracing.\n";
+
+constexpr const char* about_equal_error =
+    "\n## At equal error\n\n"
+    "The project is asked for the target. Embree takes a regular grid of n x n samples in every "
+    "pixel by its fastest way to hand rays over; POV-Ray anti-aliases by its methods 1 and 2 with "
+    "thresholds from 0.3 to 0 and growing depths, while that pays (3.7 has no method 3: it takes "
+    "+AM3 as 2); Tachyon takes ever more samples at random places. Of each peer's settings the "
+    "cheapest with an error of at most the target is run in turn with the project; what takes many "
+    "seconds is not run in all rounds. The project and Embree run once more than is counted, and "
+    "where that takes less than 20 ms again and again, for their median; programs once. Medians; "
+    "ratios are medians of the rounds' ratios, above 1 where the project is faster. What a peer "
+    "draws without ambient light is compared with a picture without it.\n\n";
+
+std::string ratio_text(const TargetFigures& target, std::size_t peer, const PeerOutcome& outcome) {
+  if (outcome.refusal) return "-";
+  if (!target.peers[peer]) return "not reached";
+  return digits(median_ratio(target, *target.peers[peer])) + 'x';
 }
 
-std::string peer_cells(const TargetFigures& target, const std::optional<PeerFigures>& peer) {
-  if (!peer) return " not reached | | | |";
-  return fmt::format(" {} | {} | {} | **{}x** |", peer->setting, error_text(peer->rmse),
-                     digits(median(peer->trace_ms)), digits(median_ratio(target, *peer)));
+/// What the README shows.
+std::string equal_error_table(const Report& report) {
+  std::string text = "| scene | target | our error | estimate | samples | rounds | trace, ms |";
+  std::string rule = "|:--|--:|--:|--:|--:|--:|--:|";
+  for (const auto& [name, version] : report.head.peers) {
+    text += fmt::format(" {} |", name);
+    rule += "--:|";
+  }
+  text += '\n' + rule + '\n';
+  for (const EqualErrorFigures& scene : report.equal_error) {
+    for (const TargetFigures& target : scene.targets) {
+      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |", scene.scene, target.target,
+                          error_text(target.rmse), error_text(target.estimated_error),
+                          digits(target.samples_per_pixel), target.trace_ms.size(),
+                          digits(median(target.trace_ms)));
+      for (std::size_t i = 0; i < scene.peers.size(); ++i)
+        text += fmt::format(" {} |", ratio_text(target, i, scene.peers[i]));
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+std::string settings_table(const Report& report) {
+  std::string text = "\nThe settings that these are:\n\n" +
+                     row("scene", "target", "peer", "setting", "error", "trace") +
+                     "|:--|--:|:--|:--|--:|--:|\n";
+  for (const EqualErrorFigures& scene : report.equal_error)
+    for (const TargetFigures& target : scene.targets)
+      for (std::size_t i = 0; i < scene.peers.size(); ++i)
+        if (const std::optional<PeerFigures>& peer = target.peers[i])
+          text += row(scene.scene, target.target, scene.peers[i].name, peer->setting,
+                      error_text(peer->rmse), digits(median(peer->trace_ms)));
+  return text;
+}
+
+std::string about_peer(const PeerOutcome& peer, const EqualErrorFigures& scene, std::size_t i) {
+  std::string text;
+  if (peer.refusal) text += fmt::format("; {} cannot draw it: {}", peer.name, *peer.refusal);
+  if (!peer.refusal && !scene.targets.back().peers[i])
+    text += fmt::format("; {}'s least error is {}", peer.name, error_text(least_error(peer.sweep)));
+  if (!peer.differences.empty())
+    text += fmt::format("; {}: {}", peer.name, fmt::join(peer.differences, ", "));
+  return text;
 }
 
 std::string equal_error_section(const Report& report) {
-  std::string text = fmt::format(
-      "\n## At equal error\n\n"
-      "{} x {} pixels. The project is asked for the target; Embree takes a regular grid of n x n "
-      "samples in every pixel by its fastest way to hand rays over; POV-Ray anti-aliases by its "
-      "methods 1 and 2 with thresholds from 0.3 to 0 and growing depths, while that pays (3.7 has "
-      "no method 3: it takes +AM3 as 2). Of each peer's settings the cheapest with an error of at "
-      "most the target is run in turn with the project; what takes many seconds is not run in all "
-      "rounds. The project and Embree run once more than is counted, and where that takes less "
-      "than 20 ms again and again, for their median; POV-Ray, which tells whole milliseconds, "
-      "once. Medians; ratios are medians of the rounds' ratios, above 1 where the project is "
-      "faster. \"demo\" has black shadows and the linear transfer here, which all draw. POV-Ray's "
-      "pictures are of 16 bits, and compared with a picture without ambient light, which it counts "
-      "differently.\n\n",
-      report.equal_error_size.width_px, report.equal_error_size.height_px);
-  text +=
-      row("scene", "target", "rounds", "our error", "estimate", "samples", "trace", "Embree: grid",
-          "error", "trace", "ratio", "POV-Ray: setting", "error", "trace", "ratio");
-  text += "|:--|--:|--:|--:|--:|--:|--:|:--|--:|--:|--:|:--|--:|--:|--:|\n";
+  std::string text = about_equal_error + equal_error_table(report) + settings_table(report);
+  text += "\nThe scenes, their exact pictures, and what is known to be drawn differently:\n\n";
   for (const EqualErrorFigures& scene : report.equal_error) {
-    for (const TargetFigures& target : scene.targets) {
-      std::string cells = row(scene.scene, target.target, target.trace_ms.size(),
-                              error_text(target.rmse), error_text(target.estimated_error),
-                              digits(target.samples_per_pixel), digits(median(target.trace_ms)));
-      cells.pop_back();  // the end of the line
-      text += cells + peer_cells(target, target.embree) + peer_cells(target, target.povray) + '\n';
-    }
-  }
-  text += "\nThe exact pictures:\n\n";
-  for (const EqualErrorFigures& scene : report.equal_error) {
-    text += fmt::format("- {}: {} samples per pixel, off by at most {} by estimate", scene.scene,
-                        scene.exact_samples, error_text(scene.exact_error));
-    if (scene.embree_floor > 0)
-      text += fmt::format("; Embree is still off by {} with 48 x 48 samples",
-                          error_text(scene.embree_floor));
-    if (!scene.targets.back().povray)
-      text += fmt::format("; POV-Ray's least error is {}", error_text(least_error(scene.povray)));
+    text += fmt::format("- {}: {} x {} pixels, {} samples per pixel, off by at most {} by estimate",
+                        scene.scene, scene.width_px, scene.height_px, scene.exact_samples,
+                        error_text(scene.exact_error));
+    for (std::size_t i = 0; i < scene.peers.size(); ++i)
+      text += about_peer(scene.peers[i], scene, i);
     text += '\n';
   }
   return text;
@@ -101,15 +123,14 @@ std::string contract_section(const Report& report) {
   for (const std::string& scene : report.skipped)
     text += "- left out, its exact picture would take too long: " + scene + '\n';
   if (!report.skipped.empty()) text += '\n';
-  text += row("scene", "shipped", "size", "exact: samples", "its error", "target", "true error",
-              "kept", "estimate / true", "samples", "stop", "trace");
-  text += "|:--|:--|--:|--:|--:|--:|--:|:--|--:|--:|:--|--:|\n";
+  text += row("scene", "size", "exact: samples", "its error", "target", "true error", "kept",
+              "estimate / true", "samples", "stop", "trace");
+  text += "|:--|--:|--:|--:|--:|--:|:--|--:|--:|:--|--:|\n";
   for (const ContractFigures& scene : report.contracts)
     for (const KeptTarget& kept : scene.targets)
-      text += row(scene.scene, scene.is_shipped ? "yes" : "no",
-                  fmt::format("{} x {}", scene.width_px, scene.height_px), scene.exact_samples,
-                  error_text(scene.exact_error), kept.target, error_text(kept.rmse),
-                  kept.rmse <= kept.target ? "yes" : "**no**",
+      text += row(scene.scene, fmt::format("{} x {}", scene.width_px, scene.height_px),
+                  scene.exact_samples, error_text(scene.exact_error), kept.target,
+                  error_text(kept.rmse), kept.rmse <= kept.target ? "yes" : "**no**",
                   kept.estimated_error && kept.rmse > 0
                       ? fmt::format("{:.2f}", *kept.estimated_error / kept.rmse)
                       : "-",
@@ -151,7 +172,7 @@ std::string budget_section(const Report& report) {
 }  // namespace
 
 std::string to_markdown(const Report& report) {
-  std::string text = heading(report);
+  std::string text = to_markdown(report.head, "What accuracy costs") + heading;
   if (!report.equal_error.empty()) text += equal_error_section(report);
   if (!report.contracts.empty()) text += contract_section(report);
   if (!report.budgets.empty()) text += budget_section(report);

@@ -22,7 +22,7 @@ double settled_ms(const std::function<double()>& measure_ms) {
     times_ms.push_back(measure_ms());
     all_ms += times_ms.back();
   }
-  return bench::median(std::move(times_ms));
+  return measure::median(std::move(times_ms));
 }
 
 }  // namespace raytracer::published

@@ -14,21 +14,24 @@ namespace {
 using client::LogPlot;
 
 constexpr std::string_view style =
-    R"(    svg { --samples: #0b6a63; --target: #3647b8; --embree: #9a4a00; --povray: #8a2f6b }
+    R"(    svg { --samples: #0b6a63; --target: #3647b8; --peer-0: #9a4a00; --peer-1: #8a2f6b;
+      --peer-2: #4f6b0b }
     @media (prefers-color-scheme: dark) { svg { --samples: #5cc4ba; --target: #9aa8ff;
-      --embree: #f0a35e; --povray: #e48fc4 } }
+      --peer-0: #f0a35e; --peer-1: #e48fc4; --peer-2: #b5d468 } }
     .line { fill: none; stroke-width: 1.5 }
     .samples { stroke: var(--samples) } .target { stroke: var(--target) }
-    .embree { stroke: var(--embree) } .povray { stroke: var(--povray) }
+    .peer-0 { stroke: var(--peer-0) } .peer-1 { stroke: var(--peer-1) }
+    .peer-2 { stroke: var(--peer-2) }
     .point { stroke-width: 1.6; fill: var(--page) }
 )";
 
-enum class Mark { circle, square, triangle, diamond };
+enum class Mark { circle, square, triangle, diamond, inverted_triangle };
+constexpr std::array peer_marks{Mark::triangle, Mark::diamond, Mark::inverted_triangle};
 
 struct Series {
-  std::string_view css_class;
+  std::string css_class;
   Mark mark;
-  std::string_view name;
+  std::string name;
   Sweep points;
 };
 
@@ -40,6 +43,8 @@ std::string outline(Mark mark, double x, double y) {
       return fmt::format("M{:.1f} {:.1f}h8v8h-8z", x - 4, y - 4);
     case Mark::triangle:
       return fmt::format("M{:.1f} {:.1f}l5 9h-10z", x, y - 5.5);
+    case Mark::inverted_triangle:
+      return fmt::format("M{:.1f} {:.1f}l5 -9h-10z", x, y + 5.5);
     case Mark::diamond:
       break;
   }
@@ -66,7 +71,7 @@ std::string drawn(const Series& series, const LogPlot& plot) {
   return fmt::format("  <path class=\"line {}\" d=\"{}\"/>\n{}", series.css_class, line, marks);
 }
 
-std::string legend(const std::array<Series, 4>& all) {
+std::string legend(const std::vector<Series>& all) {
   constexpr double x = LogPlot::right + 32;
   double y = LogPlot::top + 8;
   std::string text;
@@ -76,7 +81,7 @@ std::string legend(const std::array<Series, 4>& all) {
   }
   y += 10;
   for (const std::string_view line :
-       {"Of POV-Ray's settings the best:", "no faster one has a smaller error."}) {
+       {"Of a peer's settings the best:", "no faster one has a smaller error."}) {
     text += client::svg_text(x - 6, y, "class=\"soft\"", line);
     y += 17;
   }
@@ -85,12 +90,13 @@ std::string legend(const std::array<Series, 4>& all) {
 
 }  // namespace
 
-std::string trade_svg(const EqualErrorFigures& figures, ImageSize size, std::size_t thread_count) {
-  const std::array<Series, 4> all{
-      {{"samples", Mark::circle, "this: fixed samples", figures.with_samples},
-       {"target", Mark::square, "this: target error", figures.with_target},
-       {"embree", Mark::triangle, "Embree, regular grid", figures.embree},
-       {"povray", Mark::diamond, "POV-Ray, anti-aliasing", front(figures.povray)}}};
+std::string trade_svg(const EqualErrorFigures& figures, std::size_t thread_count) {
+  std::vector<Series> all{{"samples", Mark::circle, "this: fixed samples", figures.with_samples},
+                          {"target", Mark::square, "this: target error", figures.with_target}};
+  for (std::size_t i = 0; i < figures.peers.size(); ++i)
+    if (!figures.peers[i].refusal)
+      all.push_back({fmt::format("peer-{}", i), peer_marks[i % peer_marks.size()],
+                     figures.peers[i].name, front(figures.peers[i].sweep)});
   std::vector<double> times_ms;
   std::vector<double> errors;
   for (const Series& series : all) {
@@ -106,7 +112,7 @@ std::string trade_svg(const EqualErrorFigures& figures, ImageSize size, std::siz
       "What accuracy costs: " + figures.scene,
       fmt::format("{} x {} pixels on {} threads; errors against {} samples per pixel in double "
                   "precision, off by at most {:.1g} by estimate",
-                  size.width_px, size.height_px, thread_count, figures.exact_samples,
+                  figures.width_px, figures.height_px, thread_count, figures.exact_samples,
                   figures.exact_error),
       style, content);
 }

@@ -12,6 +12,6 @@
 namespace raytracer::published {
 
 /// A complete SVG document.
-std::string trade_svg(const EqualErrorFigures& figures, ImageSize size, std::size_t thread_count);
+std::string trade_svg(const EqualErrorFigures& figures, std::size_t thread_count);
 
 }  // namespace raytracer::published

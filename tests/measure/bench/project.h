@@ -1,4 +1,4 @@
-// The project as a peer: text to PNG through the engine's public header, each stage timed.
+// The project itself: text to PNG through the engine's public header, each stage timed.
 #pragma once
 
 #include <string_view>
@@ -33,7 +33,7 @@ ProjectRun run_project(std::string_view document, const Overrides& overrides, Wo
 
 ProjectForecast forecast_project(const Scene& scene, const MachineCosts& costs, WorkerPool& pool);
 
-/// The same picture without ambient light; not timed.
-ByteImage render_without_ambient(Scene scene, WorkerPool& pool);
+/// Of any scene; not timed.
+ByteImage picture_of(const Scene& scene, WorkerPool& pool);
 
 }  // namespace raytracer::bench

@@ -1,20 +1,17 @@
-#include "tests/measure/bench/project_peer.h"
+#include "tests/measure/bench/project.h"
 
 #include <optional>
-#include <stdexcept>
 
 #include "engine/measure/stopwatch.h"
+#include "tests/measure/scenes/named_scene.h"
 
 namespace raytracer::bench {
 
 ProjectRun run_project(std::string_view document, const Overrides& overrides, WorkerPool& pool) {
   ProjectRun run;
   const Stopwatch read_watch;
-  Result<Scene> scene = read_scene(document, Limits{}, overrides);
+  run.scene = measure::read_document(document, overrides);
   run.times.read_ms = read_watch.elapsed_ms();
-  if (!scene.ok())
-    throw std::runtime_error(scene.errors()[0].pointer + ": " + scene.errors()[0].detail);
-  run.scene = std::move(scene).value();
 
   RenderProgress progress;
   ByteRendering rendering = render_bytes(run.scene, Limits{}, pool, progress);
@@ -36,8 +33,7 @@ ProjectForecast forecast_project(const Scene& scene, const MachineCosts& costs, 
   return {foreseen->prediction.build_ms, foreseen->prediction.trace_ms, watch.elapsed_ms()};
 }
 
-ByteImage render_without_ambient(Scene scene, WorkerPool& pool) {
-  scene.ambient = 0;
+ByteImage picture_of(const Scene& scene, WorkerPool& pool) {
   RenderProgress progress;
   return render_bytes(scene, Limits{}, pool, progress).image;
 }
