@@ -9,8 +9,6 @@
 namespace raytracer::test {
 namespace {
 
-using namespace std::chrono_literals;
-
 class Curve : public BrowserPage {
  protected:
   void SetUp() override {
@@ -26,13 +24,13 @@ class Curve : public BrowserPage {
 TEST_F(Curve, is_drawn_and_its_points_are_pictures) {
   const std::string former = picture();
   browser().click("#measure");
-  ASSERT_TRUE(eventually([] { return count("#curve-plot .point") > 0; }, 60s))
+  ASSERT_TRUE(comes_true("document.querySelectorAll('#curve-plot .point').length > 0"))
       << value("document.getElementById('curve-says').textContent");
   EXPECT_GE(count("#curve-plot .pareto"), 2);
   EXPECT_EQ(value("document.getElementById('curve-progress').hidden"), true);
   browser().requested();
   browser().type("#curve-plot .pareto", key_enter);
-  ASSERT_TRUE(eventually([] { return count("#curve-figures canvas") == 1; }, 30s));
+  ASSERT_TRUE(comes_true("document.querySelectorAll('#curve-figures canvas').length === 1"));
   await("done", former);
   keep_screenshot("curve");
   bool was_asked = false;
@@ -44,12 +42,11 @@ TEST_F(Curve, is_drawn_and_its_points_are_pictures) {
 
 TEST_F(Curve, measuring_can_be_stopped) {
   browser().click("#measure");
-  ASSERT_TRUE(eventually(
-      [] { return value("document.getElementById('curve-progress').value > 0") == true; }, 30s));
+  ASSERT_TRUE(comes_true("document.getElementById('curve-progress').value > 0"));
   browser().click("#measure");
-  EXPECT_TRUE(eventually(
-      [] { return value("document.getElementById('curve-says').textContent") == "Stopped."; }));
-  EXPECT_TRUE(eventually([] { return server().log().find("DELETE /jobs/") != std::string::npos; }))
+  EXPECT_TRUE(comes_true("document.getElementById('curve-says').textContent === 'Stopped.'"));
+  EXPECT_TRUE(eventually([] { return server().log().find("DELETE /jobs/") != std::string::npos; },
+                         longest_wait))
       << server().log();
 }
 

@@ -8,7 +8,10 @@
 namespace raytracer::test {
 namespace {
 
-class Layout : public BrowserPage {};
+class Layout : public BrowserPage {
+ protected:
+  void TearDown() override { browser().restore_size(); }
+};
 
 TEST_F(Layout, no_window_has_to_be_scrolled_sideways) {
   open();

@@ -5,7 +5,6 @@
 
 #include "tests/browser/browser_page.h"
 #include "tests/golden/picture.h"
-#include "tests/process/patience.h"
 
 namespace raytracer::test {
 namespace {
@@ -18,7 +17,7 @@ class Share : public BrowserPage {
         "navigator.clipboard.writeText = async (text) => { window.copied = text; };"
         "window.copied = null;");
     browser().click(button);
-    eventually([] { return !value("window.copied").is_null(); });
+    EXPECT_TRUE(comes_true("window.copied !== null"));
     return value("window.copied");
   }
 };

@@ -26,12 +26,14 @@ inline constexpr const char* key_release = "\xee\x80\x80";  ///< of all modifier
 /// Every function throws std::runtime_error with the driver's own words if it fails.
 class WebDriver {
  public:
-  /// Downloads go to `downloads` without a question. Throws std::runtime_error that names the
-  /// packages if there is no browser or no driver.
-  explicit WebDriver(const std::filesystem::path& downloads);
+  /// Throws std::runtime_error that names the packages if there is no browser or no driver.
+  WebDriver();
   ~WebDriver();
   WebDriver(const WebDriver&) = delete;
   WebDriver& operator=(const WebDriver&) = delete;
+
+  /// Where files go that are downloaded, without a question.
+  const std::filesystem::path& downloads() const { return downloads_.path(); }
 
   void open(const std::string& url);
   /// What `return ...;` in the function body `script` gives.
@@ -43,12 +45,14 @@ class WebDriver {
   void drag(std::array<int, 2> from, std::array<int, 2> to);
   /// Presses keys in the element.
   void type(const std::string& selector, const std::string& keys);
-  /// Presses and releases a key wherever the focus is, as a keyboard does.
-  void press(const std::string& key);
+  /// Presses and releases a key wherever the focus is, as a keyboard does, so many times.
+  void press(const std::string& key, int count = 1);
   /// A PNG of the window.
   std::string screenshot();
   /// Pretends to be a screen of this size, in CSS pixels.
   void resize(int width, int height);
+  /// Ends that.
+  void restore_size();
 
   /// Pretends that the person has asked for dark colours, or for light ones.
   void prefer_dark(bool dark);
@@ -67,6 +71,7 @@ class WebDriver {
   std::vector<nlohmann::json> log(const std::string& type);
 
   TemporaryFolder profile_;
+  TemporaryFolder downloads_;
   std::unique_ptr<Process> driver_;
   std::unique_ptr<httplib::Client> http_;
   std::string session_;  ///< "/session/ID"
