@@ -1,7 +1,8 @@
 // The service's part that the page uses, as functions. Nothing else in the page calls fetch.
 // Addresses are relative, so that the page also works below a prefix, behind a proxy.
+import { authorization, newToken } from "./token.js";
 
-const too_early = 409;
+const [unauthorized, too_early] = [401, 409];
 
 /// An answer that is not the one asked for, in the terms of RFC 9457.
 export class Problem extends Error {
@@ -78,9 +79,26 @@ export async function jobResult(id, signal) {
   return ask(`jobs/${id}/result`, { signal }, (answer) => answer.json());
 }
 
+/// `onEvent(name, job)` for each event of a job until it has ended, or they do.
+export async function jobEvents(id, signal, onEvent) {
+  await askOnce(`jobs/${id}/events`, { signal, headers: authorization() }, async ({ body }) => {
+    const reader = body.pipeThrough(new TextDecoderStream()).getReader();
+    for (let text = ""; ;) {
+      const { value, done } = await reader.read();
+      if (done) return;
+      const events = (text + value).split("\n\n");
+      text = events.pop();
+      for (const event of events) {
+        const said = /^event: (.+)\ndata: (.+)$/.exec(event);
+        if (said) onEvent(said[1], JSON.parse(said[2]));
+      }
+    }
+  });
+}
+
 /// Also for when the page is being left; whether it succeeds is nobody's business then.
 export function cancelJob(id) {
-  fetch(`jobs/${id}`, { method: "DELETE", keepalive: true }).catch(() => {});
+  fetch(`jobs/${id}`, { method: "DELETE", headers: authorization(), keepalive: true }).catch(() => {});
 }
 
 async function rendering(answer) {
@@ -115,7 +133,21 @@ export function stagesOf(header) {
   return stages;
 }
 
-async function ask(address, request, read) {
+// Asks for a token where the server wants one, and again if it was none of its.
+async function ask(address, { headers, ...request }, read) {
+  for (;;) {
+    const proof = authorization();
+    try {
+      return await askOnce(address, { ...request, headers: { ...headers, ...proof } }, read);
+    } catch (error) {
+      if (error.status !== unauthorized) throw error;
+      if (!(await newToken(proof, request.signal)))
+        throw new Problem({ title: "This server asks for a token", detail: "Load this page again to give it." });
+    }
+  }
+}
+
+async function askOnce(address, request, read) {
   try {
     const answer = await fetch(address, request);
     if (!answer.ok) throw await problemOf(answer);

@@ -109,8 +109,9 @@ TEST_F(Refine, long_render_is_a_job_with_events_and_seen_as_it_comes) {
 
 TEST_F(Refine, job_without_events_is_asked_for) {
   browser().run(
-      "window.EventSource = class { constructor() { setTimeout(() => this.onerror()); }"
-      " addEventListener() {} close() {} };");
+      "const { fetch } = window; window.fetch = (address, ...rest) =>"
+      " /events$/.test(address) ? Promise.reject(new TypeError('no events')) : fetch(address, "
+      "...rest);");
   const std::vector<std::string> addresses = requested_for_long_scene(long_width_px());
   EXPECT_EQ(count(addresses, "/events$"), 0);
   EXPECT_GE(count(addresses, "/jobs/[^/]+$"), 3);
