@@ -1,7 +1,7 @@
 // The scene's own speed-accuracy curve: measured by the server as a job, drawn, and each of its
 // points a picture with its difference from the reference.
 import { jobResult, renderFrame } from "./api.js";
-import { errorText } from "./accuracy.js";
+import { errorText, settingsText } from "./accuracy.js";
 import { curvePlot } from "./curve_plot.js";
 import { differenceOf } from "./difference.js";
 import { element } from "./element.js";
@@ -14,7 +14,7 @@ import { withView } from "./view.js";
 const gain = 16;  // of the difference
 
 /// `box` holds #measure, #curve-progress, #curve-says, #curve-plot and #curve-figures.
-/// `state()` gives {text, view}; `onSettings(settings, words)` follows the choice of a point that a
+/// `state()` gives {text, view}; `onSettings(settings)` follows the choice of a point that a
 /// query can ask for; `onFail(error)` a failure.
 export function createCurvePanel(box, { state, onSettings, onFail }) {
   const [measure, progress, says, plot, figures] =
@@ -45,7 +45,7 @@ export function createCurvePanel(box, { state, onSettings, onFail }) {
     choosing = new AbortController();
     const { signal } = choosing;
     try {
-      if (!shadows) onSettings(settings, settingsText(point.settings));
+      if (!shadows) onSettings(settings);
       const size = { width: curve.width, height: curve.height };
       const about = element("p", {}, `${nameOf(point)}. Largest error ${errorText(point.max_error)}.`);
       figures.replaceChildren(about, element("p", { className: "reason" }, "Rendering it and the reference…"));
@@ -79,13 +79,6 @@ export function createCurvePanel(box, { state, onSettings, onFail }) {
       measure.textContent = "Measure the curve";
     }
   });
-}
-
-function settingsText({ samples, target_rmse, precision, shadows, max_depth }) {
-  return [
-    samples && `${samples} sample${samples === 1 ? "" : "s"}`, target_rmse && `target ${target_rmse}`,
-    precision && `${precision} precision`, shadows && "no shadows", max_depth === 0 && "no reflections",
-  ].filter(Boolean).join(", ");
 }
 
 function nameOf({ settings, trace_ms, rmse }) {

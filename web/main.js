@@ -195,7 +195,7 @@ async function load(signal) {
   laidAside = editor.text === loaded.text ? null : { loaded, text: editor.text };
   loaded = { name, text };
   if (name) source.know(name, text);
-  if (location.hash.includes("accuracy=")) accuracy.step = asked.step;
+  if (Object.keys(asked.choice).length > 0) accuracy.choice = asked.choice;
   await begin(text, signal, asked.view);
 }
 
@@ -255,12 +255,12 @@ at("reset-view").addEventListener("click", () => {
 });
 createCurvePanel(at("panel-curve"), {
   state: () => ({ text: editor.text, view }),
-  onSettings: (settings, words) => accuracy.choose(settings, words),
+  onSettings: (settings) => accuracy.choose(settings),
   onFail: (error) => fail(problemFrom(error)),
 });
 createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") }, () => ({
   name: editor.text === loaded.text ? loaded.name : "", title: loaded.name || "scene", text: editor.text, view,
-  written: withView(editor.text, view), step: accuracy.step, settings: accuracy.settings,
+  written: withView(editor.text, view), choice: accuracy.choice, settings: accuracy.settings,
 }), (words) => {
   status.textContent = words;
 });
@@ -286,7 +286,7 @@ restore.addEventListener("click", async () => {
   loaded = laidAside.loaded;
   laidAside = null;
   choose(loaded.name);
-  window.history.replaceState(null, "", await fragmentOf({ ...loaded, view: null, step: accuracy.step }));
+  window.history.replaceState(null, "", await fragmentOf({ ...loaded, view: null, choice: accuracy.choice }));
   instead((signal) => begin(text, signal));
 });
 

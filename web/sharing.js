@@ -2,7 +2,7 @@
 import { copy } from "./copy.js";
 import { curlCommand, fragmentOf } from "./share.js";
 
-/// `state()` gives {name, title, text, view, step, settings, written}: `name` is empty where the text
+/// `state()` gives {name, title, text, view, choice, settings, written}: `name` is empty where the text
 /// is no shipped scene's; `written` is the text with the view in it. `say(words)` tells the person what happened.
 export function createSharing({ share, curl, dialog }, state, say) {
   share.addEventListener("click", async () => {

@@ -38,6 +38,14 @@ TEST_F(Curve, is_drawn_and_its_points_are_pictures) {
     was_asked =
         was_asked || address.find("/render?scene=first-sphere&samples=") != std::string::npos;
   EXPECT_TRUE(was_asked);
+
+  // A link to it opens the same.
+  const std::string chosen = value("document.getElementById('accuracy-says').textContent");
+  browser().click("#share");
+  ASSERT_TRUE(comes_true("location.hash.includes('samples=')"));
+  const std::string link = value("location.hash");
+  open("/" + link);
+  EXPECT_EQ(value("document.getElementById('accuracy-says').textContent"), chosen);
 }
 
 TEST_F(Curve, measuring_can_be_stopped) {

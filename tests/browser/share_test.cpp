@@ -45,6 +45,20 @@ TEST_F(Share, link_opens_the_same_scene_view_and_accuracy) {
   EXPECT_EQ(value("document.getElementById('picture').naturalWidth"), 60);
 }
 
+TEST_F(Share, link_carries_settings_that_no_step_of_accuracy_stands_for) {
+  open("/#scene=first-sphere&width=9&samples=16&precision=double");
+  const std::string chosen = value("document.getElementById('accuracy-says').textContent");
+  EXPECT_EQ(chosen, "16 samples, double precision");
+  bool was_asked = false;
+  for (const std::string& address : browser().requested())
+    was_asked =
+        was_asked || address.ends_with("/render?scene=first-sphere&samples=16&precision=double");
+  EXPECT_TRUE(was_asked);
+  EXPECT_EQ(copied_by("#share"),
+            server().url() + "/#scene=first-sphere&samples=16&precision=double");
+  EXPECT_NE(copied_by("#curl").find("samples=16&precision=double"), std::string::npos);
+}
+
 TEST_F(Share, link_to_a_shipped_scene_names_it) {
   open("/#scene=mesh");
   EXPECT_EQ(copied_by("#share"), server().url() + "/#scene=mesh");
