@@ -24,11 +24,16 @@ import { createTabs } from "./tabs.js";
 import { createSharing } from "./sharing.js";
 import { createProblemPanel, problemFrom } from "./problem_panel.js";
 import { duration } from "./units.js";
+import { keepEdits } from "./unsaved.js";
 import { sameCamera, withView } from "./view.js";
 import { startWaiting } from "./waiting.js";
 
 const first_scene = "demo";
 const edited = "Edited since this picture";
+const damaged_link = new Problem({
+  title: "This link is damaged",
+  detail: "A part of the scene in it is missing or changed. Copy the whole link, or ask for it anew; meanwhile, here is the demo.",
+});
 const reading_after_ms = 250;  // of a pause in typing: a long text takes a while to be read
 
 const root = document.documentElement;
@@ -42,6 +47,7 @@ let laidAside = null;   // {loaded, text}: edits that another scene has replaced
 let own = null;         // the document's camera; null: it has none that can be read
 let view = null;        // {origin, look_at, up} as the hand left them; null: the document's own
 let shown = { blob: null, words: "" };  // the picture in sight
+let left = keepEdits(() => left ?? edits());  // what is to be brought back
 let running = null;     // the AbortController of what is under way
 let reading = 0;        // the timer until typed text is read
 
@@ -196,7 +202,29 @@ async function load(signal) {
   loaded = { name, text };
   if (name) source.know(name, text);
   if (Object.keys(asked.choice).length > 0) accuracy.choice = asked.choice;
-  await begin(text, signal, asked.view);
+  const back = bringBack();
+  await begin(back?.text ?? text, signal, back ? back.view : asked.view);
+  if (root.dataset.state !== "done") return;
+  if (asked.isDamaged) status.textContent = problemPanel.say(damaged_link);
+  if (!back?.text) return;
+  history.keep(text, "load");
+  status.textContent = "Edits are back; Undo drops them";
+}
+
+// What the page left when it was last here: of this address, to go on with; of another, laid aside.
+function bringBack() {
+  const back = left;
+  left = null;
+  if (!back) return null;
+  const { hash, name, text, aside } = back;
+  laidAside = text === null || hash === location.hash ? aside : { loaded: { name, text: name ? "" : text }, text };
+  return hash === location.hash ? back : null;
+}
+
+function edits() {
+  const text = editor.text === loaded.text ? null : editor.text;
+  if (text === null && view === null && laidAside === null) return null;
+  return { hash: location.hash, name: loaded.name, text, view, aside: laidAside };
 }
 
 async function begin(text, signal, from = null) {

@@ -12,13 +12,15 @@ export async function fragmentOf({ name, text, view, choice }) {
   return `#${parameters}`;
 }
 
-/// The state of a fragment; what it does not say is null. Rejects if its document is damaged.
+/// The state of a fragment; what it does not say is null, and so is its document if that is damaged.
 export async function readFragment(hash) {
   const parameters = new URLSearchParams(hash.slice(1));
   const document = parameters.get("document");
+  const text = document && await unpacked(document).catch(() => null);
   return {
     name: document ? null : parameters.get("scene"),
-    text: document ? await unpacked(document) : null,
+    text,
+    isDamaged: document !== null && text === null,
     view: readView(parameters.get("view")),
     choice: Object.fromEntries(["accuracy", ...settings].filter((key) => parameters.has(key)).map((key) => {
       const value = parameters.get(key);

@@ -64,10 +64,21 @@ TEST_F(Share, link_to_a_shipped_scene_names_it) {
   EXPECT_EQ(copied_by("#share"), server().url() + "/#scene=mesh");
 }
 
-TEST_F(Share, damaged_link_is_said_to_be) {
-  browser().open("about:blank");
-  browser().open(server().url() + "/#document=AAAA");
-  await("error");
+TEST_F(Share, damaged_link_is_said_to_be_and_the_demo_shown) {
+  for (const char* const damaged : {"AAAA", "xx", "%25%25", "q1bKSM1NVLJSMDQ"}) {
+    open("/#document=" + std::string(damaged));
+    ASSERT_TRUE(comes_true("!document.getElementById('problem').hidden")) << damaged;
+    const std::string said = value("document.getElementById('problem').innerText");
+    EXPECT_NE(said.find("link is damaged"), std::string::npos) << said;
+    EXPECT_NE(said.find("Copy the whole link"), std::string::npos) << said;
+    EXPECT_EQ(value("document.getElementById('scene-select').value"), "demo");
+    EXPECT_EQ(value("document.getElementById('dated').hidden"), true);
+  }
+  keep_screenshot("damaged_link");
+  const std::string former = picture();
+  choose_accuracy(0);
+  await("done", former);
+  EXPECT_EQ(value("document.getElementById('problem').hidden"), true);
 }
 
 TEST_F(Share, command_renders_the_picture_in_sight) {
