@@ -80,9 +80,10 @@ export function createAccuracy(box, onChange) {
       fill(outcome, "measured", null);
     },
     /// After it: what api.js's render() gave.
-    report({ stages, error, samples }) {
+    report({ stages, cache, error, samples }) {
       const trace = stages.find(({ name }) => name === "trace");
       fill(outcome, "measured", { trace_ms: trace?.ms, error: error && Number(error), samples: samples && Number(samples) });
+      if (cache) outcome.querySelector('[data-row="measured"] [data-is="trace_ms"]').textContent = cache === "hit" ? "cached" : "shared";
     },
   };
 }

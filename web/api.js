@@ -34,7 +34,11 @@ export async function keepScene(text, signal) {
 /// Renders `what`: {query} names a scene of the server's, {query, body} is a document.
 /// Returns the PNG and what its headers say; rejects with a Problem, or AbortError by `signal`.
 export async function render(what, signal) {
-  return ask(`render?${new URLSearchParams(what.query)}`, requestOf(what, "image/png", signal), rendering);
+  // The browser's own store would give the times of a former answer for those of this one; and
+  // without a word about it, a browser that is to use no store asks the server to use none either.
+  const request = { ...requestOf(what, "image/png", signal), cache: "no-store" };
+  request.headers["Cache-Control"] = "max-age=0";
+  return ask(`render?${new URLSearchParams(what.query)}`, request, rendering);
 }
 
 /// The bytes of a render as a PPM, which takes no time to pack and unpack.
@@ -102,13 +106,15 @@ export function cancelJob(id) {
 }
 
 async function rendering(answer) {
+  const timing = answer.headers.get("Server-Timing") ?? "";
   return {
     blob: await answer.blob(),
     samples: answer.headers.get("Render-Samples"),
     precision: answer.headers.get("Render-Precision"),
     error: answer.headers.get("Render-Error"),
     stop: answer.headers.get("Render-Stop"),
-    stages: stagesOf(answer.headers.get("Server-Timing") ?? ""),
+    cache: /\bcache;desc=(\w+)/.exec(timing)?.[1] ?? null,  // "hit", "shared" with another request; null: neither
+    stages: stagesOf(timing),
   };
 }
 

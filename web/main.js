@@ -147,7 +147,7 @@ async function rest(signal) {
     shown = { blob: rendering.blob, words };
     compare.after(words);
     problemPanel.rendered();
-    enter("done", editor.text === text ? `Rendered in ${duration(total_ms)}` : edited);
+    enter("done", editor.text === text ? `${rendering.cache === "hit" ? "From the cache" : "Rendered"} in ${duration(total_ms)}` : edited);
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
     fail(error, text);

@@ -48,11 +48,15 @@ std::string BrowserPage::downloaded(const std::string& name) {
   return bytes;
 }
 
-void BrowserPage::open(const std::string& address) {
-  browser().open("about:blank");
+void BrowserPage::open_in_new_tab(const std::string& url) {
+  browser().change_tab();
   browser().console();  // forgets what was before
   browser().requested();
-  browser().open(server().url() + address);
+  browser().open(url);
+}
+
+void BrowserPage::open(const std::string& address) {
+  open_in_new_tab(server().url() + address);
   await("done");
 }
 

@@ -10,10 +10,7 @@
 namespace raytracer::test {
 namespace {
 
-class Layout : public BrowserPage {
- protected:
-  void TearDown() override { browser().restore_size(); }
-};
+class Layout : public BrowserPage {};
 
 TEST_F(Layout, no_window_has_to_be_scrolled_sideways) {
   open();
@@ -80,7 +77,6 @@ TEST_F(Layout, picture_of_a_single_row_or_column_is_seen) {
       EXPECT_LE(value("document.documentElement.scrollWidth"), window);
       keep_screenshot(fmt::format("thin_{}_{}", width, window));
     }
-    browser().restore_size();
   }
 }
 

@@ -16,9 +16,7 @@ class Token : public BrowserPage {
  protected:
   /// Opens the page of `guarded_` and waits until it asks.
   void open_guarded() const {
-    browser().open("about:blank");
-    browser().console();
-    browser().open(guarded_.url());
+    open_in_new_tab(guarded_.url());
     ASSERT_TRUE(comes_true(is_asked));
   }
 

@@ -11,8 +11,6 @@ namespace {
 class Unsaved : public BrowserPage {
  protected:
   void SetUp() override {
-    browser().open(server().url() + "/favicon.svg");
-    browser().run("sessionStorage.clear()");
     open("/#scene=first-sphere");
     show_panel("json");
     edit_and_render(page_scene);
@@ -55,7 +53,9 @@ TEST_F(Unsaved, view_is_there_after_a_reload) {
 }
 
 TEST_F(Unsaved, edits_of_another_address_can_be_brought_back) {
-  open("/#scene=mesh");
+  browser().open("about:blank");
+  browser().open(server().url() + "/#scene=mesh");
+  await("done");
   EXPECT_NE(text().find("\"Mesh\""), std::string::npos);
   reload();
   const std::string former = picture();

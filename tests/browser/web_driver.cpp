@@ -142,6 +142,12 @@ json WebDriver::command(const std::string& method, const std::string& path, cons
 
 void WebDriver::open(const std::string& url) { command("POST", session_ + "/url", {{"url", url}}); }
 
+void WebDriver::change_tab() {
+  const json tab = command("POST", session_ + "/window/new", {{"type", "tab"}}).at("handle");
+  command("DELETE", session_ + "/window");
+  command("POST", session_ + "/window", {{"handle", tab}});
+}
+
 json WebDriver::run(const std::string& script) {
   return command("POST", session_ + "/execute/sync", {{"script", script}, {"args", json::array()}});
 }
@@ -199,11 +205,6 @@ void WebDriver::resize(int width, int height) {
           {{"cmd", "Emulation.setDeviceMetricsOverride"},
            {"params",
             {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}}}});
-}
-
-void WebDriver::restore_size() {
-  command("POST", session_ + "/goog/cdp/execute",
-          {{"cmd", "Emulation.clearDeviceMetricsOverride"}, {"params", json::object()}});
 }
 
 void WebDriver::prefer_dark(bool dark) {

@@ -36,6 +36,9 @@ class WebDriver {
   const std::filesystem::path& downloads() const { return downloads_.path(); }
 
   void open(const std::string& url);
+  /// An empty tab in place of the one before: nothing of that is left, such as what it kept or how
+  /// large a screen it was told to be.
+  void change_tab();
   /// What `return ...;` in the function body `script` gives.
   nlohmann::json run(const std::string& script);
   /// What the function body `script` gives to the callback that is its last argument.
@@ -51,8 +54,6 @@ class WebDriver {
   std::string screenshot();
   /// Pretends to be a screen of this size, in CSS pixels.
   void resize(int width, int height);
-  /// Ends that.
-  void restore_size();
 
   /// Pretends that the person has asked for dark colours, or for light ones.
   void prefer_dark(bool dark);
