@@ -2,7 +2,9 @@
 // Addresses are relative, so that the page also works below a prefix, behind a proxy.
 import { authorization, newToken } from "./token.js";
 
-const [unauthorized, too_early] = [401, 409];
+const [unauthorized, too_early, too_many] = [401, 409, 429];
+const most_attempts = 6;
+const longest_wait_s = 60;  // nobody watches a page for longer
 
 /// An answer that is not the one asked for, in the terms of RFC 9457.
 export class Problem extends Error {
@@ -53,10 +55,12 @@ export async function plan(what, signal) {
   return ask(`plan?${new URLSearchParams(what.query)}`, request, (answer) => answer.json());
 }
 
-/// Starts a job of that task on `what`; its id.
-export async function startJob(task, what) {
+/// Starts a job of that task on `what`; its id. `signal` ends waiting for a busy server, and not what
+/// the server has been asked: nobody could end a job whose id is not known.
+export async function startJob(task, what, signal) {
   const request = { method: "POST", ...requestOf(what, "application/json") };
-  return ask(`jobs?${new URLSearchParams({ task, ...what.query })}`, request, async (answer) => (await answer.json()).id);
+  const id = async (answer) => (await answer.json()).id;
+  return ask(`jobs?${new URLSearchParams({ task, ...what.query })}`, request, id, signal);
 }
 
 /// {status, progress, detail, ...} of a job.
@@ -139,17 +143,34 @@ export function stagesOf(header) {
   return stages;
 }
 
-// Asks for a token where the server wants one, and again if it was none of its.
-async function ask(address, { headers, ...request }, read) {
-  for (;;) {
+// Asks for a token where the server wants one, and again if it was none of its. Where the server has
+// too much to do, it says for how long: after that it is asked again, until `signal` ends it.
+async function ask(address, { headers, ...request }, read, signal = request.signal) {
+  for (let attempt = 1; ; attempt += 1) {
     const proof = authorization();
     try {
       return await askOnce(address, { ...request, headers: { ...headers, ...proof } }, read);
     } catch (error) {
-      if (error.status !== unauthorized) throw error;
-      if (!(await newToken(proof, request.signal)))
+      const wait_s = Number(error.retryAfter);
+      if (error.status === too_many && wait_s > 0 && wait_s <= longest_wait_s && attempt < most_attempts) await waitFor(wait_s, signal);
+      else if (error.status !== unauthorized) throw error;
+      else if (!(await newToken(proof, signal)))
         throw new Problem({ title: "This server asks for a token", detail: "Load this page again to give it." });
     }
+  }
+}
+
+// The document hears of it as "busy": {detail: seconds}, and 0 when it is over.
+async function waitFor(seconds, signal) {
+  const tell = (detail) => document.dispatchEvent(new CustomEvent("busy", { detail }));
+  tell(seconds);
+  try {
+    await new Promise((resolve, reject) => {
+      setTimeout(resolve, seconds * 1000);
+      signal?.addEventListener("abort", () => reject(signal.reason), { once: true });
+    });
+  } finally {
+    tell(0);
   }
 }
 

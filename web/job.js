@@ -9,7 +9,7 @@ const ends = ["done", "failed", "cancelled"];
 /// `onProgress(job)` comes before, whenever there is news. Rejects with a Problem, or AbortError by
 /// `signal`. However this ends, and if the page is left, the server ends and forgets the job.
 export async function withJob(task, what, signal, onProgress, work) {
-  const id = await startJob(task, what);  // not to be aborted: nobody could end a job whose id is not known
+  const id = await startJob(task, what, signal);
   const leave = () => cancelJob(id);
   window.addEventListener("pagehide", leave);
   try {

@@ -48,6 +48,7 @@ let own = null;         // the document's camera; null: it has none that can be 
 let view = null;        // {origin, look_at, up} as the hand left them; null: the document's own
 let shown = { blob: null, words: "" };  // the picture in sight
 let left = keepEdits(() => left ?? edits());  // what is to be brought back
+let said = "";          // of the state
 let running = null;     // the AbortController of what is under way
 let reading = 0;        // the timer until typed text is read
 
@@ -94,8 +95,12 @@ const live = createLive(at("motion"), {
 
 function enter(state, words) {
   root.dataset.state = state;
-  status.textContent = words;
+  status.textContent = said = words;
 }
+
+document.addEventListener("busy", ({ detail: seconds }) => {
+  status.textContent = seconds > 0 ? `The server is busy: trying again in ${seconds} s` : said;
+});
 
 // Does `work(signal)` in place of what is under way. Its failure is shown; being replaced is none.
 async function instead(work) {
