@@ -66,10 +66,10 @@ export function createAccuracy(box, onChange) {
       show();
     },
 
-    /// Chooses settings that no step stands for.
+    /// Chooses settings that no step stands for; gives what onChange() does.
     choose(settings) {
       this.choice = settings;
-      onChange();
+      return onChange();
     },
 
     /// Before the render: its plan's prediction, or null if none was to be had.

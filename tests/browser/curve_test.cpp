@@ -48,6 +48,49 @@ TEST_F(Curve, is_drawn_and_its_points_are_pictures) {
   EXPECT_EQ(value("document.getElementById('accuracy-says').textContent"), chosen);
 }
 
+/// Small, and with a shadow to leave out.
+const std::string shadow_scene = R"({
+  "camera": {"origin": [0, 1, -5], "look_at": [0, 0, 0], "fov": 0.5, "width": 60, "height": 40},
+  "lights": [{"type": "distant", "direction": [0, -1, 0.2]}],
+  "objects": [{"type": "sphere", "center": [0, 1, 0], "radius": 0.5},
+              {"type": "sphere", "center": [0, -9, 0], "radius": 9}]
+})";
+
+TEST_F(Curve, picture_of_a_point_does_not_wait_for_the_reference) {
+  show_panel("json");
+  std::string former = picture();
+  edit(shadow_scene);
+  press_ctrl_enter();
+  await("done", former);
+  show_panel("curve");
+  browser().click("#measure");
+  ASSERT_TRUE(comes_true("document.querySelector('#curve-plot [aria-label*=shadows]')"));
+
+  // From here on nothing of more than a hundred samples is answered until it is allowed.
+  browser().run(R"(
+      const { fetch } = window;
+      window.references = 0;
+      const allowed = new Promise((resolve) => { window.allow = resolve; });
+      window.fetch = async (address, ...rest) => {
+        if (/samples=\d{3}/.test(address)) {
+          window.references += 1;
+          await allowed;
+        }
+        return fetch(address, ...rest);
+      };)");
+  browser().type("#curve-plot [aria-label*=shadows]", key_enter);
+  ASSERT_TRUE(comes_true("document.querySelectorAll('#curve-figures canvas').length === 1"));
+  former = picture();
+  browser().type("#curve-plot .pareto", key_enter);
+  await("done", former);
+  browser().run("window.allow()");
+  ASSERT_TRUE(comes_true("document.querySelectorAll('#curve-figures canvas').length === 1"));
+  browser().run("window.references = 0");
+  browser().type("#curve-plot [aria-label*=shadows]", key_enter);
+  EXPECT_TRUE(comes_true("document.querySelectorAll('#curve-figures canvas').length === 2"));
+  EXPECT_EQ(value("window.references"), 0) << "it is there already";
+}
+
 TEST_F(Curve, measuring_can_be_stopped) {
   browser().click("#measure");
   ASSERT_TRUE(comes_true("document.getElementById('curve-progress').value > 0"));
