@@ -26,8 +26,8 @@ export async function sceneText(name, signal) {
 }
 
 /// Keeps a document at the server; the name by which `scene=` then finds it.
-export async function keepScene(text, signal) {
-  return ask("scenes", posted(text, signal), async (answer) => {
+export async function keepScene(text) {
+  return ask("scenes", posted(text), async (answer) => {
     await answer.text();  // unread, it would hold the connection
     return answer.headers.get("Location").split("/").pop();
   });

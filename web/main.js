@@ -5,7 +5,6 @@
 import { createAccuracy } from "./accuracy.js";
 import { listScenes, Problem, renderFrame, sceneText } from "./api.js";
 import { createBoard } from "./board.js";
-import { cameraOf } from "./camera.js";
 import { createCompare } from "./compare.js";
 import { createCurvePanel } from "./curve_panel.js";
 import { createEditor } from "./editor.js";
@@ -14,6 +13,7 @@ import { createHistory } from "./history.js";
 import { withElement, withoutElement, withValue } from "./json_edit.js";
 import { createLive } from "./live.js";
 import { newObject } from "./move_sphere.js";
+import { createReader, long_text } from "./outline.js";
 import { showPicture } from "./picture.js";
 import { showPlan } from "./plan_panel.js";
 import { refine } from "./refine.js";
@@ -42,6 +42,7 @@ const [status, elapsed, cancel, restore, sceneSelect] =
   ["status", "elapsed", "cancel", "restore", "scene-select"].map(at);
 
 const source = createSource();
+const read = createReader();
 let loaded = { name: first_scene, text: "" };  // what the text began as; name "": it came in a link
 let laidAside = null;   // {loaded, text}: edits that another scene has replaced
 let own = null;         // the document's camera; null: it has none that can be read
@@ -60,6 +61,7 @@ const editor = createEditor(at("editor-box"), {
     clearTimeout(reading);
     reading = setTimeout(takeText, reading_after_ms);
   },
+  onReplace: () => history.keep(editor.text, Symbol("a replacement")),
   onMarksMoved: () => problemPanel.renumber(),
 });
 const problemPanel = createProblemPanel({
@@ -70,7 +72,7 @@ const problemPanel = createProblemPanel({
     editor.reveal(mark);
   },
 });
-const chooseTab = createTabs(at("tabs"), () => form.show(editor.text));
+const chooseTab = createTabs(at("tabs"));
 const form = createSceneForm(at("panel-form"), {
   onEdit: (pointer, value) => revise(withValue(editor.text, pointer, value), pointer),
   onAdd: (type) => revise(withElement(editor.text, "/objects", newObject(type, camera())), "add"),
@@ -83,7 +85,7 @@ const live = createLive(at("motion"), {
   size: camera,
   ask(settings, signal) {
     const { text } = editor;
-    if (source.knows(text)) return source.with(text, view, settings, signal, (what) => renderFrame(what, signal));
+    if (source.knows(text) || text.length >= long_text) return source.with(text, view, settings, signal, (what) => renderFrame(what, signal));
     return renderFrame({ query: settings, body: withView(text, view) }, signal);
   },
   onFrame(perSecond) {
@@ -180,20 +182,22 @@ function look(next) {
 }
 
 // The camera follows the text; a view of another camera is none of this one.
-function takeText() {
+async function takeText() {
   clearTimeout(reading);
+  const outline = await read(editor.text);
+  if (outline === undefined) return;  // another text has come
   const former = own;
-  own = cameraOf(editor.text);
+  own = outline && outline.camera;
   if (!own || !former || !sameCamera(own, former)) view = null;
   at("view-tools").hidden = view === null;
-  form.show(editor.text);
+  if (outline) form.show(outline.scene);  // where there is none, the editor's list of errors says why
 }
 
 // The text as the form or the hand changed it. `what` they changed, for the history; null: not for it.
-function revise(text, what) {
+async function revise(text, what) {
   if (what !== null) history.keep(editor.text, what);
   editor.revise(text);
-  takeText();
+  await takeText();
   move();
 }
 
@@ -238,7 +242,8 @@ async function begin(text, signal, from = null) {
   history.forget();
   editor.text = text;
   view = null;
-  takeText();
+  await takeText();
+  signal.throwIfAborted();
   view = own && from;
   at("view-tools").hidden = view === null;
   live.hide();
@@ -274,11 +279,11 @@ createBoard(at("board"), at("tool-move"), {
   onDrag: (text) => revise(text, null),
   onLook: look,
 });
-at("keep-view").addEventListener("click", () => {
+at("keep-view").addEventListener("click", async () => {
   const text = withView(editor.text, view);
   history.keep(editor.text, "view");
   editor.revise(text);
-  takeText();
+  await takeText();
   instead(rest);
 });
 at("reset-view").addEventListener("click", () => {
@@ -293,14 +298,14 @@ createCurvePanel(at("panel-curve"), {
 });
 createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") }, () => ({
   name: editor.text === loaded.text ? loaded.name : "", title: loaded.name || "scene", text: editor.text, view,
-  written: withView(editor.text, view), choice: accuracy.choice, settings: accuracy.settings,
+  written: () => withView(editor.text, view), choice: accuracy.choice, settings: accuracy.settings,
 }), (words) => {
   status.textContent = words;
 });
 
-at("settings").addEventListener("submit", (event) => {
+at("settings").addEventListener("submit", async (event) => {
   event.preventDefault();
-  takeText();
+  await takeText();
   instead(rest);
 });
 document.addEventListener("keydown", (event) => {
