@@ -101,7 +101,7 @@ function enter(state, words) {
 }
 
 document.addEventListener("busy", ({ detail: seconds }) => {
-  status.textContent = seconds > 0 ? `The server is busy: trying again in ${seconds} s` : said;
+  status.textContent = seconds > 0 ? `The server is busy: again in ${seconds} s` : said;
 });
 
 // Does `work(signal)` in place of what is under way. Its failure is shown; being replaced is none.

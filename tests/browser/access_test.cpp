@@ -133,6 +133,11 @@ TEST_F(Access, text_has_contrast_in_light_and_dark) {
   browser().click("#open-gallery");
   expect_contrast("gallery");
   browser().click("#gallery form button");
+  browser().run(
+      "const dialog = document.getElementById('token-dialog'); dialog.showModal();"
+      "dialog.querySelector('[role=alert]').textContent = 'Not the token.';");
+  expect_contrast("token");
+  browser().run("document.getElementById('token-dialog').close()");
   show_panel("json");
   edit(R"({"camera": {"fov": "wide"}, "objcets": []})");
   press_ctrl_enter();

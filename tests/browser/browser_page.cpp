@@ -110,7 +110,9 @@ void BrowserPage::choose_accuracy(int step) {
 
 void BrowserPage::edit(const std::string& text) {
   browser().run(
-      "const editor = document.getElementById('editor'); editor.focus(); editor.value = " +
+      "const editor = document.getElementById('editor'); editor.focus(); editor.select();"
+      "editor.dispatchEvent(new InputEvent('beforeinput', { inputType: 'insertFromPaste' }));"
+      "editor.value = " +
       nlohmann::json(text).dump() +
       "; editor.dispatchEvent(new Event('input', { bubbles: true }));");
 }

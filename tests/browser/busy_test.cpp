@@ -20,7 +20,7 @@ class Busy : public BrowserPage {
     former_ = picture();
     choose_accuracy(4);
     ASSERT_TRUE(comes_true(
-        "/busy: trying again in \\d+ s/.test(document.getElementById('status').textContent)"));
+        "/busy: again in \\d+ s/.test(document.getElementById('status').textContent)"));
   }
 
   /// Starts endless jobs until there is no place for another.
