@@ -19,8 +19,8 @@ class Busy : public BrowserPage {
     occupy();
     former_ = picture();
     choose_accuracy(4);
-    ASSERT_TRUE(comes_true(
-        "/busy: again in \\d+ s/.test(document.getElementById('status').textContent)"));
+    ASSERT_TRUE(
+        comes_true("/busy: again in \\d+ s/.test(document.getElementById('status').textContent)"));
   }
 
   /// Starts endless jobs until there is no place for another.
