@@ -1,6 +1,6 @@
 // The one control between "instant" and "exact": what it asks for, and beside it the time and
 // error that were foreseen and those that came true.
-import { duration } from "./units.js";
+import { duration, pluralised } from "./units.js";
 
 const steps = [
   ["Instant", "what 10 ms give", { budget_ms: 10 }],
@@ -54,22 +54,22 @@ export function createAccuracy(box, onChange) {
     get words() {
       return says.textContent;
     },
-    /// The step's number, or null where there is none: the document's own, or others.
-    get step() {
-      return isWritten || other ? null : slider.valueAsNumber;
+    /// What is chosen, for a link: {accuracy: the step's number}, or the settings that none stands for.
+    get choice() {
+      return isWritten || other ? this.settings : { accuracy: slider.valueAsNumber };
     },
-    set step(step) {
-      other = null;
-      isWritten = step === null || !(step >= 0 && step < steps.length);
-      if (!isWritten) slider.value = step;
+    /// Chooses so, without onChange().
+    set choice({ accuracy, ...settings }) {
+      other = Object.keys(settings).length > 0 ? { settings, words: settingsText(settings) } : null;
+      isWritten = !(accuracy in steps);
+      if (!isWritten) slider.value = accuracy;
       show();
     },
 
-    /// Settings that no step stands for.
-    choose(settings, words) {
-      other = { settings, words };
-      show();
-      onChange();
+    /// Chooses settings that no step stands for; gives what onChange() does.
+    choose(settings) {
+      this.choice = settings;
+      return onChange();
     },
 
     /// Before the render: its plan's prediction, or null if none was to be had.
@@ -80,9 +80,10 @@ export function createAccuracy(box, onChange) {
       fill(outcome, "measured", null);
     },
     /// After it: what api.js's render() gave.
-    report({ stages, error, samples }) {
+    report({ stages, cache, error, samples }) {
       const trace = stages.find(({ name }) => name === "trace");
       fill(outcome, "measured", { trace_ms: trace?.ms, error: error && Number(error), samples: samples && Number(samples) });
+      if (cache) outcome.querySelector('[data-row="measured"] [data-is="trace_ms"]').textContent = cache === "hit" ? "cached" : "shared";
     },
   };
 }
@@ -95,6 +96,15 @@ function fill(table, row, values) {
   };
   for (const [name, text] of Object.entries(shown))
     table.querySelector(`[data-row="${row}"] [data-is="${name}"]`).textContent = text ?? "–";
+}
+
+/// "16 samples, double precision".
+export function settingsText({ samples, target_rmse, precision, shadows, max_depth, ...others }) {
+  return [
+    samples && pluralised(samples, "sample"), target_rmse && `target ${target_rmse}`,
+    precision && `${precision} precision`, shadows && "no shadows", max_depth === 0 && "no reflections",
+    ...Object.entries(others).map(([name, value]) => `${name} ${value}`),
+  ].filter(Boolean).join(", ");
 }
 
 /// Two digits suffice for an estimate.

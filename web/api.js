@@ -1,7 +1,10 @@
 // The service's part that the page uses, as functions. Nothing else in the page calls fetch.
 // Addresses are relative, so that the page also works below a prefix, behind a proxy.
+import { authorization, newToken } from "./token.js";
 
-const too_early = 409;
+const [unauthorized, too_early, too_many] = [401, 409, 429];
+const most_attempts = 6;
+const longest_wait_s = 60;  // nobody watches a page for longer
 
 /// An answer that is not the one asked for, in the terms of RFC 9457.
 export class Problem extends Error {
@@ -23,8 +26,8 @@ export async function sceneText(name, signal) {
 }
 
 /// Keeps a document at the server; the name by which `scene=` then finds it.
-export async function keepScene(text, signal) {
-  return ask("scenes", posted(text, signal), async (answer) => {
+export async function keepScene(text) {
+  return ask("scenes", posted(text), async (answer) => {
     await answer.text();  // unread, it would hold the connection
     return answer.headers.get("Location").split("/").pop();
   });
@@ -33,7 +36,11 @@ export async function keepScene(text, signal) {
 /// Renders `what`: {query} names a scene of the server's, {query, body} is a document.
 /// Returns the PNG and what its headers say; rejects with a Problem, or AbortError by `signal`.
 export async function render(what, signal) {
-  return ask(`render?${new URLSearchParams(what.query)}`, requestOf(what, "image/png", signal), rendering);
+  // The browser's own store would give the times of a former answer for those of this one; and
+  // without a word about it, a browser that is to use no store asks the server to use none either.
+  const request = { ...requestOf(what, "image/png", signal), cache: "no-store" };
+  request.headers["Cache-Control"] = "max-age=0";
+  return ask(`render?${new URLSearchParams(what.query)}`, request, rendering);
 }
 
 /// The bytes of a render as a PPM, which takes no time to pack and unpack.
@@ -48,10 +55,12 @@ export async function plan(what, signal) {
   return ask(`plan?${new URLSearchParams(what.query)}`, request, (answer) => answer.json());
 }
 
-/// Starts a job of that task on `what`; its id.
-export async function startJob(task, what) {
+/// Starts a job of that task on `what`; its id. `signal` ends waiting for a busy server, and not what
+/// the server has been asked: nobody could end a job whose id is not known.
+export async function startJob(task, what, signal) {
   const request = { method: "POST", ...requestOf(what, "application/json") };
-  return ask(`jobs?${new URLSearchParams({ task, ...what.query })}`, request, async (answer) => (await answer.json()).id);
+  const id = async (answer) => (await answer.json()).id;
+  return ask(`jobs?${new URLSearchParams({ task, ...what.query })}`, request, id, signal);
 }
 
 /// {status, progress, detail, ...} of a job.
@@ -78,19 +87,38 @@ export async function jobResult(id, signal) {
   return ask(`jobs/${id}/result`, { signal }, (answer) => answer.json());
 }
 
+/// `onEvent(name, job)` for each event of a job until it has ended, or they do.
+export async function jobEvents(id, signal, onEvent) {
+  await askOnce(`jobs/${id}/events`, { signal, headers: authorization() }, async ({ body }) => {
+    const reader = body.pipeThrough(new TextDecoderStream()).getReader();
+    for (let text = ""; ;) {
+      const { value, done } = await reader.read();
+      if (done) return;
+      const events = (text + value).split("\n\n");
+      text = events.pop();
+      for (const event of events) {
+        const said = /^event: (.+)\ndata: (.+)$/.exec(event);
+        if (said) onEvent(said[1], JSON.parse(said[2]));
+      }
+    }
+  });
+}
+
 /// Also for when the page is being left; whether it succeeds is nobody's business then.
 export function cancelJob(id) {
-  fetch(`jobs/${id}`, { method: "DELETE", keepalive: true }).catch(() => {});
+  fetch(`jobs/${id}`, { method: "DELETE", headers: authorization(), keepalive: true }).catch(() => {});
 }
 
 async function rendering(answer) {
+  const timing = answer.headers.get("Server-Timing") ?? "";
   return {
     blob: await answer.blob(),
     samples: answer.headers.get("Render-Samples"),
     precision: answer.headers.get("Render-Precision"),
     error: answer.headers.get("Render-Error"),
     stop: answer.headers.get("Render-Stop"),
-    stages: stagesOf(answer.headers.get("Server-Timing") ?? ""),
+    cache: /\bcache;desc=(\w+)/.exec(timing)?.[1] ?? null,  // "hit", "shared" with another request; null: neither
+    stages: stagesOf(timing),
   };
 }
 
@@ -115,7 +143,38 @@ export function stagesOf(header) {
   return stages;
 }
 
-async function ask(address, request, read) {
+// Asks for a token where the server wants one, and again if it was none of its. Where the server has
+// too much to do, it says for how long: after that it is asked again, until `signal` ends it.
+async function ask(address, { headers, ...request }, read, signal = request.signal) {
+  for (let attempt = 1; ; attempt += 1) {
+    const proof = authorization();
+    try {
+      return await askOnce(address, { ...request, headers: { ...headers, ...proof } }, read);
+    } catch (error) {
+      const wait_s = Number(error.retryAfter);
+      if (error.status === too_many && wait_s > 0 && wait_s <= longest_wait_s && attempt < most_attempts) await waitFor(wait_s, signal);
+      else if (error.status !== unauthorized) throw error;
+      else if (!(await newToken(proof, signal)))
+        throw new Problem({ title: "This server asks for a token", detail: "Load this page again to give it." });
+    }
+  }
+}
+
+// The document hears of it as "busy": {detail: seconds}, and 0 when it is over.
+async function waitFor(seconds, signal) {
+  const tell = (detail) => document.dispatchEvent(new CustomEvent("busy", { detail }));
+  tell(seconds);
+  try {
+    await new Promise((resolve, reject) => {
+      setTimeout(resolve, seconds * 1000);
+      signal?.addEventListener("abort", () => reject(signal.reason), { once: true });
+    });
+  } finally {
+    tell(0);
+  }
+}
+
+async function askOnce(address, request, read) {
   try {
     const answer = await fetch(address, request);
     if (!answer.ok) throw await problemOf(answer);

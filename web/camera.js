@@ -15,16 +15,12 @@ export const cross = (a, b) => [
 
 const nearest_to_up = 0.03;  // radians: closer, and left and right would change places in a step
 
-/// The camera of a document's text, with `up` filled in; null if the text has none that can be read.
-export function cameraOf(text) {
-  try {
-    const { origin, look_at, up = [0, 1, 0], fov, width, height } = JSON.parse(text).camera;
-    const isPoint = (value) => Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
-    if (![origin, look_at, up].every(isPoint) || ![fov, width, height].every(Number.isFinite)) return null;
-    return { origin, look_at, up, fov, width, height };
-  } catch {
-    return null;
-  }
+/// The camera of a document, with `up` filled in; null if it has none that can be read.
+export function cameraIn(document) {
+  const { origin, look_at, up = [0, 1, 0], fov, width, height } = document.camera ?? {};
+  const isPoint = (value) => Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
+  if (![origin, look_at, up].every(isPoint) || ![fov, width, height].every(Number.isFinite)) return null;
+  return { origin, look_at, up, fov, width, height };
 }
 
 /// The directions of the picture: into it, to its right, upwards; and half its extents at distance 1.

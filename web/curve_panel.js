@@ -1,7 +1,7 @@
 // The scene's own speed-accuracy curve: measured by the server as a job, drawn, and each of its
 // points a picture with its difference from the reference.
 import { jobResult, renderFrame } from "./api.js";
-import { errorText } from "./accuracy.js";
+import { errorText, settingsText } from "./accuracy.js";
 import { curvePlot } from "./curve_plot.js";
 import { differenceOf } from "./difference.js";
 import { element } from "./element.js";
@@ -14,8 +14,8 @@ import { withView } from "./view.js";
 const gain = 16;  // of the difference
 
 /// `box` holds #measure, #curve-progress, #curve-says, #curve-plot and #curve-figures.
-/// `state()` gives {text, view}; `onSettings(settings, words)` follows the choice of a point that a
-/// query can ask for; `onFail(error)` a failure.
+/// `state()` gives {text, view}; `onSettings(settings)` follows the choice of a point that a
+/// query can ask for, and resolves when it is in sight; `onFail(error)` follows a failure.
 export function createCurvePanel(box, { state, onSettings, onFail }) {
   const [measure, progress, says, plot, figures] =
     ["measure", "curve-progress", "curve-says", "curve-plot", "curve-figures"].map((id) => box.querySelector(`#${id}`));
@@ -39,23 +39,25 @@ export function createCurvePanel(box, { state, onSettings, onFail }) {
     figures.replaceChildren();
   }
 
+  // The picture first, alone. The reference takes a hundred times as long, and is rendered once.
   async function choose(text, curve, point) {
     const { shadows, ...settings } = point.settings;
     choosing?.abort();
     choosing = new AbortController();
     const { signal } = choosing;
+    const size = { width: curve.width, height: curve.height };
+    const frame = async (query, body) => readPpm(await renderFrame({ query: { ...query, ...size }, body }, signal));
+    const about = element("p", {}, `${nameOf(point)}. Largest error ${errorText(point.max_error)}.`);
+    const more = element("p", { className: "reason" }, "Rendering the reference, for the difference from it…");
     try {
-      if (!shadows) onSettings(settings, settingsText(point.settings));
-      const size = { width: curve.width, height: curve.height };
-      const about = element("p", {}, `${nameOf(point)}. Largest error ${errorText(point.max_error)}.`);
-      figures.replaceChildren(about, element("p", { className: "reason" }, "Rendering it and the reference…"));
-      const body = shadows ? withValue(text, "/shadows", shadows) : text;
-      const picture = readPpm(await renderFrame({ query: { ...settings, ...size }, body }, signal));
-      const { samples, ...rest } = curve.reference.settings;
-      const reference = readPpm(await renderFrame({ query: { ...rest, samples: curve.reference.samples, ...size }, body: text }, signal));
+      figures.replaceChildren(about);
+      if (!shadows) await onSettings(settings);
+      signal.throwIfAborted();
+      const picture = await frame(settings, shadows ? withValue(text, "/shadows", shadows) : text);
       // What a query can ask for is in the large picture already.
-      figures.replaceChildren(about, ...(shadows ? [figure(picture, "The picture")] : []),
-        figure(differenceOf(picture, reference, gain), `Its difference from the reference, ${gain} times enlarged; grey is none`));
+      figures.replaceChildren(about, ...(shadows ? [figure(picture, "The picture")] : []), more);
+      curve.image ??= await frame({ ...curve.reference.settings, samples: curve.reference.samples }, text);
+      more.replaceWith(figure(differenceOf(picture, curve.image, gain), `Its difference from the reference, ${gain} times enlarged; grey is none`));
     } catch (error) {
       if (!signal.aborted) onFail(error);
     }
@@ -79,13 +81,6 @@ export function createCurvePanel(box, { state, onSettings, onFail }) {
       measure.textContent = "Measure the curve";
     }
   });
-}
-
-function settingsText({ samples, target_rmse, precision, shadows, max_depth }) {
-  return [
-    samples && `${samples} sample${samples === 1 ? "" : "s"}`, target_rmse && `target ${target_rmse}`,
-    precision && `${precision} precision`, shadows && "no shadows", max_depth === 0 && "no reflections",
-  ].filter(Boolean).join(", ");
 }
 
 function nameOf({ settings, trace_ms, rmse }) {

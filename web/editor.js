@@ -3,22 +3,27 @@
 // The textarea keeps everything that a person expects of one (selection, undo, search, input
 // methods); its own glyphs are transparent. Only the lines in sight are painted, so that a long
 // document costs no more than a short one. Lines do not wrap: a line's place is its number times
-// the line height.
+// the line height. For the same reason the textarea holds a part of a long text, which follows the
+// scrolling: browsers lay out all that is in a textarea, at each key.
 import { element } from "./element.js";
 import { lineAndColumn } from "./json_pointer.js";
 import { tokensOf } from "./json_tokens.js";
 import { editorKeys } from "./editor_keys.js";
 
-const spare_lines = 8;  // painted above and below what is in sight
+const spare_lines = 8;        // painted above and below what is in sight
+const most_held = 40_000;     // characters that the textarea is given; it may grow to twice as many
 
-/// `box` holds #editor, #gutter and #paint. `onInput()` follows a change by the person;
-/// `onMarksMoved()` follows a change of the lines of the marks.
-export function createEditor(box, { onInput, onMarksMoved }) {
+/// `box` holds #editor, #gutter and #paint. `onInput()` follows a change by the person, before one
+/// that the textarea cannot undo goes `onReplace()`; `onMarksMoved()` follows a change of the lines of the marks.
+export function createEditor(box, { onInput, onReplace, onMarksMoved }) {
   const area = box.querySelector("textarea");
   const gutter = box.querySelector("#gutter");
   const paint = box.querySelector("#paint");
   let text = area.value;
-  let lines = [""];
+  let lines = [""];     // that the textarea holds
+  let before = "";      // what stands before them in the text
+  let after = "";       // and behind them
+  let beforeLines = 0;  // the number of lines of that
   let marks = [];  // {start, end, line, message}
   let caretLine = 1;
 
@@ -33,10 +38,11 @@ export function createEditor(box, { onInput, onMarksMoved }) {
     const messages = messagesByLine(marks);
     const numbers = [];
     const rows = [];
-    for (let line = first + 1; line <= Math.min(lines.length, first + count); line += 1) {
+    for (let index = first; index < Math.min(lines.length, first + count); index += 1) {
+      const line = beforeLines + index + 1;
       const wrong = messages.get(line);
       numbers.push(numberRow(line, line === caretLine, wrong));
-      rows.push(textRow(lines[line - 1], wrong));
+      rows.push(textRow(lines[index], wrong));
     }
     gutter.replaceChildren(...numbers);
     paint.replaceChildren(...rows);
@@ -50,43 +56,124 @@ export function createEditor(box, { onInput, onMarksMoved }) {
   // Scrolls to the first of `places` unless one of them is in sight.
   function showOneOf(places) {
     const inSight = ({ line }) => {
-      const top = (line - 1) * lineHeight() - area.scrollTop;
+      const top = (line - 1 - beforeLines) * lineHeight() - area.scrollTop;
       return top >= 0 && top < area.clientHeight - lineHeight();
     };
-    if (places.length > 0 && !places.some(inSight)) scrollTo(places[0].line);
+    if (places.length > 0 && !places.some(inSight)) scrollTo(places[0]);
   }
 
   // A third of the way down, so that what is around the line is seen too.
-  function scrollTo(line) {
-    area.scrollTop = (line - 1) * lineHeight() - area.clientHeight / 3;
+  function scrollTo({ start, line }) {
+    if (start < before.length || start > text.length - after.length) hold(start);
+    area.scrollTop = (line - 1 - beforeLines) * lineHeight() - area.clientHeight / 3;
   }
 
   function take(next) {
     text = next;
-    lines = text.split("\n");
-    box.style.setProperty("--digits", String(lines.length).length);
+    lines = area.value.split("\n");
   }
 
-  area.addEventListener("input", () => {
-    const before = text;
-    take(area.value);
+  // Gives the textarea the part of the text around `offset`, in whole lines if they are not too long.
+  function hold(offset) {
+    let start = 0;
+    let end = text.length;
+    if (text.length > most_held) {
+      start = Math.max(0, Math.min(Math.round(offset - most_held / 2), text.length - most_held));
+      end = start + most_held;
+      const lineStart = start === 0 ? 0 : text.lastIndexOf("\n", start - 1) + 1;
+      const lineEnd = text.indexOf("\n", end);
+      if (start - lineStart < most_held / 2) start = lineStart;
+      if (lineEnd !== -1 && lineEnd - end < most_held / 2) end = lineEnd + 1;
+    }
+    before = text.slice(0, start);
+    after = text.slice(end);
+    beforeLines = linesIn(before);
+    area.value = text.slice(start, end);
+    take(text);
+    box.style.setProperty("--digits", String(beforeLines + lines.length + linesIn(after)).length);
+  }
+
+  // Like hold(), but what is in sight and what is selected stay so.
+  function holdInSight(offset) {
+    const { scrollTop, scrollLeft, selectionStart, selectionEnd } = area;
+    const [formerStart, formerLines] = [before.length, beforeLines];
+    hold(offset);
+    area.setSelectionRange(...[selectionStart, selectionEnd].map((each) => Math.max(0, each + formerStart - before.length)));
+    area.scrollTo(scrollLeft, scrollTop + (formerLines - beforeLines) * lineHeight());
+  }
+
+  // Near an end of what is held, another part follows.
+  function slide() {
+    const { scrollTop, scrollHeight, clientHeight } = area;
+    const isNearEnd = (before && scrollTop < clientHeight) || (after && scrollHeight - scrollTop < 2 * clientHeight);
+    if (!isNearEnd || scrollHeight < 4 * clientHeight) return;
+    const index = Math.floor(scrollTop / lineHeight());
+    holdInSight(before.length + lines.slice(0, index).reduce((sum, line) => sum + line.length + 1, 0));
+  }
+
+  // Whoever selects all that is held, as Ctrl+A does, means the whole text.
+  const isAllSelected = () => (before || after) && area.selectionStart === 0 && area.selectionEnd === area.value.length;
+
+  function replaceSelection(inserted) {
+    const isAll = isAllSelected();
+    const [head, tail] = isAll ? ["", ""] : [before + area.value.slice(0, area.selectionStart), area.value.slice(area.selectionEnd) + after];
+    onReplace();
+    const former = text;
+    text = head + inserted + tail;
+    const caret = head.length + inserted.length;
+    hold(caret);
+    area.setSelectionRange(caret - before.length, caret - before.length);
+    scrollTo({ start: caret, line: lineAndColumn(text, caret).line });
+    changed(former);
+  }
+
+  function changed(former) {
     if (marks.length > 0) {
-      moveMarks(marks, before, text);
+      moveMarks(marks, former, text);
       onMarksMoved();
     }
     repaint();
     onInput();
+  }
+
+  area.addEventListener("input", () => {
+    const former = text;
+    take(before + area.value + after);
+    if (area.value.length > 2 * most_held) holdInSight(before.length + area.selectionStart);
+    changed(former);
   });
-  area.addEventListener("scroll", repaint);
+  area.addEventListener("beforeinput", ({ inputType }) => {
+    if (!isAllSelected() || inputType.startsWith("history")) return;
+    onReplace();
+    before = after = "";
+    beforeLines = 0;
+  });
+  area.addEventListener("paste", (event) => {
+    const pasted = event.clipboardData.getData("text/plain").replaceAll("\r\n", "\n");
+    if (area.value.length + pasted.length < 2 * most_held) return;
+    event.preventDefault();
+    replaceSelection(pasted);
+  });
+  for (const taking of ["copy", "cut"]) area.addEventListener(taking, (event) => {
+    if (!isAllSelected()) return;
+    event.preventDefault();
+    event.clipboardData.setData("text/plain", text);
+    if (taking === "cut") replaceSelection("");
+  });
+  area.addEventListener("scroll", () => {
+    slide();
+    repaint();
+  });
   area.addEventListener("mousemove", (event) => {
     const padding = parseFloat(getComputedStyle(area).paddingTop);
-    const line = 1 + Math.floor((event.offsetY + area.scrollTop - padding) / lineHeight());
+    const line = beforeLines + 1 + Math.floor((event.offsetY + area.scrollTop - padding) / lineHeight());
     area.title = marks.filter((mark) => mark.line === line).map((mark) => mark.message).join("\n");
   });
   document.addEventListener("selectionchange", () => {
     if (document.activeElement !== area) return;
-    const { line, column } = lineAndColumn(text, area.selectionStart);
-    document.querySelector("#caret").textContent = `${line}:${column}`;
+    const place = lineAndColumn(area.value, area.selectionStart);
+    const line = beforeLines + place.line;
+    document.querySelector("#caret").textContent = `${line}:${place.column}`;
     if (line === caretLine) return;
     caretLine = line;
     repaint();
@@ -101,10 +188,10 @@ export function createEditor(box, { onInput, onMarksMoved }) {
 
     /// Replaces the whole text; marks and undo history end with it.
     set text(next) {
-      area.value = next;
+      text = next.replace(/\r\n?/g, "\n");  // as a textarea has it
       marks = [];
       caretLine = 1;
-      take(area.value);
+      hold(0);
       area.setSelectionRange(0, 0);
       area.scrollTo(0, 0);
       repaint();
@@ -112,12 +199,10 @@ export function createEditor(box, { onInput, onMarksMoved }) {
 
     /// Another state of the same document: what is in sight stays so.
     revise(next) {
-      const before = text;
-      const { scrollTop, scrollLeft } = area;
-      area.value = next;
-      take(area.value);
-      moveMarks(marks, before, text);
-      area.scrollTo(scrollLeft, scrollTop);
+      const former = text;
+      text = next;
+      holdInSight(before.length + area.value.length / 2);
+      moveMarks(marks, former, text);
       repaint();
     },
 
@@ -136,12 +221,18 @@ export function createEditor(box, { onInput, onMarksMoved }) {
     reveal({ start, end }) {
       const { line, column } = lineAndColumn(text, start);
       area.focus();
-      area.setSelectionRange(start, end);
-      scrollTo(line);
+      scrollTo({ start, line });
+      area.setSelectionRange(start - before.length, end - before.length);
       const columnWidth = area.scrollWidth / Math.max(80, ...lines.map((each) => each.length));
       area.scrollLeft = column * columnWidth < area.clientWidth * 0.8 ? 0 : (column - 20) * columnWidth;
     },
   };
+}
+
+function linesIn(text) {
+  let count = 0;
+  for (let at = text.indexOf("\n"); at !== -1; at = text.indexOf("\n", at + 1)) count += 1;
+  return count;
 }
 
 function messagesByLine(marks) {
@@ -172,6 +263,7 @@ function textRow(line, wrong) {
 
 /// An edit replaced one stretch of the text: a mark before it stays, one behind it moves along.
 function moveMarks(marks, before, after) {
+  if (marks.length === 0) return;
   const shorter = Math.min(before.length, after.length);
   let start = 0;
   while (start < shorter && before[start] === after[start]) start += 1;
@@ -179,6 +271,11 @@ function moveMarks(marks, before, after) {
   for (const mark of marks) {
     if (mark.start >= start) mark.start = Math.max(start, mark.start + growth);
     if (mark.end >= start) mark.end = Math.max(mark.start, mark.end + growth);
-    mark.line = lineAndColumn(after, mark.start).line;
+  }
+  let line = 1;
+  let at = after.indexOf("\n");
+  for (const mark of [...marks].sort((a, b) => a.start - b.start)) {
+    for (; at !== -1 && at < mark.start; at = after.indexOf("\n", at + 1)) line += 1;
+    mark.line = line;
   }
 }

@@ -1,6 +1,6 @@
 // A job of the server's from its start to its end: followed by its events, or where none come, by
 // asking again and again.
-import { cancelJob, jobState, Problem, startJob } from "./api.js";
+import { cancelJob, jobEvents, jobState, Problem, startJob } from "./api.js";
 
 const look_again_ms = 250;
 const ends = ["done", "failed", "cancelled"];
@@ -9,7 +9,7 @@ const ends = ["done", "failed", "cancelled"];
 /// `onProgress(job)` comes before, whenever there is news. Rejects with a Problem, or AbortError by
 /// `signal`. However this ends, and if the page is left, the server ends and forgets the job.
 export async function withJob(task, what, signal, onProgress, work) {
-  const id = await startJob(task, what);  // not to be aborted: nobody could end a job whose id is not known
+  const id = await startJob(task, what, signal);
   const leave = () => cancelJob(id);
   window.addEventListener("pagehide", leave);
   try {
@@ -24,20 +24,17 @@ export async function withJob(task, what, signal, onProgress, work) {
 }
 
 // The job when it has ended; null if its events cannot be had or end before it.
-function told(id, signal, onProgress) {
-  return new Promise((resolve, reject) => {
-    const events = new EventSource(`jobs/${id}/events`);
-    const end = (settle, value) => {
-      events.close();
-      signal.removeEventListener("abort", left);
-      settle(value);
-    };
-    const left = () => end(reject, signal.reason);
-    signal.addEventListener("abort", left);
-    events.addEventListener("progress", ({ data }) => onProgress(JSON.parse(data)));
-    for (const name of ends) events.addEventListener(name, ({ data }) => end(resolve, JSON.parse(data)));
-    events.onerror = () => end(resolve, null);
-  });
+async function told(id, signal, onProgress) {
+  let ended = null;
+  try {
+    await jobEvents(id, signal, (name, job) => {
+      if (ends.includes(name)) ended = job;
+      else onProgress(job);
+    });
+  } catch (error) {
+    if (signal.aborted) throw error;
+  }
+  return ended;
 }
 
 async function asked(id, signal, onProgress) {

@@ -5,7 +5,6 @@
 import { createAccuracy } from "./accuracy.js";
 import { listScenes, Problem, renderFrame, sceneText } from "./api.js";
 import { createBoard } from "./board.js";
-import { cameraOf } from "./camera.js";
 import { createCompare } from "./compare.js";
 import { createCurvePanel } from "./curve_panel.js";
 import { createEditor } from "./editor.js";
@@ -14,6 +13,7 @@ import { createHistory } from "./history.js";
 import { withElement, withoutElement, withValue } from "./json_edit.js";
 import { createLive } from "./live.js";
 import { newObject } from "./move_sphere.js";
+import { createReader, long_text } from "./outline.js";
 import { showPicture } from "./picture.js";
 import { showPlan } from "./plan_panel.js";
 import { refine } from "./refine.js";
@@ -24,11 +24,16 @@ import { createTabs } from "./tabs.js";
 import { createSharing } from "./sharing.js";
 import { createProblemPanel, problemFrom } from "./problem_panel.js";
 import { duration } from "./units.js";
+import { keepEdits } from "./unsaved.js";
 import { sameCamera, withView } from "./view.js";
 import { startWaiting } from "./waiting.js";
 
 const first_scene = "demo";
 const edited = "Edited since this picture";
+const damaged_link = new Problem({
+  title: "This link is damaged",
+  detail: "A part of the scene in it is missing or changed. Copy the whole link, or ask for it anew; meanwhile, here is the demo.",
+});
 const reading_after_ms = 250;  // of a pause in typing: a long text takes a while to be read
 
 const root = document.documentElement;
@@ -37,11 +42,14 @@ const [status, elapsed, cancel, restore, sceneSelect] =
   ["status", "elapsed", "cancel", "restore", "scene-select"].map(at);
 
 const source = createSource();
+const read = createReader();
 let loaded = { name: first_scene, text: "" };  // what the text began as; name "": it came in a link
 let laidAside = null;   // {loaded, text}: edits that another scene has replaced
 let own = null;         // the document's camera; null: it has none that can be read
 let view = null;        // {origin, look_at, up} as the hand left them; null: the document's own
 let shown = { blob: null, words: "" };  // the picture in sight
+let left = keepEdits(() => left ?? edits());  // what is to be brought back
+let said = "";          // of the state
 let running = null;     // the AbortController of what is under way
 let reading = 0;        // the timer until typed text is read
 
@@ -53,6 +61,7 @@ const editor = createEditor(at("editor-box"), {
     clearTimeout(reading);
     reading = setTimeout(takeText, reading_after_ms);
   },
+  onReplace: () => history.keep(editor.text, Symbol("a replacement")),
   onMarksMoved: () => problemPanel.renumber(),
 });
 const problemPanel = createProblemPanel({
@@ -63,7 +72,7 @@ const problemPanel = createProblemPanel({
     editor.reveal(mark);
   },
 });
-const chooseTab = createTabs(at("tabs"), () => form.show(editor.text));
+const chooseTab = createTabs(at("tabs"));
 const form = createSceneForm(at("panel-form"), {
   onEdit: (pointer, value) => revise(withValue(editor.text, pointer, value), pointer),
   onAdd: (type) => revise(withElement(editor.text, "/objects", newObject(type, camera())), "add"),
@@ -76,7 +85,7 @@ const live = createLive(at("motion"), {
   size: camera,
   ask(settings, signal) {
     const { text } = editor;
-    if (source.knows(text)) return source.with(text, view, settings, signal, (what) => renderFrame(what, signal));
+    if (source.knows(text) || text.length >= long_text) return source.with(text, view, settings, signal, (what) => renderFrame(what, signal));
     return renderFrame({ query: settings, body: withView(text, view) }, signal);
   },
   onFrame(perSecond) {
@@ -88,8 +97,12 @@ const live = createLive(at("motion"), {
 
 function enter(state, words) {
   root.dataset.state = state;
-  status.textContent = words;
+  status.textContent = said = words;
 }
+
+document.addEventListener("busy", ({ detail: seconds }) => {
+  status.textContent = seconds > 0 ? `The server is busy: again in ${seconds} s` : said;
+});
 
 // Does `work(signal)` in place of what is under way. Its failure is shown; being replaced is none.
 async function instead(work) {
@@ -141,7 +154,7 @@ async function rest(signal) {
     shown = { blob: rendering.blob, words };
     compare.after(words);
     problemPanel.rendered();
-    enter("done", editor.text === text ? `Rendered in ${duration(total_ms)}` : edited);
+    enter("done", editor.text === text ? `${rendering.cache === "hit" ? "From the cache" : "Rendered"} in ${duration(total_ms)}` : edited);
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
     fail(error, text);
@@ -169,20 +182,22 @@ function look(next) {
 }
 
 // The camera follows the text; a view of another camera is none of this one.
-function takeText() {
+async function takeText() {
   clearTimeout(reading);
+  const outline = await read(editor.text);
+  if (outline === undefined) return;  // another text has come
   const former = own;
-  own = cameraOf(editor.text);
+  own = outline && outline.camera;
   if (!own || !former || !sameCamera(own, former)) view = null;
   at("view-tools").hidden = view === null;
-  form.show(editor.text);
+  if (outline) form.show(outline.scene);  // where there is none, the editor's list of errors says why
 }
 
 // The text as the form or the hand changed it. `what` they changed, for the history; null: not for it.
-function revise(text, what) {
+async function revise(text, what) {
   if (what !== null) history.keep(editor.text, what);
   editor.revise(text);
-  takeText();
+  await takeText();
   move();
 }
 
@@ -195,8 +210,30 @@ async function load(signal) {
   laidAside = editor.text === loaded.text ? null : { loaded, text: editor.text };
   loaded = { name, text };
   if (name) source.know(name, text);
-  if (location.hash.includes("accuracy=")) accuracy.step = asked.step;
-  await begin(text, signal, asked.view);
+  if (Object.keys(asked.choice).length > 0) accuracy.choice = asked.choice;
+  const back = bringBack();
+  await begin(back?.text ?? text, signal, back ? back.view : asked.view);
+  if (root.dataset.state !== "done") return;
+  if (asked.isDamaged) status.textContent = problemPanel.say(damaged_link);
+  if (!back?.text) return;
+  history.keep(text, "load");
+  status.textContent = "Edits are back; Undo drops them";
+}
+
+// What the page left when it was last here: of this address, to go on with; of another, laid aside.
+function bringBack() {
+  const back = left;
+  left = null;
+  if (!back) return null;
+  const { hash, name, text, aside } = back;
+  laidAside = text === null || hash === location.hash ? aside : { loaded: { name, text: name ? "" : text }, text };
+  return hash === location.hash ? back : null;
+}
+
+function edits() {
+  const text = editor.text === loaded.text ? null : editor.text;
+  if (text === null && view === null && laidAside === null) return null;
+  return { hash: location.hash, name: loaded.name, text, view, aside: laidAside };
 }
 
 async function begin(text, signal, from = null) {
@@ -205,7 +242,8 @@ async function begin(text, signal, from = null) {
   history.forget();
   editor.text = text;
   view = null;
-  takeText();
+  await takeText();
+  signal.throwIfAborted();
   view = own && from;
   at("view-tools").hidden = view === null;
   live.hide();
@@ -241,11 +279,11 @@ createBoard(at("board"), at("tool-move"), {
   onDrag: (text) => revise(text, null),
   onLook: look,
 });
-at("keep-view").addEventListener("click", () => {
+at("keep-view").addEventListener("click", async () => {
   const text = withView(editor.text, view);
   history.keep(editor.text, "view");
   editor.revise(text);
-  takeText();
+  await takeText();
   instead(rest);
 });
 at("reset-view").addEventListener("click", () => {
@@ -255,19 +293,19 @@ at("reset-view").addEventListener("click", () => {
 });
 createCurvePanel(at("panel-curve"), {
   state: () => ({ text: editor.text, view }),
-  onSettings: (settings, words) => accuracy.choose(settings, words),
+  onSettings: (settings) => accuracy.choose(settings),
   onFail: (error) => fail(problemFrom(error)),
 });
 createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") }, () => ({
   name: editor.text === loaded.text ? loaded.name : "", title: loaded.name || "scene", text: editor.text, view,
-  written: withView(editor.text, view), step: accuracy.step, settings: accuracy.settings,
+  written: () => withView(editor.text, view), choice: accuracy.choice, settings: accuracy.settings,
 }), (words) => {
   status.textContent = words;
 });
 
-at("settings").addEventListener("submit", (event) => {
+at("settings").addEventListener("submit", async (event) => {
   event.preventDefault();
-  takeText();
+  await takeText();
   instead(rest);
 });
 document.addEventListener("keydown", (event) => {
@@ -286,7 +324,7 @@ restore.addEventListener("click", async () => {
   loaded = laidAside.loaded;
   laidAside = null;
   choose(loaded.name);
-  window.history.replaceState(null, "", await fragmentOf({ ...loaded, view: null, step: accuracy.step }));
+  window.history.replaceState(null, "", await fragmentOf({ ...loaded, view: null, choice: accuracy.choice }));
   instead((signal) => begin(text, signal));
 });
 

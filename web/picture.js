@@ -2,6 +2,7 @@
 import { element } from "./element.js";
 import { bytes, digits, duration } from "./units.js";
 
+const origins = { hit: "from the server's cache", shared: "rendered for another request too" };
 const stops = { samples: "sample count", target: "accuracy target", budget: "time budget" };
 
 /// Shows what api.js's render() gave. `name` is the scene's, for the file and for screen readers;
@@ -32,10 +33,11 @@ export async function showPicture(rendering, name, total_ms) {
   download.hidden = false;
 
   showFacts(rendering, `${decoded.naturalWidth} × ${decoded.naturalHeight}`);
-  showStages(rendering.stages, total_ms);
+  // What was not done for this answer took no time in it, and is nothing to show.
+  showStages(rendering.stages.filter(({ ms }) => !rendering.cache || ms > 0), total_ms);
 }
 
-function showFacts({ blob, samples, precision, error, stop }, size) {
+function showFacts({ blob, cache, samples, precision, error, stop }, size) {
   const facts = [
     ["Size", size],
     ["Samples per pixel", samples && digits(Number(samples))],
@@ -43,6 +45,7 @@ function showFacts({ blob, samples, precision, error, stop }, size) {
     ["Estimated error", error],
     ["Ended by", stop && (stops[stop] ?? stop)],
     ["PNG", bytes(blob.size)],
+    ["Came", origins[cache]],
   ];
   const rows = facts.filter(([, value]) => value)
     .map(([term, value]) => element("div", {}, element("dt", {}, term), element("dd", {}, value)));

@@ -23,6 +23,12 @@ export function createProblemPanel({ editor, dated, overriding, reveal }) {
       return marks.length > 0 ? `Not rendered: ${pluralised(Math.max(marks.length, problem.errors.length), "error")}` : "Not rendered";
     },
 
+    /// Says what is wrong with neither the text nor the picture. Returns it in short.
+    say(problem) {
+      showProblem(problem, []);
+      return problem.message;
+    },
+
     /// After an edit: the marks' lines may have changed.
     renumber() {
       renumber(marks);

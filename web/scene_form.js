@@ -2,8 +2,6 @@
 // by its pointer, and writes that value alone into the text.
 import { element } from "./element.js";
 
-const most_of_a_kind = 50;  // with a row each; nobody moves more by hand
-
 // The kinds of objects that the form edits: the points of each, what else they have, and their names.
 const kinds = {
   sphere: { title: "Sphere", points: ["center"], flags: [] },
@@ -71,23 +69,22 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
     const groups = [];
     for (const [type, { title, points, flags }] of Object.entries(kinds)) {
       const rows = [];
-      listIn(scene.objects).forEach((object, index) => {
-        if (object?.type !== type || rows.length === most_of_a_kind) return;
-        if (!points.every((key) => Array.isArray(object[key]))) return;
+      for (const [index, object] of Object.entries(scene.objects)) {
+        if (object.type !== type || !points.every((key) => Array.isArray(object[key]))) continue;
         const pointer = `/objects/${index}`;
         const name = `${title} ${rows.length + 1}`;
-        const remove = button("×", () => onRemove(index));
+        const remove = button("×", () => onRemove(Number(index)));
         remove.ariaLabel = remove.title = `Remove ${name}`;
         rows.push(row(name, materialOf(object), [
           ...points.flatMap((key) => point(points.length > 1 ? `${name}, ${key}` : name, `${pointer}/${key}`)),
           labelled("r", number(`${name}, radius`, `${pointer}/radius`, { min: 0 })),
           ...flags.map((key) => labelled(key, checkbox(`${name}, ${key}`, `${pointer}/${key}`))), remove]));
-      });
+      }
       rows.push(button(`Add a ${type}`, () => onAdd(type)));
       groups.push(group(`${title}s`, rows));
     }
 
-    const materials = Object.keys(scene.materials ?? {}).map((name) => {
+    const materials = Object.keys(scene.materials).map((name) => {
       const pointer = `/materials/${name.replaceAll("~", "~0").replaceAll("/", "~1")}`;
       return row(name, "", [
         colour(`${name}, colour`, `${pointer}/color`),
@@ -97,7 +94,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
     });
     if (materials.length > 0) groups.push(group("Materials", materials));
 
-    const lights = listIn(scene.lights).map((light, index) => {
+    const lights = scene.lights.map((light, index) => {
       const pointer = `/lights/${index}`;
       const where = light?.type === "point" ? "position" : "direction";
       const name = `Light ${index + 1}`;
@@ -113,15 +110,8 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
   }
 
   return {
-    /// Shows the document's values; makes the controls anew only if it has other things in it.
-    show(text) {
-      let scene;
-      try {
-        scene = JSON.parse(text);
-      } catch {
-        return;  // the editor's list of errors says where
-      }
-      if (scene === null || typeof scene !== "object") return;
+    /// Shows the values of an outline's scene; makes the controls anew only if it has other things in it.
+    show(scene) {
       const next = shapeOf(scene);
       if (next !== shape) make(scene);
       shape = next;
@@ -134,11 +124,10 @@ const defaults = { color: [1, 1, 1], background: [0, 0, 0], ambient: 0.2, kd: 0.
 
 /// What decides which controls there are.
 function shapeOf({ objects, materials, lights }) {
-  const kinds = (list) => listIn(list).map((each) => [each?.type, materialOf(each)]);
-  return JSON.stringify([kinds(objects), Object.keys(materials ?? {}), kinds(lights)]);
+  const kinds = (list) => Object.entries(list).map(([index, each]) => [index, each?.type, materialOf(each)]);
+  return JSON.stringify([kinds(objects), Object.keys(materials), kinds(lights)]);
 }
 
-const listIn = (value) => (Array.isArray(value) ? value : []);
 const materialOf = (object) => (typeof object?.material === "string" ? object.material : "");
 
 function valueAt(scene, pointer) {

@@ -14,17 +14,25 @@ export function viewQuery(view) {
 
 export function createSource() {
   const names = new Map();  // text to name, of the shipped scenes
-  let kept = { text: null, name: null };
+  let kept = { text: null, name: null };  // its name is a promise; of null where the server keeps none so large
 
-  async function keep(text, signal) {
-    kept = { text, name: null };
-    try {
-      kept = { text, name: await keepScene(text, signal) };
-    } catch (error) {
-      if (error.status === too_large_to_keep) return;
-      kept = { text: null, name: null };
+  // Whoever asks next wants it too, so that nobody's signal ends it.
+  function keep(text) {
+    const name = keepScene(text).catch((error) => {
+      if (error.status === too_large_to_keep) return null;
+      if (kept.name === name) kept = { text: null, name: null };
       throw error;
-    }
+    });
+    kept = { text, name };
+  }
+
+  // The name of `text`, unless `signal` ends the waiting for it.
+  function nameOf(text, signal) {
+    if (kept.text !== text) keep(text);
+    return new Promise((resolve, reject) => {
+      signal.addEventListener("abort", () => reject(signal.reason), { once: true });
+      kept.name.then(resolve, reject);
+    });
   }
 
   return {
@@ -41,16 +49,15 @@ export function createSource() {
     /// What `work(what)` gives, with `what` as api.js takes it. The server may have forgotten a
     /// scene, for want of memory or because it was started anew: it is posted again then, once.
     async with(text, view, settings, signal, work) {
-      if (!names.has(text) && kept.text !== text) await keep(text, signal);
-      const scene = names.get(text) ?? kept.name;
+      const scene = names.get(text) ?? (await nameOf(text, signal));
       if (scene === null) return work({ query: settings, body: withView(text, view) });
       const asked = (name) => work({ query: { scene: name, ...viewQuery(view), ...settings } });
       try {
         return await asked(scene);
       } catch (error) {
         if (!(error instanceof Problem) || error.status !== 404 || names.has(text)) throw error;
-        await keep(text, signal);
-        return asked(kept.name);
+        keep(text);
+        return asked(await nameOf(text, signal));
       }
     },
   };

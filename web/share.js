@@ -1,23 +1,31 @@
 // A scene in a link: its text, compressed, in the fragment, which no server sees. And as a command.
+import { authorization } from "./token.js";
 import { readView, viewText } from "./view.js";
 
-/// The fragment for a state: {name} of a shipped scene or {text}, {view} or null, {step} or null.
-export async function fragmentOf({ name, text, view, step }) {
+const settings = ["samples", "target_rmse", "budget_ms", "max_depth", "precision", "transfer"];  // of a query
+
+/// The fragment for a state: {name} of a shipped scene or {text}, {view} or null, {choice}: accuracy.js's.
+export async function fragmentOf({ name, text, view, choice }) {
   const parameters = new URLSearchParams(name ? { scene: name } : { document: await packed(text) });
   if (view) parameters.set("view", viewText(view));
-  if (step !== null) parameters.set("accuracy", step);
+  for (const [key, value] of Object.entries(choice)) parameters.set(key, value);
   return `#${parameters}`;
 }
 
-/// The state of a fragment; what it does not say is null. Rejects if its document is damaged.
+/// The state of a fragment; what it does not say is null, and so is its document if that is damaged.
 export async function readFragment(hash) {
   const parameters = new URLSearchParams(hash.slice(1));
   const document = parameters.get("document");
+  const text = document && await unpacked(document).catch(() => null);
   return {
     name: document ? null : parameters.get("scene"),
-    text: document ? await unpacked(document) : null,
+    text,
+    isDamaged: document !== null && text === null,
     view: readView(parameters.get("view")),
-    step: parameters.has("accuracy") ? Number(parameters.get("accuracy")) : null,
+    choice: Object.fromEntries(["accuracy", ...settings].filter((key) => parameters.has(key)).map((key) => {
+      const value = parameters.get(key);
+      return [key, value === "" || Number.isNaN(Number(value)) ? value : Number(value)];
+    })),
   };
 }
 
@@ -26,7 +34,9 @@ export function curlCommand(text, settings, name) {
   const query = new URLSearchParams(settings).toString();
   const address = new URL(`render${query && `?${query}`}`, location.href.split("#")[0]);
   const end = text.includes("\nSCENE\n") ? "END_OF_SCENE" : "SCENE";
-  return `curl --fail --header 'Content-Type: application/json' --output ${name}.png --data-binary @- '${address}' <<'${end}'\n${text.trimEnd()}\n${end}\n`;
+  // Whoever gets the command has a token of their own.
+  const proof = authorization().Authorization ? ' --header "Authorization: Bearer $RAYTRACER_TOKEN"' : "";
+  return `curl --fail --header 'Content-Type: application/json'${proof} --output ${name}.png --data-binary @- '${address}' <<'${end}'\n${text.trimEnd()}\n${end}\n`;
 }
 
 async function packed(text) {

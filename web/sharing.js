@@ -2,8 +2,8 @@
 import { copy } from "./copy.js";
 import { curlCommand, fragmentOf } from "./share.js";
 
-/// `state()` gives {name, title, text, view, step, settings, written}: `name` is empty where the text
-/// is no shipped scene's; `written` is the text with the view in it. `say(words)` tells the person what happened.
+/// `state()` gives {name, title, text, view, choice, settings, written}: `name` is empty where the text
+/// is no shipped scene's; `written()` is the text with the view in it. `say(words)` tells the person what happened.
 export function createSharing({ share, curl, dialog }, state, say) {
   share.addEventListener("click", async () => {
     const fragment = await fragmentOf(state());
@@ -13,6 +13,6 @@ export function createSharing({ share, curl, dialog }, state, say) {
   });
   curl.addEventListener("click", async () => {
     const { written, settings, title } = state();
-    if (await copy(curlCommand(written, settings, title), dialog, "Command for this picture")) say("Command copied");
+    if (await copy(curlCommand(written(), settings, title), dialog, "Command for this picture")) say("Command copied");
   });
 }

@@ -1,7 +1,7 @@
 // Tabs as the ARIA practices describe them: one in the order of Tab, arrows between them.
 
 /// `list` has role tablist; each tab's aria-controls is its panel's id. Returns choose(id).
-export function createTabs(list, onChoose) {
+export function createTabs(list) {
   const tabs = [...list.querySelectorAll("[role=tab]")];
 
   function choose(id) {
@@ -11,7 +11,6 @@ export function createTabs(list, onChoose) {
       tab.tabIndex = isChosen ? 0 : -1;
       document.getElementById(tab.getAttribute("aria-controls")).hidden = !isChosen;
     }
-    onChoose(id);
   }
 
   list.addEventListener("click", (event) => {

@@ -45,12 +45,27 @@ TEST_F(Accuracy, stands_over_the_document) {
 
 TEST_F(Accuracy, prediction_stands_beside_what_came_true) {
   const std::string former = picture();
-  choose_accuracy(3);
+  choose_accuracy(4);  // no test before has it in the cache
   await("done", former);
   EXPECT_NE(cell("foreseen", "trace_ms").find("ms"), std::string::npos);
   EXPECT_NE(cell("foreseen", "error"), "–");
   EXPECT_NE(cell("measured", "trace_ms").find("ms"), std::string::npos);
   EXPECT_NE(cell("measured", "samples"), "–");
+}
+
+TEST_F(Accuracy, picture_from_the_cache_has_no_time_of_tracing) {
+  for (const bool is_new : {true, false}) {
+    open("/#scene=first-sphere&samples=3");
+    const std::string traced = cell("measured", "trace_ms");
+    const std::string status = value("document.getElementById('status').textContent");
+    const std::string facts = value("document.getElementById('facts').textContent");
+    const std::string stages = value("document.getElementById('timings').textContent");
+    EXPECT_EQ(traced == "cached", !is_new) << traced;
+    EXPECT_EQ(status.starts_with("From the cache in"), !is_new) << status;
+    EXPECT_EQ(facts.find("server's cache") != std::string::npos, !is_new) << facts;
+    EXPECT_EQ(stages.find("trace") == std::string::npos, !is_new) << stages;
+    EXPECT_NE(cell("measured", "error"), "–");
+  }
 }
 
 TEST_F(Accuracy, plan_is_said_in_words) {

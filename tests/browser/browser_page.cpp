@@ -1,5 +1,7 @@
 #include "tests/browser/browser_page.h"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <system_error>
 
@@ -10,8 +12,6 @@ namespace raytracer::test {
 using namespace std::chrono_literals;
 
 std::unique_ptr<ServerProcess> BrowserPage::shared_server;
-std::unique_ptr<TemporaryFolder> BrowserPage::shared_downloads;
-std::unique_ptr<WebDriver> BrowserPage::shared_browser;
 
 const std::string page_scene = R"({
   "camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.9, "width": 60, "height": 40},
@@ -19,20 +19,20 @@ const std::string page_scene = R"({
   "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1}]
 })";
 
-void BrowserPage::SetUpTestSuite() {
-  shared_server = std::make_unique<ServerProcess>();
-  shared_downloads = std::make_unique<TemporaryFolder>();
-  shared_browser = std::make_unique<WebDriver>(shared_downloads->path());
+WebDriver& shared_browser() {
+  static WebDriver browser;
+  return browser;
 }
 
+void BrowserPage::SetUpTestSuite() { shared_server = std::make_unique<ServerProcess>(); }
+
 void BrowserPage::TearDownTestSuite() {
-  shared_browser.reset();
-  shared_downloads.reset();
+  shared_browser().open("about:blank");  // nothing of the page asks a server that is gone
   shared_server.reset();
 }
 
 std::string BrowserPage::downloaded(const std::string& name) {
-  const std::filesystem::path file = shared_downloads->path() / name;
+  const std::filesystem::path file = browser().downloads() / name;
   // The browser reserves the name with an empty file.
   const bool came = eventually(
       [&] {
@@ -40,7 +40,7 @@ std::string BrowserPage::downloaded(const std::string& name) {
         const auto size = std::filesystem::file_size(file, error);
         return !error && size > 0;
       },
-      10s);
+      longest_wait);
   EXPECT_TRUE(came) << name << " was not downloaded";
   if (!came) return {};
   std::string bytes = read_file(file);
@@ -48,11 +48,15 @@ std::string BrowserPage::downloaded(const std::string& name) {
   return bytes;
 }
 
-void BrowserPage::open(const std::string& address) {
-  browser().open("about:blank");
+void BrowserPage::open_in_new_tab(const std::string& url) {
+  browser().change_tab();
   browser().console();  // forgets what was before
   browser().requested();
-  browser().open(server().url() + address);
+  browser().open(url);
+}
+
+void BrowserPage::open(const std::string& address) {
+  open_in_new_tab(server().url() + address);
   await("done");
 }
 
@@ -64,11 +68,30 @@ std::string BrowserPage::state() { return value("document.documentElement.datase
 
 std::string BrowserPage::picture() { return value("document.getElementById('picture').src"); }
 
+bool BrowserPage::comes_true(const std::string& expression) {
+  constexpr auto between_looks = 10ms;
+  return browser().run_until_called(fmt::format(
+      R"(const tell = arguments[0];
+         const end_ms = performance.now() + {};
+         const look = () => {{
+           let holds = false;
+           try {{
+             holds = Boolean({});
+           }} catch (error) {{
+             return void tell(String(error));
+           }}
+           if (holds || performance.now() > end_ms) tell(holds);
+           else setTimeout(look, {});
+         }};
+         look();)",
+      patience(longest_wait).count(), expression, between_looks.count()));
+}
+
 void BrowserPage::await(const std::string& state, const std::string& former) {
-  const bool arrived = eventually(
-      [&] { return BrowserPage::state() == state && (former.empty() || picture() != former); },
-      20s);
-  if (arrived) return;
+  if (comes_true(fmt::format("document.documentElement.dataset.state === '{}' && "
+                             "document.getElementById('picture').src !== '{}'",
+                             state, former.empty() ? "none" : former)))
+    return;
   keep_screenshot("stuck");
   FAIL() << "the page is in state \"" << BrowserPage::state() << "\" (\""
          << value("document.getElementById('status').textContent").get<std::string>()
@@ -87,7 +110,9 @@ void BrowserPage::choose_accuracy(int step) {
 
 void BrowserPage::edit(const std::string& text) {
   browser().run(
-      "const editor = document.getElementById('editor'); editor.focus(); editor.value = " +
+      "const editor = document.getElementById('editor'); editor.focus(); editor.select();"
+      "editor.dispatchEvent(new InputEvent('beforeinput', { inputType: 'insertFromPaste' }));"
+      "editor.value = " +
       nlohmann::json(text).dump() +
       "; editor.dispatchEvent(new Event('input', { bubbles: true }));");
 }

@@ -3,33 +3,45 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "tests/browser/web_driver.h"
 #include "tests/process/server_process.h"
-#include "tests/process/temporary_folder.h"
 
 namespace raytracer::test {
 
-/// One server and one browser for all tests of a suite; the page is loaded anew for each.
+/// The one browser of all tests: it takes longer to start than a test takes. It ends with the
+/// program.
+WebDriver& shared_browser();
+
+/// One server for all tests of a suite; the page is loaded anew for each.
 class BrowserPage : public testing::Test {
  protected:
+  /// Only a failure lasts so long: what is waited for takes a second, or some beside other tests.
+  static constexpr std::chrono::milliseconds longest_wait{60'000};
+
   static void SetUpTestSuite();
   static void TearDownTestSuite();
 
   static const ServerProcess& server() { return *shared_server; }
-  static WebDriver& browser() { return *shared_browser; }
+  static WebDriver& browser() { return shared_browser(); }
   /// The bytes of the file of that name once it is downloaded; it is gone then, and its name free.
   /// Fails the test if it does not come.
   static std::string downloaded(const std::string& name);
 
-  /// Opens the page, `address` behind the server's, and waits for its first picture.
+  /// Opens the page in a new tab, `address` behind the server's, and waits for its first picture.
   static void open(const std::string& address = "/");
+  /// Opens any page so, and does not wait.
+  static void open_in_new_tab(const std::string& url);
 
   /// "loading", "moving", "rendering", "done" or "error".
   static std::string state();
+  /// Whether `expression` becomes true in the page, which watches it by itself: asking from here
+  /// again and again would take the time of what is waited for.
+  static bool comes_true(const std::string& expression);
   /// Waits until the state is `state` and the picture another than `former`, if that is given.
   static void await(const std::string& state, const std::string& former = "");
   /// The address of the picture in sight; every picture has its own.
@@ -54,11 +66,13 @@ class BrowserPage : public testing::Test {
 
  private:
   static std::unique_ptr<ServerProcess> shared_server;
-  static std::unique_ptr<TemporaryFolder> shared_downloads;
-  static std::unique_ptr<WebDriver> shared_browser;
 };
 
 /// A small valid scene of 60 x 40 pixels.
 extern const std::string page_scene;
+
+/// For comes_true(): every scene of the gallery is seen.
+inline const std::string gallery_has_pictures =
+    "[...document.querySelectorAll('#gallery img')].every((each) => each.naturalWidth > 0)";
 
 }  // namespace raytracer::test

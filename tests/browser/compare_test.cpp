@@ -4,7 +4,6 @@
 #include <string>
 
 #include "tests/browser/browser_page.h"
-#include "tests/process/patience.h"
 
 namespace raytracer::test {
 namespace {
@@ -33,12 +32,7 @@ TEST_F(Compare, gallery_shows_every_scene_and_opens_one) {
   open();
   const std::string former = picture();
   browser().click("#open-gallery");
-  const bool has_pictures = eventually([] {
-    return value(
-               "[...document.querySelectorAll('#gallery img')].every((each) => each.naturalWidth > "
-               "0)") == true;
-  });
-  EXPECT_TRUE(has_pictures);
+  EXPECT_TRUE(comes_true(gallery_has_pictures));
   EXPECT_EQ(value("document.querySelectorAll('#gallery img').length"),
             value("document.getElementById('scene-select').options.length"));
   keep_screenshot("gallery");

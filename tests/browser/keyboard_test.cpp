@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "tests/browser/browser_page.h"
-#include "tests/process/patience.h"
 
 namespace raytracer::test {
 namespace {
-
-using namespace std::chrono_literals;
 
 constexpr const char* key_tab = "\xee\x80\x84";
 constexpr const char* key_escape = "\xee\x80\x8c";
@@ -25,17 +22,17 @@ class Keyboard : public BrowserPage {
     return value("document.activeElement === document.body ? '' : document.activeElement.id");
   }
 
-  /// Where the focus is after each Tab, from the first control until it leaves the page or comes
-  /// round; controls without an id are "". At most `most` steps.
-  static std::vector<std::string> tab_through(int most) {
-    browser().run("document.getElementById('scene-select').focus()");
-    std::vector<std::string> places{focused()};
-    for (int step = 0; step < most; ++step) {
-      browser().press(key_tab);
-      if (value("document.activeElement === document.body") == true) break;
-      if (focused() == places.front()) break;
-      places.push_back(focused());
-    }
+  /// Where the focus is, from the first control through each of `count` times Tab, until it comes
+  /// round; controls without an id are "".
+  static std::vector<std::string> tab_through(int count) {
+    browser().run(
+        "const first = document.getElementById('scene-select'); first.focus();"
+        "window.places = [first.id];"
+        "document.addEventListener('focusin', ({ target }) => window.places.push(target.id));");
+    browser().press(key_tab, count);
+    std::vector<std::string> places = value("window.places");
+    const auto round = std::find(places.begin() + 1, places.end(), places.front());
+    places.erase(round, places.end());
     return places;
   }
 
@@ -45,13 +42,12 @@ class Keyboard : public BrowserPage {
 };
 
 TEST_F(Keyboard, tab_reaches_every_control_and_is_never_held) {
-  constexpr int most = 120;
   show_panel("form");
   const int controls = value(
       "[...document.querySelectorAll('a[href], button, select, input, textarea, [tabindex=\"0\"]')]"
       ".filter((each) => each.checkVisibility({ visibilityProperty: true }) && !each.disabled &&"
       " each.tabIndex >= 0 && !(each.type === 'radio' && !each.checked)).length");
-  const std::vector<std::string> places = tab_through(most);
+  const std::vector<std::string> places = tab_through(controls + 10);
   EXPECT_EQ(static_cast<int>(places.size()), controls) << testing::PrintToString(places);
   for (const char* const id :
        {"open-gallery", "board", "share", "curl", "download", "accuracy", "render", "tab-form"})
@@ -72,12 +68,7 @@ TEST_F(Keyboard, gallery_is_left_with_escape_and_gives_the_focus_back) {
   browser().type("#open-gallery", key_enter);
   EXPECT_EQ(value("document.getElementById('gallery').open"), true);
   EXPECT_EQ(value("document.getElementById('gallery').contains(document.activeElement)"), true);
-  EXPECT_TRUE(eventually(
-      [] {
-        return value(
-            "[...document.querySelectorAll('#gallery img')].every((each) => each.naturalWidth)");
-      },
-      10s));
+  EXPECT_TRUE(comes_true(gallery_has_pictures));
   keep_screenshot("gallery");
   browser().press(key_escape);
   EXPECT_EQ(value("document.getElementById('gallery').open"), false);

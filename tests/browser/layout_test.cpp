@@ -1,6 +1,8 @@
 // The page fits its window, wide and narrow, light and dark.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 #include "tests/browser/browser_page.h"
@@ -48,6 +50,33 @@ TEST_F(Layout, picture_keeps_its_proportions) {
         "(() => { const box = document.getElementById('picture').getBoundingClientRect();"
         " return box.width / box.height; })()");
     EXPECT_NEAR(ratio, 700.0 / 500.0, 0.02) << width;
+  }
+}
+
+TEST_F(Layout, picture_of_a_single_row_or_column_is_seen) {
+  open();
+  show_panel("json");
+  for (const auto [width, height] : {std::array{1, 2000}, std::array{2000, 1}, std::array{3, 3}}) {
+    std::string scene = page_scene;
+    const std::string size = "\"width\": 60, \"height\": 40";
+    scene.replace(scene.find(size), size.size(),
+                  fmt::format("\"width\": {}, \"height\": {}", width, height));
+    const std::string former = picture();
+    edit(scene);
+    press_ctrl_enter();
+    await("done", former);
+    for (const int window : {1280, 360}) {
+      browser().resize(window, 800);
+      const nlohmann::json box = value(
+          "(() => { const box = document.getElementById('picture').getBoundingClientRect();"
+          " return [box.width, box.height]; })()");
+      EXPECT_GE(box[0], 4) << width << " x " << height;
+      EXPECT_GE(box[1], 4) << width << " x " << height;
+      EXPECT_LE(box[0], window);
+      EXPECT_LE(box[1], 800);
+      EXPECT_LE(value("document.documentElement.scrollWidth"), window);
+      keep_screenshot(fmt::format("thin_{}_{}", width, window));
+    }
   }
 }
 

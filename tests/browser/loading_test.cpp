@@ -67,7 +67,7 @@ TEST_F(Loading, address_names_the_scene) {
 }
 
 TEST_F(Loading, times_of_the_stages_are_shown) {
-  open();
+  open("/#scene=demo&samples=2");  // which is in no cache
   const std::string timings = value("document.getElementById('timings').innerText");
   for (const char* const stage : {"queue", "parse", "plan", "build", "trace", "encode"})
     EXPECT_NE(timings.find(stage), std::string::npos) << timings;

@@ -6,12 +6,11 @@
 
 #include <chrono>
 #include <filesystem>
-#include <memory>
 #include <regex>
 #include <string>
 #include <thread>
 
-#include "tests/browser/web_driver.h"
+#include "tests/browser/browser_page.h"
 #include "tests/process/patience.h"
 #include "tests/process/server_process.h"
 #include "tests/process/temporary_folder.h"
@@ -30,6 +29,7 @@ class WebSite {
     serve("/page.html", read_file(server_dir / "examples/page.html"));
     serve("/empty.html", "<!doctype html><title>empty</title>");
     serve("/favicon.ico", "");
+    http_.set_keep_alive_max_count(1);  // it stops only when the browser's connections have ended
     port_ = http_.bind_to_any_port("127.0.0.1");
     thread_ = std::thread([this] { http_.listen_after_bind(); });
     EXPECT_TRUE(eventually([this] { return http_.is_running(); }));
@@ -57,15 +57,7 @@ class WebSite {
 
 class OtherOrigin : public testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    shared_folder = std::make_unique<TemporaryFolder>();
-    shared_browser = std::make_unique<WebDriver>(shared_folder->path());
-  }
-  static void TearDownTestSuite() {
-    shared_browser.reset();
-    shared_folder.reset();
-  }
-  static WebDriver& browser() { return *shared_browser; }
+  static WebDriver& browser() { return shared_browser(); }
 
   void open_example(const ServerProcess& server) const {
     browser().open(site_.origin() + "/page.html?server=" + server.url());
@@ -81,14 +73,7 @@ class OtherOrigin : public testing::Test {
   }
 
   const WebSite site_;
-
- private:
-  static std::unique_ptr<TemporaryFolder> shared_folder;
-  static std::unique_ptr<WebDriver> shared_browser;
 };
-
-std::unique_ptr<TemporaryFolder> OtherOrigin::shared_folder;
-std::unique_ptr<WebDriver> OtherOrigin::shared_browser;
 
 TEST_F(OtherOrigin, example_page_shows_its_picture) {
   const ServerProcess server({"--allow-origin", site_.origin()});

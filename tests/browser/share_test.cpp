@@ -5,7 +5,6 @@
 
 #include "tests/browser/browser_page.h"
 #include "tests/golden/picture.h"
-#include "tests/process/patience.h"
 
 namespace raytracer::test {
 namespace {
@@ -18,7 +17,7 @@ class Share : public BrowserPage {
         "navigator.clipboard.writeText = async (text) => { window.copied = text; };"
         "window.copied = null;");
     browser().click(button);
-    eventually([] { return !value("window.copied").is_null(); });
+    EXPECT_TRUE(comes_true("window.copied !== null"));
     return value("window.copied");
   }
 };
@@ -46,15 +45,40 @@ TEST_F(Share, link_opens_the_same_scene_view_and_accuracy) {
   EXPECT_EQ(value("document.getElementById('picture').naturalWidth"), 60);
 }
 
+TEST_F(Share, link_carries_settings_that_no_step_of_accuracy_stands_for) {
+  open("/#scene=first-sphere&width=9&samples=16&precision=double");
+  const std::string chosen = value("document.getElementById('accuracy-says').textContent");
+  EXPECT_EQ(chosen, "16 samples, double precision");
+  bool was_asked = false;
+  for (const std::string& address : browser().requested())
+    was_asked =
+        was_asked || address.ends_with("/render?scene=first-sphere&samples=16&precision=double");
+  EXPECT_TRUE(was_asked);
+  EXPECT_EQ(copied_by("#share"),
+            server().url() + "/#scene=first-sphere&samples=16&precision=double");
+  EXPECT_NE(copied_by("#curl").find("samples=16&precision=double"), std::string::npos);
+}
+
 TEST_F(Share, link_to_a_shipped_scene_names_it) {
   open("/#scene=mesh");
   EXPECT_EQ(copied_by("#share"), server().url() + "/#scene=mesh");
 }
 
-TEST_F(Share, damaged_link_is_said_to_be) {
-  browser().open("about:blank");
-  browser().open(server().url() + "/#document=AAAA");
-  await("error");
+TEST_F(Share, damaged_link_is_said_to_be_and_the_demo_shown) {
+  for (const char* const damaged : {"AAAA", "xx", "%25%25", "q1bKSM1NVLJSMDQ"}) {
+    open("/#document=" + std::string(damaged));
+    ASSERT_TRUE(comes_true("!document.getElementById('problem').hidden")) << damaged;
+    const std::string said = value("document.getElementById('problem').innerText");
+    EXPECT_NE(said.find("link is damaged"), std::string::npos) << said;
+    EXPECT_NE(said.find("Copy the whole link"), std::string::npos) << said;
+    EXPECT_EQ(value("document.getElementById('scene-select').value"), "demo");
+    EXPECT_EQ(value("document.getElementById('dated').hidden"), true);
+  }
+  keep_screenshot("damaged_link");
+  const std::string former = picture();
+  choose_accuracy(0);
+  await("done", former);
+  EXPECT_EQ(value("document.getElementById('problem').hidden"), true);
 }
 
 TEST_F(Share, command_renders_the_picture_in_sight) {

@@ -70,6 +70,7 @@ json capabilities(const fs::path& profile, const fs::path& downloads) {
   const json preferences{{"download.default_directory", downloads.string()},
                          {"download.prompt_for_download", false}};
   return {{"browserName", "chrome"},
+          {"timeouts", {{"script", nullptr}}},  // each says itself how long it waits
           {"goog:chromeOptions",
            {{"binary", find_browser().string()},
             {"args", arguments},
@@ -80,7 +81,7 @@ json capabilities(const fs::path& profile, const fs::path& downloads) {
 
 }  // namespace
 
-WebDriver::WebDriver(const fs::path& downloads) {
+WebDriver::WebDriver() {
   // The driver takes a free port of IPv6 and fails if IPv4's of that number is in use, which other
   // tests' connections may be.
   constexpr int most_attempts = 8;
@@ -91,11 +92,11 @@ WebDriver::WebDriver(const fs::path& downloads) {
     port = start();
   }
   http_ = std::make_unique<httplib::Client>("127.0.0.1", port);
-  http_->set_read_timeout(60);
+  http_->set_read_timeout(patience(90s));  // longer than any script waits
   http_->set_keep_alive(true);
-  const json session =
-      command("POST", "/session",
-              {{"capabilities", {{"alwaysMatch", capabilities(profile_.path(), downloads)}}}});
+  const json session = command(
+      "POST", "/session",
+      {{"capabilities", {{"alwaysMatch", capabilities(profile_.path(), downloads_.path())}}}});
   session_ = "/session/" + session.at("sessionId").get<std::string>();
 }
 
@@ -141,6 +142,12 @@ json WebDriver::command(const std::string& method, const std::string& path, cons
 
 void WebDriver::open(const std::string& url) { command("POST", session_ + "/url", {{"url", url}}); }
 
+void WebDriver::change_tab() {
+  const json tab = command("POST", session_ + "/window/new", {{"type", "tab"}}).at("handle");
+  command("DELETE", session_ + "/window");
+  command("POST", session_ + "/window", {{"handle", tab}});
+}
+
 json WebDriver::run(const std::string& script) {
   return command("POST", session_ + "/execute/sync", {{"script", script}, {"args", json::array()}});
 }
@@ -180,8 +187,11 @@ void WebDriver::type(const std::string& selector, const std::string& keys) {
   command("POST", element(selector) + "/value", {{"text", keys}});
 }
 
-void WebDriver::press(const std::string& key) {
-  const json steps{{{"type", "keyDown"}, {"value", key}}, {{"type", "keyUp"}, {"value", key}}};
+void WebDriver::press(const std::string& key, int count) {
+  json steps = json::array();
+  for (int i = 0; i < count; ++i)
+    for (const char* const type : {"keyDown", "keyUp"})
+      steps.push_back({{"type", type}, {"value", key}});
   const json keyboard{{"type", "key"}, {"id", "keyboard"}, {"actions", steps}};
   command("POST", session_ + "/actions", {{"actions", json::array({keyboard})}});
 }

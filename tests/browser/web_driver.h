@@ -26,14 +26,19 @@ inline constexpr const char* key_release = "\xee\x80\x80";  ///< of all modifier
 /// Every function throws std::runtime_error with the driver's own words if it fails.
 class WebDriver {
  public:
-  /// Downloads go to `downloads` without a question. Throws std::runtime_error that names the
-  /// packages if there is no browser or no driver.
-  explicit WebDriver(const std::filesystem::path& downloads);
+  /// Throws std::runtime_error that names the packages if there is no browser or no driver.
+  WebDriver();
   ~WebDriver();
   WebDriver(const WebDriver&) = delete;
   WebDriver& operator=(const WebDriver&) = delete;
 
+  /// Where files go that are downloaded, without a question.
+  const std::filesystem::path& downloads() const { return downloads_.path(); }
+
   void open(const std::string& url);
+  /// An empty tab in place of the one before: nothing of that is left, such as what it kept or how
+  /// large a screen it was told to be.
+  void change_tab();
   /// What `return ...;` in the function body `script` gives.
   nlohmann::json run(const std::string& script);
   /// What the function body `script` gives to the callback that is its last argument.
@@ -43,8 +48,8 @@ class WebDriver {
   void drag(std::array<int, 2> from, std::array<int, 2> to);
   /// Presses keys in the element.
   void type(const std::string& selector, const std::string& keys);
-  /// Presses and releases a key wherever the focus is, as a keyboard does.
-  void press(const std::string& key);
+  /// Presses and releases a key wherever the focus is, as a keyboard does, so many times.
+  void press(const std::string& key, int count = 1);
   /// A PNG of the window.
   std::string screenshot();
   /// Pretends to be a screen of this size, in CSS pixels.
@@ -67,6 +72,7 @@ class WebDriver {
   std::vector<nlohmann::json> log(const std::string& type);
 
   TemporaryFolder profile_;
+  TemporaryFolder downloads_;
   std::unique_ptr<Process> driver_;
   std::unique_ptr<httplib::Client> http_;
   std::string session_;  ///< "/session/ID"

@@ -1,0 +1,82 @@
+// Edits survive a reload of the page; where the browser cannot keep them, it warns.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/browser/browser_page.h"
+
+namespace raytracer::test {
+namespace {
+
+class Unsaved : public BrowserPage {
+ protected:
+  void SetUp() override {
+    open("/#scene=first-sphere");
+    show_panel("json");
+    edit_and_render(page_scene);
+  }
+
+  static void edit_and_render(const std::string& text) {
+    const std::string former = picture();
+    edit(text);
+    press_ctrl_enter();
+    await("done", former);
+  }
+
+  static void reload() {
+    browser().run("location.reload()");
+    await("done");
+  }
+};
+
+TEST_F(Unsaved, edits_are_there_after_a_reload) {
+  edit(page_scene + "\n\n");  // also what was not rendered yet
+  reload();
+  EXPECT_EQ(text(), page_scene + "\n\n");
+  EXPECT_EQ(value("document.getElementById('picture').naturalWidth"), 60);
+  EXPECT_TRUE(comes_true("/Edits are back/.test(document.getElementById('status').textContent)"));
+  keep_screenshot("edits_back");
+  const std::string former = picture();
+  browser().click("#undo");
+  await("done", former);
+  EXPECT_NE(text().find("\"First sphere\""), std::string::npos);
+  reload();
+  EXPECT_NE(text().find("\"First sphere\""), std::string::npos);
+}
+
+TEST_F(Unsaved, view_is_there_after_a_reload) {
+  const std::string former = picture();
+  browser().type("#board", "\xee\x80\x92");  // arrow left
+  await("done", former);
+  reload();
+  EXPECT_EQ(value("document.getElementById('view-tools').hidden"), false);
+}
+
+TEST_F(Unsaved, edits_of_another_address_can_be_brought_back) {
+  browser().open("about:blank");
+  browser().open(server().url() + "/#scene=mesh");
+  await("done");
+  EXPECT_NE(text().find("\"Mesh\""), std::string::npos);
+  reload();
+  const std::string former = picture();
+  browser().click("#restore");
+  await("done", former);
+  EXPECT_EQ(text(), page_scene);
+  EXPECT_EQ(value("location.hash"), "#scene=first-sphere");
+}
+
+TEST_F(Unsaved, browser_warns_only_of_edits_that_it_cannot_keep) {
+  const std::string warns =
+      "(() => { const leaving = new Event('beforeunload', { cancelable: true });"
+      " dispatchEvent(leaving); return leaving.defaultPrevented; })()";
+  EXPECT_EQ(value(warns), false);
+  browser().run("sessionStorage.setItem('full', 'x'.repeat(5e6));");
+  EXPECT_EQ(value(warns), false) << "a short text still fits";
+  edit(page_scene + std::string(400'000, ' '));
+  EXPECT_EQ(value(warns), true);
+  edit(page_scene);
+  EXPECT_EQ(value(warns), false);
+}
+
+}  // namespace
+}  // namespace raytracer::test

@@ -1,0 +1,15 @@
+// Edits survive a reload: when the page is left, the tab keeps them, and the page that comes next in
+// it brings them back, as it does when a closed tab is opened again.
+import { keepInTab, keptInTab } from "./tab_memory.js";
+
+/// `state()` gives what to keep, of what JSON can say, or null. Returns what was kept before.
+export function keepEdits(state) {
+  const keep = (event) => {
+    const edits = state();
+    if (keepInTab("edits", edits && JSON.stringify(edits))) return;
+    keepInTab("edits", null);  // an older state would come as a surprise
+    event.preventDefault();    // of beforeunload: the browser asks whether to leave
+  };
+  for (const leaving of ["beforeunload", "pagehide"]) window.addEventListener(leaving, keep);
+  return JSON.parse(keptInTab("edits"));
+}
