@@ -1,5 +1,6 @@
 // What of shading and geometry a scene needs: what no pixel can show does not count.
 #include "engine/scene/features.h"
+#include "engine/scene/scene.h"
 
 #include <gtest/gtest.h>
 

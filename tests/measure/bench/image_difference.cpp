@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "engine/image/transfer.h"
+#include "engine/math/transfer.h"
 
 namespace raytracer::bench {
 namespace {

@@ -1,6 +1,6 @@
 #include "tests/measure/peers/peer.h"
 
-#include "engine/image/transfer.h"
+#include "engine/math/transfer.h"
 
 namespace raytracer::peers {
 

@@ -14,13 +14,13 @@
 namespace raytracer::peers {
 namespace {
 
-std::string vector_text(const Vec3& v) {
+std::string povray_vector(const Vec3& v) {
   return fmt::format("<{:.17g},{:.17g},{:.17g}>", v.x, v.y, v.z);
 }
 
-class Writer {
+class PovrayWriter {
  public:
-  Writer(const Scene& scene, std::ostream& out)
+  PovrayWriter(const Scene& scene, std::ostream& out)
       : scene_(scene),
         out_(out),
         scale_(10 / smallest_feature(scene)),
@@ -31,7 +31,7 @@ class Writer {
                "#version 3.7;\n"
                "global_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 }}\n"
                "background {{ color rgb {} }}\n",
-               scene_.render.max_depth + 1, vector_text(scene_.background));
+               scene_.render.max_depth + 1, povray_vector(scene_.background));
     write_camera();
     for (const Light& light : scene_.lights) write_light(light);
     for (const Object& object : scene_.objects) {
@@ -41,13 +41,13 @@ class Writer {
   }
 
  private:
-  std::string point_text(const Vec3& point) const { return vector_text(point * scale_); }
+  std::string point_text(const Vec3& point) const { return povray_vector(point * scale_); }
 
   void write_camera() {
     const EyeView view = make_eye_view(scene_.camera);
     fmt::print(out_, "camera {{ perspective location {} right {} up {} direction {} }}\n",
-               point_text(scene_.camera.origin), vector_text(view.right * 2),
-               vector_text(view.up * 2), vector_text(view.forward));
+               point_text(scene_.camera.origin), povray_vector(view.right * 2),
+               povray_vector(view.up * 2), povray_vector(view.forward));
   }
 
   void write_light(const Light& light) {
@@ -57,14 +57,14 @@ class Writer {
       const double at_one = light.intensity * scale_ * scale_ / (4 * std::numbers::pi);
       fmt::print(out_, "light_source {{ {} color rgb {} fade_distance {:.17g} fade_power 2 }}\n",
                  point_text(point->position),
-                 vector_text(light.color * (at_one / (2 * fade * fade))), fade);
+                 povray_vector(light.color * (at_one / (2 * fade * fade))), fade);
       return;
     }
     constexpr double outside = 1e6;  // of the scene; POV-Ray's rays end at 1e7
     const auto& distant = std::get<DistantLight>(light.source);
     fmt::print(out_, "light_source {{ {} color rgb {} parallel point_at <0,0,0> }}\n",
-               vector_text(unit(distant.direction) * -outside),
-               vector_text(light.color * light.intensity));
+               povray_vector(unit(distant.direction) * -outside),
+               povray_vector(light.color * light.intensity));
   }
 
   /// An object without a texture takes the default, without a copy of its own. What a default
@@ -74,7 +74,7 @@ class Writer {
     fmt::print(out_,
                "#default {{ texture {{ pigment {{ color rgb {} }} finish {{ ambient {} diffuse {} "
                "specular {} roughness {:.17g} metallic {} reflection {} }} }} }}\n",
-               vector_text(color), material.ka * scene_.ambient, material.kd,
+               povray_vector(color), material.ka * scene_.ambient, material.kd,
                is_grey(color) ? material.ks * color.x : material.ks,
                material.shininess > 0 ? 1 / material.shininess : 1, is_grey(color) ? 0 : 1,
                material.reflectivity);
@@ -94,7 +94,7 @@ class Writer {
 
   void write(const Plane& plane) {
     const Vec3 normal = unit(plane.normal);
-    fmt::print(out_, "plane {{ {}, {:.17g}{} }}\n", vector_text(normal),
+    fmt::print(out_, "plane {{ {}, {:.17g}{} }}\n", povray_vector(normal),
                dot(normal, plane.point) * scale_, no_shadow_);
   }
 
@@ -127,6 +127,6 @@ class Writer {
 
 }  // namespace
 
-void write_povray_scene(const Scene& scene, std::ostream& out) { Writer(scene, out).write(); }
+void write_povray_scene(const Scene& scene, std::ostream& out) { PovrayWriter(scene, out).write(); }
 
 }  // namespace raytracer::peers

@@ -15,19 +15,19 @@
 namespace raytracer::peers {
 namespace {
 
-std::string vector_text(const Vec3& v) {
+std::string tachyon_vector(const Vec3& v) {
   return fmt::format("{:.9g} {:.9g} {:.9g}", v.x, v.y, v.z);
 }
 
-class Writer {
+class TachyonWriter {
  public:
-  Writer(const Scene& scene, std::ostream& out)
+  TachyonWriter(const Scene& scene, std::ostream& out)
       : scene_(scene), out_(out), scale_(10 / smallest_feature(scene)) {}
 
   void write() {
     fmt::print(out_, "BEGIN_SCENE\nRESOLUTION {} {}\n", scene_.camera.width, scene_.camera.height);
     write_camera();
-    fmt::print(out_, "BACKGROUND {}\n", vector_text(scene_.background));
+    fmt::print(out_, "BACKGROUND {}\n", tachyon_vector(scene_.background));
     for (const Light& light : scene_.lights) write_light(light);
     for (std::size_t i = 0; i < scene_.materials.size(); ++i) write_texture(i, scene_.materials[i]);
     for (const Object& object : scene_.objects) {
@@ -41,7 +41,7 @@ class Writer {
   static std::string texture_name(std::size_t material) { return fmt::format("m{}", material); }
 
   std::string point_text(const Vec3& point) const {
-    return vector_text((point - scene_.camera.origin) * scale_);
+    return tachyon_vector((point - scene_.camera.origin) * scale_);
   }
 
   void write_camera() {
@@ -52,9 +52,9 @@ class Writer {
     fmt::print(out_,
                "CAMERA ZOOM 1.0 ASPECTRATIO 1.0 ANTIALIASING 0 RAYDEPTH {} CENTER 0 0 0 "
                "VIEWDIR {} UPDIR {} FRUSTUM {:.9g} {:.9g} {:.9g} {:.9g} END_CAMERA\n",
-               scene_.render.max_depth + 1, vector_text(view.forward), vector_text(unit(view.up)),
-               -half_width - half_pixel, half_width - half_pixel, -half_height - half_pixel,
-               half_height - half_pixel);
+               scene_.render.max_depth + 1, tachyon_vector(view.forward),
+               tachyon_vector(unit(view.up)), -half_width - half_pixel, half_width - half_pixel,
+               -half_height - half_pixel, half_height - half_pixel);
   }
 
   void write_light(const Light& light) {
@@ -65,12 +65,12 @@ class Writer {
         fmt::print(
             out_,
             "LIGHT CENTER {} RAD 0 ATTENUATION CONSTANT 0 LINEAR 0 QUADRATIC {:.9g} COLOR {}\n",
-            point_text(point->position), quadratic, vector_text(light.color));
+            point_text(point->position), quadratic, tachyon_vector(light.color));
       return;
     }
     fmt::print(out_, "DIRECTIONAL_LIGHT DIRECTION {} COLOR {}\n",
-               vector_text(unit(std::get<DistantLight>(light.source).direction)),
-               vector_text(light.color * light.intensity));
+               tachyon_vector(unit(std::get<DistantLight>(light.source).direction)),
+               tachyon_vector(light.color * light.intensity));
   }
 
   void write_texture(std::size_t index, const Material& material) {
@@ -81,7 +81,7 @@ class Writer {
                texture_name(index), material.ka * scene_.ambient, material.kd,
                scene_.render.max_depth > 0 ? material.reflectivity : 0, grey ? "PLASTIC" : "METAL",
                material.ks * (grey ? material.color.x : mean_intensity()), material.shininess,
-               vector_text(material.color));
+               tachyon_vector(material.color));
   }
 
   /// Of all lights.
@@ -105,7 +105,7 @@ class Writer {
   }
   void write(const Plane& plane) {
     fmt::print(out_, "PLANE CENTER {} NORMAL {} {}\n", point_text(plane.point),
-               vector_text(unit(plane.normal)), texture_);
+               tachyon_vector(unit(plane.normal)), texture_);
   }
   void write(const Mesh& mesh) {
     for (const auto& triangle : mesh.triangles)
@@ -126,7 +126,7 @@ class Writer {
     if (!caps) return;
     for (const Vec3& end : {from, to})
       fmt::print(out_, "RING CENTER {} NORMAL {} INNER 0 OUTER {:.9g} {}\n", point_text(end),
-                 vector_text(unit(to - from)), radius * scale_, texture_);
+                 tachyon_vector(unit(to - from)), radius * scale_, texture_);
   }
 
   const Scene& scene_;
@@ -137,6 +137,8 @@ class Writer {
 
 }  // namespace
 
-void write_tachyon_scene(const Scene& scene, std::ostream& out) { Writer(scene, out).write(); }
+void write_tachyon_scene(const Scene& scene, std::ostream& out) {
+  TachyonWriter(scene, out).write();
+}
 
 }  // namespace raytracer::peers
