@@ -12,14 +12,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "engine/kernel/simd/candidates-inl.h"
-#include "engine/kernel/simd/eye-inl.h"
+#include "engine/kernel/simd/kernel-inl.h"
 #include "engine/kernel/simd/pixel_candidates-inl.h"
-#include "engine/kernel/simd/resolve-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Places of samples, as many as a block has colours.
 template <typename T>
@@ -199,8 +196,7 @@ void sample_double(const PacketScene<double>& scene, const SamplePattern& patter
   sample_block(scene, pattern, transfer, pixels, results);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
