@@ -1,7 +1,5 @@
 // A packet's shadow rays to a point light, by the cube of grids around the light.
 
-#include "engine/finders/point_grid.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 

@@ -3,7 +3,6 @@
 // are the same templates. All kinds come before the concepts, which find what stands there.
 
 #include <concepts>
-#include <cstddef>
 #include <cstdint>
 
 #include "engine/lights/packet_light.h"

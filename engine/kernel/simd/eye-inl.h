@@ -1,6 +1,5 @@
 // What is seen from the eye.
 
-#include <cstdint>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();

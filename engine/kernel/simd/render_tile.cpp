@@ -1,6 +1,6 @@
 #include "engine/kernel/simd/render_tile.h"
 
-#include "engine/kernel/simd/instruction_sets.h"
+#include "engine/kernel/this_machine.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/kernel/simd/render_tile.cpp"  // this file, once per target

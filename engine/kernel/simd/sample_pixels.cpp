@@ -1,6 +1,6 @@
 #include "engine/kernel/simd/sample_pixels.h"
 
-#include "engine/kernel/simd/instruction_sets.h"
+#include "engine/kernel/this_machine.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/kernel/simd/sample_pixels.cpp"  // this file, once per target
@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
-#include <vector>
 
 #include "engine/kernel/simd/kernel-inl.h"
 #include "engine/kernel/simd/pixel_candidates-inl.h"
