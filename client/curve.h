@@ -39,4 +39,10 @@ std::string curve_csv(const std::string& json);
 /// The fastest point that keeps the picture and has at most this rmse; null if there is none.
 const CurvePoint* cheapest(const Curve& curve, double rmse);
 
+/// Lines of plain ASCII, at most 80 wide but for a long `label`.
+std::string curve_text(const Curve& curve, const std::string& label);
+
+/// A complete SVG document. `label` names the scene.
+std::string curve_svg(const Curve& curve, const std::string& label);
+
 }  // namespace raytracer::client

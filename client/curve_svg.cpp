@@ -1,13 +1,16 @@
-#include "client/curve_svg.h"
-
+// A curve as a drawing: error against time, both logarithmic.
+//
+// Self-contained: no script, no font and no picture from elsewhere. Its colours follow the
+// reader's choice of light or dark. Shape and colour both say what was set, so that either is
+// enough; points of the Pareto front are filled, joined and named.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "client/curve.h"
 #include "client/log_plot.h"
 
 namespace raytracer::client {

@@ -1,6 +1,7 @@
-#include "client/curve_text.h"
-
+// A curve as people read it in a terminal: a table, and what to choose.
 #include <fmt/format.h>
+
+#include "client/curve.h"
 
 namespace raytracer::client {
 namespace {

@@ -2,7 +2,6 @@
 // renamed.
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <string_view>

@@ -10,7 +10,9 @@
 #include "client/terminal.h"
 
 namespace raytracer::client {
+namespace {
 
+/// "rendering [#####-----]  50 %  1.2 s", at most `columns` wide; `fraction` is 0 to 1.
 std::string progress_line(const std::string& what, double fraction, double elapsed_s, int columns) {
   const double done = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0;
   // Rounded down: 100 % is said when it is true.
@@ -23,6 +25,8 @@ std::string progress_line(const std::string& what, double fraction, double elaps
   return fmt::format("{} [{}{}] {}", what, std::string(filled, '#'),
                      std::string(width - filled, '-'), numbers);
 }
+
+}  // namespace
 
 ProgressBar::ProgressBar()
     : on_terminal_(::isatty(STDERR_FILENO) == 1 && takes_control_sequences()) {}

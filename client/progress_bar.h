@@ -6,9 +6,6 @@
 
 namespace raytracer::client {
 
-/// "rendering [#####-----]  50 %  1.2 s", at most `columns` wide; `fraction` is 0 to 1.
-std::string progress_line(const std::string& what, double fraction, double elapsed_s, int columns);
-
 /// Shows nothing where standard error is no terminal, and nothing of what is done in 0.3 s.
 class ProgressBar {
  public:

@@ -10,8 +10,6 @@
 #include "client/command_line.h"
 #include "client/commands.h"
 #include "client/curve.h"
-#include "client/curve_svg.h"
-#include "client/curve_text.h"
 #include "client/owned_job.h"
 #include "client/with_server.h"
 

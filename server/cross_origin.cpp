@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <regex>
-#include <string_view>
 
 #include "server/request_text.h"
 

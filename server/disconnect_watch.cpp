@@ -3,6 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "server/connection.h"
+
 namespace raytracer {
 
 DisconnectWatch::DisconnectWatch() : thread_([this] { poll(); }) {}

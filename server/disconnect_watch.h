@@ -3,6 +3,8 @@
 // nothing.
 #pragma once
 
+#include <httplib.h>
+
 #include <condition_variable>
 #include <functional>
 #include <list>
@@ -10,8 +12,6 @@
 #include <mutex>
 #include <optional>
 #include <thread>
-
-#include "server/connection.h"
 
 namespace raytracer {
 

@@ -5,7 +5,6 @@
 // that any request may meet, that refusals are problem+json, and the files of the page.
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 
 #include "server/answer.h"
 #include "server/embedded.h"

@@ -1,6 +1,5 @@
 #include "server/routes.h"
 
-#include <string_view>
 #include <utility>
 
 #include "server/embedded.h"

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <string_view>
 
@@ -15,8 +14,8 @@ namespace raytracer {
 
 /// An interval of doubles, with the words for it.
 struct ValueRange {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
+  double least = -infinity;
+  double most = infinity;
   bool least_excluded = false;
 
   bool contains(double value) const {

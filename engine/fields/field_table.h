@@ -11,7 +11,7 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
+#include <concepts>
 #include <string_view>
 #include <tuple>
 
@@ -43,6 +43,19 @@ constexpr DocumentedField<Owner, Value, Rule> optional(std::string_view key, Val
                                                        std::string_view description = {}) {
   return {key, member, rule, false, description};
 }
+
+/// It has a table of its `fields`.
+template <class Structure>
+concept HasFields = requires {
+  Structure::fields;
+};
+
+/// One of several that stand at the same place, told apart by `type`; `description` is for people.
+template <class Structure>
+concept DocumentedType = HasFields<Structure> && requires {
+  { Structure::type } -> std::convertible_to<std::string_view>;
+  { Structure::description } -> std::convertible_to<std::string_view>;
+};
 
 /// Calls visit(field) for each field of a table.
 template <typename... Field, typename Visit>

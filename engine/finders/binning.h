@@ -61,19 +61,6 @@ struct Placed {
   Entry entry;          ///< the same for all its bins
 };
 
-/// How items are entered into bins.
-template <typename Entry, typename Place, typename EntryIn, typename Arrange>
-struct Binning {
-  Place place;       ///< (item) -> Placed<Entry>
-  EntryIn entry_in;  ///< (Entry, its cells, column, row) -> Entry, as it is in that bin
-  Arrange arrange;   ///< (span of a bin's entries, in the items' order): puts them into order
-};
-
-template <typename Entry, typename... Functions>
-Binning<Entry, Functions...> make_binning(const Functions&... functions) {
-  return {functions...};
-}
-
 namespace binning {
 
 /// What a chunk of the items puts into each band, in the items' order: in blocks, because how much
@@ -165,15 +152,20 @@ class Bands {
 
 }  // namespace binning
 
-/// Sorts `item_count` items into bins, row by row. Calls resize(entry_count) once, then from
-/// several threads write(first, entries) for all entries of each bin that has some, of which
-/// `first` come in bins before it.
+/// Sorts `item_count` items into bins, row by row, as these say, from several threads:
+///
+///   place(item) -> Placed<Entry>
+///   entry_in(Entry, its cells, column, row) -> Entry, as it is in that bin
+///   arrange(span of a bin's entries, in the items' order): puts them into order
+///
+/// Calls resize(entry_count) once, then from several threads write(first, entries) for all entries
+/// of each bin that has some, of which `first` come in bins before it.
 /// Returns where each bin's entries begin, and the end of the last.
 template <typename Entry, typename Place, typename EntryIn, typename Arrange, typename Resize,
           typename Write>
 std::vector<std::uint32_t> sort_into_bins(std::size_t item_count, const BinGrid& grid,
-                                          WorkerPool& pool,
-                                          const Binning<Entry, Place, EntryIn, Arrange>& how,
+                                          WorkerPool& pool, const Place& place,
+                                          const EntryIn& entry_in, const Arrange& arrange,
                                           const Resize& resize, const Write& write) {
   constexpr std::size_t few_bins = 1024;  // their counts are in the first cache
   const std::size_t chunk_count = item_count < few_items ? 1 : pool.thread_count();
@@ -183,11 +175,11 @@ std::vector<std::uint32_t> sort_into_bins(std::size_t item_count, const BinGrid&
   for_each_chunk(item_count, chunk_count, pool,
                  [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                    binning::ChunkRecords<Entry> records(bands.count(), end - begin);
-                   const Place place = how.place;  // own copies: what they hold stays in registers
+                   const Place own_place = place;  // own copies: what they hold stays in registers
                    const binning::Bands to = bands;
                    const BinGrid bins = grid;
                    for (std::size_t item = begin; item < end; ++item) {
-                     const Placed<Entry> record = place(item);
+                     const Placed<Entry> record = own_place(item);
                      if (record.cells.empty()) continue;
                      const CellRectangle touched = bins.bins_of(record.cells);
                      const std::size_t last_band = to.of_row(touched.y_end - 1);
@@ -233,14 +225,14 @@ std::vector<std::uint32_t> sort_into_bins(std::size_t item_count, const BinGrid&
     LargeArray<Entry> entries(next.back());
     for_each_entry([&](const Placed<Entry>& record, int column, int row) {
       entries[next[grid.index(column, row) - first_bin]++] =
-          how.entry_in(record.entry, record.cells, column, row);
+          entry_in(record.entry, record.cells, column, row);
     });
     // Now next[i] is the end of the band's bin i.
     std::uint32_t begin = 0;
     for (std::size_t i = 0; i + 1 < next.size(); ++i) {
       if (next[i] == begin) continue;
       const std::span<Entry> bin = std::span(entries).subspan(begin, next[i] - begin);
-      how.arrange(bin);
+      arrange(bin);
       write(band_begin + begin, std::span<const Entry>(bin));
       begin = next[i];
     }

@@ -79,11 +79,11 @@ class Nodes {
 
   /// Adds a node with its children's boxes.
   std::uint32_t add_node(const Children& children) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
+    constexpr float endless = std::numeric_limits<float>::infinity();
     TreeNode node;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      node.low[axis].fill(infinity);
-      node.high[axis].fill(-infinity);
+      node.low[axis].fill(endless);
+      node.high[axis].fill(-endless);
       for (std::size_t i = 0; i < children.size(); ++i) {
         node.low[axis][i] = children[i].box.low[static_cast<int>(axis)];
         node.high[axis][i] = children[i].box.high[static_cast<int>(axis)];
@@ -171,14 +171,10 @@ Tree build_tree(TreeRecord* records, std::uint32_t count, WorkerPool& pool) {
   Tree tree;
   if (count == 0) return tree;
   Top top(records, count, pool);
-  const std::atomic<bool> never{false};
-  pool.run(
-      top.subtrees.size(),
-      [&](std::size_t i) {
-        Subtree& subtree = top.subtrees[i];
-        subtree.root = subtree.nodes.add_subtree(subtree.part, subtree.depth);
-      },
-      never);
+  pool.run(top.subtrees.size(), [&](std::size_t i) {
+    Subtree& subtree = top.subtrees[i];
+    subtree.root = subtree.nodes.add_subtree(subtree.part, subtree.depth);
+  });
 
   // The records stay where they are from here on.
   tree.nodes = std::move(top.nodes());

@@ -1,12 +1,5 @@
 // Casters in the cells of a grid, against the points that are in them.
 
-#if defined(RAYTRACER_FINDERS_CELLS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_FINDERS_CELLS_INL_H_
-#undef RAYTRACER_FINDERS_CELLS_INL_H_
-#else
-#define RAYTRACER_FINDERS_CELLS_INL_H_
-#endif
-
 #include <hwy/cache_control.h>
 
 #include <algorithm>
@@ -14,11 +7,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "engine/packets/packet-inl.h"
-
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Whether testing `entry_count` casters against a whole packet costs less than testing one point
 /// after another of `lane_count` against a packet of casters.
@@ -135,8 +125,5 @@ HWY_NOINLINE M occluded_in_cells(D d, const Grid& grid, V cell_of_lane, const Te
   return hn::And(lit, hn::Or(dark, mask_of(d, dark_alone)));
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

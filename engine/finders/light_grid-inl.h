@@ -1,21 +1,12 @@
 // A packet's shadow rays to a distant light, by the grid on the plane across it.
 
-#if defined(RAYTRACER_FINDERS_LIGHT_GRID_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_FINDERS_LIGHT_GRID_INL_H_
-#undef RAYTRACER_FINDERS_LIGHT_GRID_INL_H_
-#else
-#define RAYTRACER_FINDERS_LIGHT_GRID_INL_H_
-#endif
-
 #include <cstddef>
 #include <limits>
 
-#include "engine/finders/cells-inl.h"
 #include "engine/finders/light_grid.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Points as the light sees them: `u` and `v` across its direction, `w` towards it.
 template <class V, class M>
@@ -80,8 +71,5 @@ HWY_NOINLINE M occluded_in_lists(D d, const ListGrid<T>& grid, const V3<V>& poin
   return dark;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

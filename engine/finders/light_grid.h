@@ -49,10 +49,9 @@ CasterGrid<Caster, T> build_caster_grid(const Vec3& towards, std::span<const Pri
       std::sort(cell.begin(), cell.end(),
                 [](const Caster& a, const Caster& b) { return a.w > b.w; });
   };
-  grid.begins = sort_into_bins(
-      primitives.size(), BinGrid{grid.plane.columns, grid.plane.rows, 0}, pool,
-      make_binning<Caster>(place, entry_in, arrange),
-      [&](std::size_t count) { grid.casters.resize(count); },
+  grid.begins = sort_into_bins<Caster>(
+      primitives.size(), BinGrid{grid.plane.columns, grid.plane.rows, 0}, pool, place, entry_in,
+      arrange, [&](std::size_t count) { grid.casters.resize(count); },
       [&](std::size_t first, std::span<const Caster> cell) {
         grid.casters.write(first, cell, Caster::members);
       });
@@ -106,10 +105,9 @@ ListGrid<T> build_list_grid(const Vec3& towards, std::span<const Primitive> prim
     std::sort(cell.begin(), cell.end(),
               [](const Entry& a, const Entry& b) { return a.top > b.top; });
   };
-  grid.begins = sort_into_bins(
-      primitives.size(), BinGrid{grid.plane.columns, grid.plane.rows, 0}, pool,
-      make_binning<Entry>(place, entry_in, arrange),
-      [&](std::size_t count) { grid.entries.resize(count); },
+  grid.begins = sort_into_bins<Entry>(
+      primitives.size(), BinGrid{grid.plane.columns, grid.plane.rows, 0}, pool, place, entry_in,
+      arrange, [&](std::size_t count) { grid.entries.resize(count); },
       [&](std::size_t first, std::span<const Entry> cell) {
         std::copy(cell.begin(), cell.end(),
                   grid.entries.begin() + static_cast<std::ptrdiff_t>(first));

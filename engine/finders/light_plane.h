@@ -8,10 +8,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "engine/finders/binning.h"
 #include "engine/math/triple.h"
@@ -87,9 +85,7 @@ struct PlannedPlane {
 
 /// What all primitives together cover.
 struct ShadowSpread {
-  ShadowExtent all{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-                   -std::numeric_limits<double>::infinity(),
-                   -std::numeric_limits<double>::infinity(), 0};
+  ShadowExtent all{infinity, infinity, -infinity, -infinity, 0};
   double areas = 0;    ///< of the rectangles, in sum
   double sides = 0;    ///< half their circumferences, in sum
   double highest = 0;  ///< of the tops, in size

@@ -38,9 +38,7 @@ class Walk {
 
 template <typename Task>
 void ParallelSplit::for_chunks(const Range& range, const Task& task) {
-  pool_.run(
-      chunk_count(range), [&](std::size_t chunk) { task(chunk, chunk_range(range, chunk)); },
-      never_);
+  pool_.run(chunk_count(range), [&](std::size_t chunk) { task(chunk, chunk_range(range, chunk)); });
 }
 
 Part ParallelSplit::bound(const Range& range) {

@@ -4,8 +4,6 @@
 // of threads.
 #pragma once
 
-#include <atomic>
-#include <cstddef>
 #include <vector>
 
 #include "engine/finders/tree_split.h"
@@ -29,7 +27,6 @@ class ParallelSplit {
 
   TreeRecord* const records_;
   WorkerPool& pool_;
-  const std::atomic<bool> never_{false};
 };
 
 }  // namespace raytracer

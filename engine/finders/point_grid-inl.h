@@ -1,18 +1,7 @@
 // A packet's shadow rays to a point light, by the cube of grids around the light.
 
-#if defined(RAYTRACER_FINDERS_POINT_GRID_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_FINDERS_POINT_GRID_INL_H_
-#undef RAYTRACER_FINDERS_POINT_GRID_INL_H_
-#else
-#define RAYTRACER_FINDERS_POINT_GRID_INL_H_
-#endif
-
-#include "engine/finders/cells-inl.h"
-#include "engine/finders/point_grid.h"
-
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// The cells in which the directions `out` from the light leave its cube.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>,
@@ -38,8 +27,5 @@ HWY_INLINE V cube_cells(D d, const Grid& grid, const V3<V>& out) {
   return hn::MulAdd(hn::MulAdd(face, side, row), side, column);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

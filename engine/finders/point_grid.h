@@ -119,10 +119,9 @@ PointGrid<Caster, T> build_point_grid(const Vec3& light, std::span<const Primiti
     std::sort(cell.begin(), cell.end(),
               [](const Caster& a, const Caster& b) { return a.nearest < b.nearest; });
   };
-  grid.begins = sort_into_bins(
-      faces * primitives.size(), BinGrid{grid.side, faces * grid.side, 0}, pool,
-      make_binning<Caster>(place, entry_in, arrange),
-      [&](std::size_t count) { grid.casters.resize(count); },
+  grid.begins = sort_into_bins<Caster>(
+      faces * primitives.size(), BinGrid{grid.side, faces * grid.side, 0}, pool, place, entry_in,
+      arrange, [&](std::size_t count) { grid.casters.resize(count); },
       [&](std::size_t first, std::span<const Caster> cell) {
         grid.casters.write(first, cell, Caster::members);
       });

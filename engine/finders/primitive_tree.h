@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -47,8 +46,6 @@ template <typename Block>
 struct PacketTree {
   std::vector<TreeNode> nodes;
   std::vector<Block> leaves;
-
-  bool is_empty() const { return nodes.empty(); }
 };
 
 /// `fill(primitive, place, block)` puts one into its block, from several threads.
@@ -102,7 +99,7 @@ void visit_tree(const Tree& tree, const BoxRay& ray, const double& t_max, const 
       const Box box{{node.low[0][i], node.low[1][i], node.low[2][i]},
                     {node.high[0][i], node.high[1][i], node.high[2][i]}};
       const double enter = ray.enter(box, t_max);
-      if (enter == std::numeric_limits<double>::infinity()) continue;
+      if (enter == infinity) continue;
       // The nearest goes on top.
       std::size_t place = size++;
       for (; place > first && stack[place - 1].enter < enter; --place)

@@ -170,9 +170,8 @@ ScreenBins build_screen_bins(const View& view, std::span<const Primitive> primit
                                            block_pixels(column, row), binned.subtiles);
     return binned;
   };
-  bins.begins = sort_into_bins(
-      primitives.size(), bins.blocks, pool,
-      make_binning<BinnedEntry>(place, entry_in, &sort_by_distance),
+  bins.begins = sort_into_bins<BinnedEntry>(
+      primitives.size(), bins.blocks, pool, place, entry_in, &sort_by_distance,
       [&](std::size_t count) {
         bins.entries.resize(count);
         bins.subtiles.resize(count + padding);

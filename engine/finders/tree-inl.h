@@ -1,21 +1,11 @@
 // What a packet meets in a tree: its lanes together where their rays have something in common, else
 // each on its own.
 
-#if defined(RAYTRACER_FINDERS_TREE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_FINDERS_TREE_INL_H_
-#undef RAYTRACER_FINDERS_TREE_INL_H_
-#else
-#define RAYTRACER_FINDERS_TREE_INL_H_
-#endif
-
 #include <cstddef>
 #include <limits>
 
-#include "engine/finders/tree_walk-inl.h"
-
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// The lanes of a packet, to be taken out one by one.
 template <typename T>
@@ -162,8 +152,5 @@ M occluded_in_tree(D d, const PacketTree<Block>& tree, const RayOrigin<V>& from,
   return dark;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

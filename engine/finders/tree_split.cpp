@@ -23,9 +23,9 @@ float leaves(std::uint32_t size) {
 }  // namespace
 
 TreeRecord TreeRecord::of(const Box& box, std::uint32_t index) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -infinity); };
-  const auto up = [](double x) { return std::nextafter(static_cast<float>(x), infinity); };
+  constexpr float endless = std::numeric_limits<float>::infinity();
+  const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -endless); };
+  const auto up = [](double x) { return std::nextafter(static_cast<float>(x), endless); };
   const Float4 low{down(box.low.x), down(box.low.y), down(box.low.z),
                    std::bit_cast<float>(index | index_tag)};
   const Float4 high{up(box.high.x), up(box.high.y), up(box.high.z), 0};

@@ -6,23 +6,14 @@
 // built, and entered a little generously, so that no primitive is lost to the rounding of a box
 // (Ize: "Robust BVH Ray Traversal", JCGT 2013).
 
-#if defined(RAYTRACER_FINDERS_TREE_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_FINDERS_TREE_WALK_INL_H_
-#undef RAYTRACER_FINDERS_TREE_WALK_INL_H_
-#else
-#define RAYTRACER_FINDERS_TREE_WALK_INL_H_
-#endif
-
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
 #include "engine/finders/primitive_tree.h"
-#include "engine/packets/hit-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// For the children of a node, and for the primitives of a leaf.
 template <typename T>
@@ -180,8 +171,5 @@ HWY_INLINE void walk_together(D d, const PacketTree<Block>& tree, const TreeRays
   }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/errors/error_model.h"
 #include "engine/forecast/rehearsal.h"
@@ -36,8 +35,6 @@ struct Expectation {
   double trace_ms = 0;
   double error = 0;
 };
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What render() would make of the contract: a pilot pass everywhere, under a budget fewer samples
 /// before it, and then more where they are needed.

@@ -5,13 +5,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
-#include <limits>
 #include <thread>
 
 #include "engine/errors/error_model.h"
 #include "engine/image/image.h"
+#include "engine/math/vec.h"
 #include "engine/measure/stopwatch.h"
-#include "engine/measure/thread_stopwatch.h"
 
 namespace raytracer {
 namespace {
@@ -20,20 +19,16 @@ using Model = ForecastModel;
 
 /// The median: how long a thread sleeps on varies.
 double usual_start_ms(WorkerPool& pool) {
-  const std::atomic<bool> never{false};
   std::array<double, Model::tries> starts{};
   for (double& start_ms : starts) {
     std::this_thread::sleep_for(std::chrono::microseconds{Model::threads_sleep_us});
     std::atomic<std::size_t> begun{0};
     const Stopwatch watch;
-    pool.run(
-        pool.thread_count(),
-        [&](std::size_t) {
-          ++begun;
-          while (begun < pool.thread_count() && watch.elapsed_ms() < Model::longest_start_ms)
-            std::this_thread::yield();
-        },
-        never);
+    pool.run(pool.thread_count(), [&](std::size_t) {
+      ++begun;
+      while (begun < pool.thread_count() && watch.elapsed_ms() < Model::longest_start_ms)
+        std::this_thread::yield();
+    });
     start_ms = watch.elapsed_ms();
   }
   std::ranges::nth_element(starts, starts.begin() + Model::tries / 2);
@@ -45,7 +40,7 @@ double usual_start_ms(WorkerPool& pool) {
 double least_byte_ms() {
   Image image(Model::memory_side_px, Model::memory_side_px);
   std::fill(image.values.begin(), image.values.end(), 0.0F);
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (int i = 0; i < Model::tries; ++i) {
     const ThreadStopwatch watch;
     std::fill(image.values.begin(), image.values.end(), static_cast<float>(i));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <variant>
@@ -10,9 +9,9 @@
 
 #include "engine/errors/error_model.h"
 #include "engine/measure/stopwatch.h"
-#include "engine/measure/thread_stopwatch.h"
 #include "engine/plan/sampling.h"
 #include "engine/plan/tiles.h"
+#include "engine/sample/pattern.h"
 
 namespace raytracer {
 namespace {
@@ -103,7 +102,7 @@ void touch(const Tile& tile, const Canvas& canvas) {
 
 /// What it takes to ask a thread for its time twice: as long as a tile of background.
 double asking_ms() {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (int i = 0; i < Model::tries; ++i) {
     const ThreadStopwatch watch;
     least = std::min(least, watch.elapsed_ms());

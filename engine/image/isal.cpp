@@ -161,13 +161,9 @@ std::size_t compress_zlib(std::span<const unsigned char> bytes, unsigned char* o
     const auto place = [&, begin = end](std::size_t i) {
       return begin + i * largest_compressed(size);
     };
-    const std::atomic<bool> never{false};
-    pool.run(
-        count,
-        [&](std::size_t i) {
-          pieces[i] = {deflate_strip(strip(i), i == count - 1, place(i)), checksum_of(strip(i))};
-        },
-        never);
+    pool.run(count, [&](std::size_t i) {
+      pieces[i] = {deflate_strip(strip(i), i == count - 1, place(i)), checksum_of(strip(i))};
+    });
     for (std::size_t i = 0; i < count; ++i) {
       std::memmove(end, place(i), pieces[i].size);
       end += pieces[i].size;

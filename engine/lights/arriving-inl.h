@@ -1,17 +1,7 @@
 // Light as packets of points see it.
 
-#if defined(RAYTRACER_LIGHTS_ARRIVING_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_LIGHTS_ARRIVING_INL_H_
-#undef RAYTRACER_LIGHTS_ARRIVING_INL_H_
-#else
-#define RAYTRACER_LIGHTS_ARRIVING_INL_H_
-#endif
-
-#include "engine/packets/packet-inl.h"
-
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Of one light.
 template <class V>
@@ -21,8 +11,5 @@ struct ArrivingLights {
   V path;          ///< the distance; the largest number if that is infinite
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

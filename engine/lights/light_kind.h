@@ -6,10 +6,8 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 
-#include "engine/fields/documented.h"
 #include "engine/fields/field_table.h"  // IWYU pragma: export
 #include "engine/math/frame.h"          // IWYU pragma: export
 #include "engine/math/ray.h"            // IWYU pragma: export

@@ -1,18 +1,11 @@
 // Every kind of light for packets of points: the list of lights.h once more.
 
-#if defined(RAYTRACER_LIGHTS_LIGHTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_LIGHTS_LIGHTS_INL_H_
-#undef RAYTRACER_LIGHTS_LIGHTS_INL_H_
-#else
-#define RAYTRACER_LIGHTS_LIGHTS_INL_H_
-#endif
-
+#include "engine/lights/arriving-inl.h"
 #include "engine/lights/distant/distant_light-inl.h"
 #include "engine/lights/point/point_light-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 template <class D, class Kind, class... Rest, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE ArrivingLights<V> arriving_light(D d, Types<Kind, Rest...>, std::size_t kind,
@@ -28,8 +21,5 @@ HWY_INLINE ArrivingLights<V> arriving_light(D d, const PacketLight<T>& light, co
   return arriving_light(d, LightKinds(), 0, light, points);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -1,7 +1,6 @@
 // The kinds of lights, each in a folder beside this file: the one list of them.
 #pragma once
 
-#include <cstddef>
 #include <tuple>
 #include <variant>
 
@@ -24,10 +23,6 @@ struct Light {
   static constexpr auto fields =
       std::tuple(optional("color", &Light::color, ColorRule{}),
                  optional("intensity", &Light::intensity, NumberRule{not_negative}));
-
-  LightRays rays() const {
-    return std::visit([](const auto& kind) { return kind.rays; }, source);
-  }
 };
 
 inline PackedLight pack_light(const Light& light, const Frame& frame) {

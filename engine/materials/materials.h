@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <tuple>
 
-#include "engine/fields/documented.h"
+#include "engine/fields/field_table.h"
 #include "engine/fields/types.h"
 #include "engine/materials/blinn_phong/blinn_phong.h"
 #include "engine/materials/mirror/mirror.h"

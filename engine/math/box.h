@@ -11,8 +11,7 @@
 namespace raytracer {
 
 struct Box {
-  Vec3 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-           std::numeric_limits<double>::infinity()};
+  Vec3 low{infinity, infinity, infinity};
   Vec3 high = -low;
 
   void include(const Box& box) {
@@ -21,14 +20,6 @@ struct Box {
             std::max(high.z, box.high.z)};
   }
   void include(const Vec3& point) { include(Box{point, point}); }
-
-  Vec3 extent() const { return high - low; }
-
-  /// Half the surface, the measure of how likely a ray meets the box.
-  double half_area() const {
-    const Vec3 e = extent();
-    return e.x * e.y + e.y * e.z + e.z * e.x;
-  }
 
   /// Grown on all sides by more than the rounding of coordinates of that magnitude.
   Box padded(double magnitude) const {
@@ -56,7 +47,7 @@ struct BoxRay {
     clip(box.low.x, box.high.x, origin.x, inverse.x, begin, end);
     clip(box.low.y, box.high.y, origin.y, inverse.y, begin, end);
     clip(box.low.z, box.high.z, origin.z, inverse.z, begin, end);
-    return begin <= end ? begin : std::numeric_limits<double>::infinity();
+    return begin <= end ? begin : infinity;
   }
 
  private:

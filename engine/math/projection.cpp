@@ -2,22 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace raytracer {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Slopes {
-  double low = infinity;
-  double high = -infinity;
-
-  void include(double slope) {
-    low = std::min(low, slope);
-    high = std::max(high, slope);
-  }
-};
 
 /// The range of x / z over a circle around (x, z) in the plane, seen from the origin; all slopes
 /// where the circle is not wholly in front of it.
@@ -58,13 +45,17 @@ Projection::Place Projection::place(const Vec3& point) const {
   return {dot(point, right_), dot(point, up_), dot(point, forward_)};
 }
 
+PixelRectangle Projection::rectangle(const Slopes& horizontal, const Slopes& vertical) const {
+  return {column(horizontal.low) - projection_margin_px, row(vertical.high) - projection_margin_px,
+          column(horizontal.high) + projection_margin_px, row(vertical.low) + projection_margin_px};
+}
+
 PixelRectangle Projection::of_sphere(const Vec3& center, double radius) const {
   const Place at = place(center);
   if (at.z < -radius) return {0, 0, 0, 0};
   const Slopes horizontal = slopes_of_circle(at.x, at.z, radius);
   const Slopes vertical = slopes_of_circle(at.y, at.z, radius);
-  return {column(horizontal.low) - projection_margin_px, row(vertical.high) - projection_margin_px,
-          column(horizontal.high) + projection_margin_px, row(vertical.low) + projection_margin_px};
+  return rectangle(horizontal, vertical);
 }
 
 PixelRectangle Projection::of_box(const Box& box) const {
@@ -92,8 +83,7 @@ PixelRectangle Projection::of_box(const Box& box) const {
       if (y != 0) vertical.include(std::copysign(infinity, y));
     }
   }
-  return {column(horizontal.low) - projection_margin_px, row(vertical.high) - projection_margin_px,
-          column(horizontal.high) + projection_margin_px, row(vertical.low) + projection_margin_px};
+  return rectangle(horizontal, vertical);
 }
 
 PixelRectangle Projection::of_discs(const Vec3& one, const Vec3& other, const Vec3& axis,
@@ -111,8 +101,7 @@ PixelRectangle Projection::of_discs(const Vec3& one, const Vec3& other, const Ve
     for (const double slope : {up.low, up.high}) vertical.include(slope);
   }
   if (is_behind) return {0, 0, 0, 0};
-  return {column(horizontal.low) - projection_margin_px, row(vertical.high) - projection_margin_px,
-          column(horizontal.high) + projection_margin_px, row(vertical.low) + projection_margin_px};
+  return rectangle(horizontal, vertical);
 }
 
 PixelRectangle Projection::of_triangle(const std::array<Vec3, 3>& vertices,
@@ -136,8 +125,7 @@ PixelRectangle Projection::of_triangle(const std::array<Vec3, 3>& vertices,
       vertical.include((from.y + share * (to.y - from.y)) / least_depth);
     }
   }
-  return {column(horizontal.low) - projection_margin_px, row(vertical.high) - projection_margin_px,
-          column(horizontal.high) + projection_margin_px, row(vertical.low) + projection_margin_px};
+  return rectangle(horizontal, vertical);
 }
 
 double Projection::distance_per_depth(const PixelRectangle& pixels) const {

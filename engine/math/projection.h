@@ -23,6 +23,17 @@ struct PixelRectangle {
 /// By so much rectangles are larger than what they hold.
 inline constexpr double projection_margin_px = 0.01;
 
+/// The range of x / z, or of y / z, under which something is seen.
+struct Slopes {
+  double low = infinity;
+  double high = -infinity;
+
+  void include(double slope) {
+    low = std::min(low, slope);
+    high = std::max(high, slope);
+  }
+};
+
 /// From frame coordinates to pixels, for shapes that the eye is not inside of.
 class Projection {
  public:
@@ -49,6 +60,7 @@ class Projection {
     double z;
   };
   Place place(const Vec3& point) const;
+  PixelRectangle rectangle(const Slopes& horizontal, const Slopes& vertical) const;
   double column(double slope) const { return (slope * columns_per_slope_) + middle_column_; }
   double row(double slope) const { return middle_row_ - (slope * rows_per_slope_); }
 

@@ -7,8 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
+#include <limits>
 
 namespace raytracer {
+
+/// Beyond every distance.
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A point, or a displacement; a unit vector where the name says so.
 struct Vec3 {

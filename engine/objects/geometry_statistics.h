@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/math/block.h"
 #include "engine/math/vec.h"
@@ -49,16 +48,16 @@ struct Viewpoint {
 /// Of primitives of one kind or of several. Lengths are in frame coordinates, distances from the
 /// viewpoint.
 struct GeometryStatistics {
-  double nearest = std::numeric_limits<double>::infinity();  ///< surface; negative inside of it
+  double nearest = infinity;  ///< surface; negative inside of it
   /// Distance to the nearest surface, on whichever side of it the viewpoint is.
-  double clearance = std::numeric_limits<double>::infinity();
+  double clearance = infinity;
   double farthest = 0;       ///< point of anything bounded
   double visible_reach = 0;  ///< of what is unbounded: how far its points are in view
   /// The least sine of half the angle that something round is seen at: a radius over the distance
   /// of its centre.
-  double least_sine = std::numeric_limits<double>::infinity();
+  double least_sine = infinity;
   /// Radius, or coordinate that a primitive without one reaches to.
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = infinity;
   double place_in_radii = 0;  ///< the largest coordinate of a centre in the scene, in radii
   double blocks = 0;    ///< of 16 x 16 pixels that each primitive touches, in sum; rather more
   double subpixel = 0;  ///< round things that may be seen smaller than a pixel ...
@@ -102,10 +101,10 @@ struct GeometryStatistics {
 /// Curved mirrors, which magnify errors of direction.
 struct CurvedMirrors {
   double count = 0;
-  double smallest = std::numeric_limits<double>::infinity();  ///< radius
+  double smallest = infinity;  ///< radius
   double radius_sum = 0;
-  double low = std::numeric_limits<double>::infinity();    ///< of all coordinates, so that high
-  double high = -std::numeric_limits<double>::infinity();  ///< - low is the space they stand in
+  double low = infinity;    ///< of all coordinates, so that high
+  double high = -infinity;  ///< - low is the space they stand in
 
   /// `number` of them, within `reach` of `center`.
   void include(const Vec3& center, double radius, double number, double reach) {

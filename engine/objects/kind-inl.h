@@ -2,27 +2,15 @@
 // objects-inl.h and lacks a piece does not compile. Asked for packets of floats; those of doubles
 // are the same templates. All kinds come before the concepts, which find what stands there.
 
-#if defined(RAYTRACER_OBJECTS_KIND_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_OBJECTS_KIND_INL_H_
-#undef RAYTRACER_OBJECTS_KIND_INL_H_
-#else
-#define RAYTRACER_OBJECTS_KIND_INL_H_
-#endif
-
 #include <concepts>
-#include <cstddef>
 #include <cstdint>
 
-#include "engine/finders/tree_walk-inl.h"
 #include "engine/lights/packet_light.h"
 #include "engine/objects/geometry.h"
-#include "engine/objects/objects-inl.h"
 #include "engine/objects/packets.h"
-#include "engine/packets/hit-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// A packet of floats.
 struct FloatPacket {
@@ -109,8 +97,5 @@ concept HasOwnNormals = requires(FloatPacket::D d, const PrimitiveRows<float>& r
   own_normals(d, rows, geometry, packet.direction, packet.active, at);
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -13,9 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
-#include "engine/fields/documented.h"
 #include "engine/fields/field_table.h"           // IWYU pragma: export
 #include "engine/fields/types.h"                 // IWYU pragma: export
 #include "engine/finders/finder.h"               // IWYU pragma: export

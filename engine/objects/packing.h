@@ -7,7 +7,6 @@
 #include <cstdint>
 
 #include "engine/math/frame.h"
-#include "engine/math/ray.h"
 #include "engine/memory/page_allocator.h"
 #include "engine/parallel/chunks.h"
 

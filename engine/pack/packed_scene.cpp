@@ -1,14 +1,28 @@
 #include "engine/pack/packed_scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <variant>
 
-#include "engine/pack/make_frame.h"
 #include "engine/scene/features.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {
 namespace {
+
+/// A quarter of the extent around the eye, which may be more than a double holds.
+double quarter_extent(const Scene& scene, const Vec3& eye) {
+  double extent = 0;
+  const auto include = [&](const Vec3& point, double reach) {
+    extent = std::max(extent, max_abs(point * 0.25 - eye * 0.25) + reach * 0.25);
+  };
+  for (const Object& object : scene.objects)
+    std::visit([&](const auto& shape) { for_each_extent(shape, include); }, object.shape);
+  for (const Light& light : scene.lights)
+    std::visit([&](const auto& source) { for_each_extent(source, include); }, light.source);
+  return extent;
+}
 
 /// Materials that differ from an object's by their colour, each once.
 class ColoredMaterials {
@@ -49,6 +63,13 @@ void add_materials(const Object& object, PackedScene& packed) {
 }
 
 }  // namespace
+
+Frame make_frame(const Scene& scene) {
+  const Vec3 eye = scene.camera.origin;
+  const double extent = quarter_extent(scene, eye);
+  if (extent == 0) return {eye, 0};
+  return {eye, std::ilogb(extent) + 2};
+}
 
 PackedScene pack_scene(const Scene& scene, WorkerPool* pool) {
   PackedScene packed;

@@ -1,7 +1,6 @@
 // The scene as plans and kernels see it: arrays of plain values in frame coordinates.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "engine/lights/lights.h"
@@ -59,6 +58,9 @@ struct PackedScene {
 
   const Material& material_of(const PrimitiveId& id) const { return materials[material_index(id)]; }
 };
+
+/// The frame that suits a scene: the eye at the origin, the farthest thing about 1 away.
+Frame make_frame(const Scene& scene);
 
 /// `pool`: whose threads help where there is much to do, if there is one; the result is the same.
 PackedScene pack_scene(const Scene& scene, WorkerPool* pool);

@@ -1,20 +1,11 @@
 // A packet against the plane of something flat: a plane or a triangle.
 
-#if defined(RAYTRACER_PACKETS_FLAT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_PACKETS_FLAT_INL_H_
-#undef RAYTRACER_PACKETS_FLAT_INL_H_
-#else
-#define RAYTRACER_PACKETS_FLAT_INL_H_
-#endif
-
 #include <limits>
 
 #include "engine/packets/flat_layout.h"
-#include "engine/packets/hit-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// How far from a plane a point may be for its distance to be rounding alone.
 template <typename T>
@@ -42,8 +33,5 @@ HWY_INLINE M intersect_plane(D d, const FlatItem<T>& plane, const RayOrigin<V>& 
                          hn::Set(d, static_cast<T>(plane.id)), from, direction, t);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -1,19 +1,9 @@
 // Where a packet begins and what it has hit.
 
-#if defined(RAYTRACER_PACKETS_HIT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_PACKETS_HIT_INL_H_
-#undef RAYTRACER_PACKETS_HIT_INL_H_
-#else
-#define RAYTRACER_PACKETS_HIT_INL_H_
-#endif
-
 #include <limits>
 
-#include "engine/packets/packet-inl.h"
-
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Where the lanes of a packet begin, and which surface they leave (-1: none).
 template <class V>
@@ -79,8 +69,5 @@ struct ShadowRays {
   V incidence;    ///< normal . towards
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

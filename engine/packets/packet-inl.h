@@ -1,12 +1,5 @@
 // A packet of rays: one to a lane. Compiled once for each instruction set.
 
-#if defined(RAYTRACER_PACKETS_PACKET_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_PACKETS_PACKET_INL_H_
-#undef RAYTRACER_PACKETS_PACKET_INL_H_
-#else
-#define RAYTRACER_PACKETS_PACKET_INL_H_
-#endif
-
 #include <hwy/highway.h>
 
 #include <cstdint>
@@ -15,8 +8,7 @@
 #include "engine/math/triple.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Of a lambda that is to become part of the function around it: what a function out of line is told
@@ -168,8 +160,5 @@ HWY_INLINE BasisPacket<V> basis_across(D d, const V3<V>& w) {
           {b, hn::MulAdd(hn::Mul(w.y, w.y), a, sign), hn::Neg(w.y)}};
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

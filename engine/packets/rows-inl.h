@@ -1,19 +1,9 @@
 // Values of a table's rows, for packets of which each lane asks for a row of its own.
 
-#if defined(RAYTRACER_PACKETS_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_PACKETS_ROWS_INL_H_
-#undef RAYTRACER_PACKETS_ROWS_INL_H_
-#else
-#define RAYTRACER_PACKETS_ROWS_INL_H_
-#endif
-
 #include <cstddef>
 
-#include "engine/packets/packet-inl.h"
-
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// The row of a table of Row, whose members are all T, that each lane asks for. Neighbouring pixels
 /// mostly show the same thing: then nothing is gathered.
@@ -71,8 +61,5 @@ class Rows {
   bool is_shared_;
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -1,7 +1,6 @@
 // A range of items cut into chunks.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 
 #include "engine/parallel/worker_pool.h"
@@ -17,13 +16,9 @@ template <typename Visit>
 void for_each_chunk(std::size_t count, std::size_t chunk_count, WorkerPool& pool,
                     const Visit& visit) {
   if (chunk_count == 1) return visit(std::size_t{0}, std::size_t{0}, count);
-  const std::atomic<bool> never{false};
-  pool.run(
-      chunk_count,
-      [&](std::size_t chunk) {
-        visit(chunk, count * chunk / chunk_count, count * (chunk + 1) / chunk_count);
-      },
-      never);
+  pool.run(chunk_count, [&](std::size_t chunk) {
+    visit(chunk, count * chunk / chunk_count, count * (chunk + 1) / chunk_count);
+  });
 }
 
 /// The same with a pool or, all here and in the order of the chunks, without.

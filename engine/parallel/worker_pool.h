@@ -42,9 +42,10 @@ class WorkerPool {
   /// share the threads by time. Once `stop` is set no further task begins. An exception of a task
   /// stops the batch and is thrown here. Not to be called from a task.
   void run(std::size_t count, const std::function<void(std::size_t)>& task,
-           const std::atomic<bool>& stop);
+           const std::atomic<bool>& stop = never);
 
  private:
+  static inline const std::atomic<bool> never{false};
   struct Batch;
   using Clock = std::chrono::steady_clock;
 

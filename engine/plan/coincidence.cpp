@@ -1,7 +1,6 @@
 // Surfaces that nearly coincide: which of them is seen is a matter of digits.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "engine/plan/scene_statistics.h"
@@ -35,7 +34,7 @@ std::vector<Keyed> placements(const Primitives& primitives) {
 
 double least_gap_among(std::vector<Keyed> all) {
   std::sort(all.begin(), all.end(), [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (auto a = all.begin(); a != all.end(); ++a) {
     const double reach = a->placement.reach;
     const auto end = a + std::min(most_compared, all.end() - a);
@@ -52,7 +51,7 @@ double least_gap_among(std::vector<Keyed> all) {
 }  // namespace
 
 double least_gap(const PackedScene& packed) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     least = std::min(least, least_gap_among(placements(of_kind<Kind>(packed.primitives))));
   });

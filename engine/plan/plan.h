@@ -2,8 +2,6 @@
 // decides it again.
 #pragma once
 
-#include <vector>
-
 #include "engine/plan/choice.h"
 #include "engine/plan/geometry.h"
 #include "engine/plan/machine.h"

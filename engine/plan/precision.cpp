@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace raytracer {
 namespace {
@@ -69,7 +68,7 @@ double growth_by_spread(const Features& features, const SceneStatistics& statist
 
 /// Of the kinds that the scene has.
 double least_tolerance_px(const Features& features) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     if (features.primitives[kind_index<Kind>] > 0) least = std::min(least, Kind::tolerance_px);
   });

@@ -10,8 +10,6 @@
 namespace raytracer {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Of one kind's primitives. In as many parts whatever the number of threads: the sums are the
 /// same.
 template <typename Primitives>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <vector>
 
 #include "engine/objects/geometry_statistics.h"
@@ -23,7 +22,7 @@ struct GrazingLight {
 struct SceneStatistics {
   std::array<GeometryStatistics, ObjectKinds::count> kinds;  ///< of each kind of object
   GeometryStatistics all;                                    ///< of all together
-  double nearest = std::numeric_limits<double>::infinity();  ///< surface; 0 inside an object
+  double nearest = infinity;                                 ///< surface; 0 inside an object
   double farthest = 0;     ///< point of anything bounded, point lights included
   double shadow_path = 0;  ///< no occluder stands farther than this from what it shadows
   /// How many times as far from a point light the farthest thing in view may be as the nearest
@@ -31,12 +30,12 @@ struct SceneStatistics {
   /// occluder.
   double shadow_spread = 1;
   /// The least distance of a point light to a surface, as a share of the farthest extent.
-  double light_clearance = std::numeric_limits<double>::infinity();
+  double light_clearance = infinity;
   /// By how much a reflection can magnify an error of direction, in what it changes of a pixel: a
   /// mirror of radius r spreads neighbouring rays 2 d / r times as far at a distance d, and shows
   /// what it mirrors only as bright as its reflectivity.
   double magnification = 1;
-  double gap = std::numeric_limits<double>::infinity();  ///< as least_gap() says
+  double gap = infinity;  ///< as least_gap() says
   /// The sine of the lowest parallel light's elevation over a lattice; 1 without such.
   double lowest_light = 1;
   double lost = 0;         ///< primitives that the frame cannot carry

@@ -4,8 +4,6 @@
 // worth it; the answer does not depend on the order.
 #pragma once
 
-#include <limits>
-
 #include "engine/math/ray.h"
 #include "engine/objects/objects.h"
 
@@ -32,13 +30,13 @@ class NearestHit {
   const double& t_max() const { return t_; }
   bool is_settled() const { return false; }
 
-  bool found() const { return t_ < std::numeric_limits<double>::infinity(); }
+  bool found() const { return t_ < infinity; }
   /// The point that was hit, its normal turned towards the ray's origin.
   const SurfacePoint& point() const { return point_; }
 
  private:
   const Ray& ray_;
-  double t_ = std::numeric_limits<double>::infinity();
+  double t_ = infinity;
   SurfacePoint point_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "engine/errors/error_model.h"
 #include "engine/sample/neighbour_error.h"
+#include "engine/sample/pattern.h"
 
 namespace raytracer {
 namespace {

@@ -1,7 +1,6 @@
 #include "engine/render/preview.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace raytracer {
 std::optional<Image> Preview::so_far() const {

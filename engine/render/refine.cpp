@@ -8,6 +8,7 @@
 #include "engine/plan/sampling.h"
 #include "engine/render/first_picture.h"
 #include "engine/render/refined_image.h"
+#include "engine/sample/pattern.h"
 #include "engine/sample/refinement.h"
 
 namespace raytracer {

@@ -12,6 +12,7 @@
 #include "engine/image/pixel_spreads.h"
 #include "engine/math/block.h"
 #include "engine/measure/stopwatch.h"
+#include "engine/sample/pattern.h"
 #include "engine/sample/subpixel_objects.h"
 
 namespace raytracer {
@@ -75,17 +76,13 @@ void RefinedImage::begin(FirstPicture first) {
 void RefinedImage::guess_errors(const std::vector<char>& is_traced) {
   const Stopwatch watch;
   const auto columns = static_cast<std::size_t>((width_ + block_side - 1) / block_side);
-  const std::atomic<bool> never{false};
-  tracing_.pool.run(
-      is_traced.size() / columns,
-      [&](std::size_t row) {
-        for (std::size_t block = columns * row; block < columns * (row + 1); ++block) {
-          const auto errors2 = guess_errors2(image_, errors_.tile_of(block), is_traced[block] != 0);
-          for (std::size_t i = 0; i < subtiles_in_block; ++i)
-            errors_.set_guess(subtiles_in_block * block + i, errors2[i]);
-        }
-      },
-      never);
+  tracing_.pool.run(is_traced.size() / columns, [&](std::size_t row) {
+    for (std::size_t block = columns * row; block < columns * (row + 1); ++block) {
+      const auto errors2 = guess_errors2(image_, errors_.tile_of(block), is_traced[block] != 0);
+      for (std::size_t i = 0; i < subtiles_in_block; ++i)
+        errors_.set_guess(subtiles_in_block * block + i, errors2[i]);
+    }
+  });
   errors_.use_guesses();
   after_ms_ = RefinementModel::half_buffer_cost * watch.elapsed_ms();
 }

@@ -4,7 +4,6 @@
 // begun is not lost.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <vector>

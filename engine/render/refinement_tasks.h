@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/image/tile.h"
 #include "engine/sample/pixel_errors.h"
 #include "engine/sample/refinement.h"
 

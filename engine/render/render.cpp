@@ -15,6 +15,7 @@
 #include "engine/render/tracing.h"
 #include "engine/sample/error_rules.h"
 #include "engine/sample/neighbour_error.h"
+#include "engine/sample/pattern.h"
 #include "engine/sample/refinement.h"
 
 namespace raytracer {

@@ -15,7 +15,6 @@
 #include "engine/pack/packed_scene.h"
 #include "engine/plan/plan.h"
 #include "engine/reference/single_ray_finder.h"
-#include "engine/sample/pattern.h"
 
 namespace raytracer {
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -17,7 +16,6 @@
 #include "engine/plan/tiles.h"
 #include "engine/render/progress.h"
 #include "engine/render/tracer.h"
-#include "engine/sample/pattern.h"
 
 namespace raytracer {
 
@@ -36,8 +34,7 @@ struct Tracing {
   /// What is left of the budget for samples, in milliseconds; infinite without one.
   double rest_ms() const {
     const std::optional<double>& budget_ms = scene.render.budget_ms;
-    return budget_ms ? RefinementModel::budget_share * *budget_ms - watch.elapsed_ms()
-                     : std::numeric_limits<double>::infinity();
+    return budget_ms ? RefinementModel::budget_share * *budget_ms - watch.elapsed_ms() : infinity;
   }
 
   /// Whether the budget is spent, or would be `more_ms` from now.

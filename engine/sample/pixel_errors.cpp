@@ -99,8 +99,7 @@ std::size_t PixelErrors::subtile_of(std::size_t pixel) const {
 
 template <typename Visit>
 void PixelErrors::for_each_row(const Visit& visit) const {
-  const std::atomic<bool> never{false};
-  pool_.run(rows_, visit, never);
+  pool_.run(rows_, visit);
 }
 
 std::vector<char> PixelErrors::find_variances(std::size_t row) const {

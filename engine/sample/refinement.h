@@ -13,7 +13,6 @@
 #include <span>
 #include <vector>
 
-#include "engine/errors/error_model.h"
 #include "engine/plan/scene_statistics.h"
 #include "engine/scene/limits.h"
 #include "engine/scene/scene.h"

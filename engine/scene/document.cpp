@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <new>
-#include <string>
 #include <vector>
 
 #include "engine/memory/page_allocator.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
-#include <variant>
 
 #include "engine/scene/scene.h"
 

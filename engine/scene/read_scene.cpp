@@ -7,7 +7,6 @@
 #include "engine/scene/document.h"
 #include "engine/scene/fields.h"
 #include "engine/scene/materials.h"
-#include "engine/scene/read_typed.h"
 #include "engine/scene/scene_size.h"
 
 namespace raytracer {

@@ -1,6 +1,5 @@
 #include "engine/scene/schema.h"
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>

@@ -8,15 +8,8 @@ std::string grouped(std::uint64_t number) {
   return text;
 }
 
-std::string pluralised(std::uint64_t number, std::string_view thing, std::string_view plural) {
-  std::string text = grouped(number) + ' ';
-  if (number == 1)
-    text += thing;
-  else if (!plural.empty())
-    text += plural;
-  else
-    text.append(thing).append("s");
-  return text;
+std::string pluralised(std::uint64_t number, std::string_view thing) {
+  return grouped(number).append(" ").append(thing).append(number == 1 ? "" : "s");
 }
 
 }  // namespace raytracer

@@ -10,7 +10,7 @@ namespace raytracer {
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);
 
-/// "1 sphere", "1,000 spheres"; `plural` where an s does not make it.
-std::string pluralised(std::uint64_t number, std::string_view thing, std::string_view plural = {});
+/// "1 sphere", "1,000 spheres".
+std::string pluralised(std::uint64_t number, std::string_view thing);
 
 }  // namespace raytracer

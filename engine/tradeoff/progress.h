@@ -1,6 +1,7 @@
 // How far the measurement of a curve is: many pictures in a row, each a step of the whole.
 #pragma once
 
+#include <cmath>
 #include <mutex>
 
 #include "engine/render/progress.h"
@@ -18,10 +19,18 @@ class CurveProgress {
   bool is_stopped() const { return picture_.stop; }
 
   /// The next picture takes the whole from one fraction to another.
-  void begin_step(double from, double to);
+  void begin_step(double from, double to) {
+    const std::scoped_lock lock(mutex_);
+    from_ = from;
+    to_ = to;
+    picture_.fraction = 0;
+  }
 
   /// Of the whole, 0 to 1; never falls.
-  double fraction() const;
+  double fraction() const {
+    const std::scoped_lock lock(mutex_);
+    return std::lerp(from_, to_, picture_.fraction.load());  // never beyond `to_`, by no rounding
+  }
 
  private:
   RenderProgress& picture_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/scene/read_scene.h"
+#include "engine/scene/overrides.h"
 
 namespace raytracer {
 namespace {

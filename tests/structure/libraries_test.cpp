@@ -38,7 +38,7 @@ TEST(Libraries, json_is_where_json_is_read_or_written) {
            path == "server/openapi_handler.cpp" ||       // writes OpenAPI
            path == "server/request_text.cpp" ||          // reads numbers as JSON writes them
            path == "client/api.cpp" ||                   // reads answers
-           path == "client/plan_text.cpp" ||             // reads plans
+           path == "client/plan_command.cpp" ||          // reads plans
            path == "client/curve.cpp" ||                 // reads curves
            path == "client/scene_errors.cpp" ||          // reads problems
            path == "client/pointer_lines.cpp";           // finds places in scenes

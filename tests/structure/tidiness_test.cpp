@@ -36,7 +36,7 @@ TEST(Tidiness, nothing_is_left_to_do) {
 
 TEST(Tidiness, header_is_included_once) {
   for (const SourceFile& file : all_files()) {
-    // A kernel's "-inl.h" is meant to be included again, once for each instruction set.
+    // A kernel's "-inl.h" is included again, once for each instruction set.
     if (!file.path.ends_with(".h") || file.path.ends_with("-inl.h")) continue;
     EXPECT_NE(file.text.find("#pragma once\n"), std::string::npos) << file.path;
   }

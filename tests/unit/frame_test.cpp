@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/pack/make_frame.h"
+#include "engine/pack/packed_scene.h"
 #include "tests/support/rays.h"
 
 namespace raytracer::test {

@@ -174,7 +174,7 @@ TEST(Plan, names_the_contract_that_ends_a_sampling) {
 TEST(Pluralised, writes_numbers_as_people_do) {
   EXPECT_EQ(pluralised(0, "sphere"), "0 spheres");
   EXPECT_EQ(pluralised(1, "sphere"), "1 sphere");
-  EXPECT_EQ(pluralised(999, "mesh", "meshes"), "999 meshes");
+  EXPECT_EQ(pluralised(999, "triangle"), "999 triangles");
   EXPECT_EQ(pluralised(1000, "sphere"), "1,000 spheres");
   EXPECT_EQ(grouped(12345678), "12,345,678");
   EXPECT_EQ(grouped(std::numeric_limits<std::uint64_t>::max()), "18,446,744,073,709,551,615");

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "engine/engine.h"
-#include "engine/kernel/simd/instruction_sets.h"
+#include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
 #include "engine/render/tracer.h"
 #include "engine/sample/pattern.h"

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "engine/engine.h"
-#include "engine/kernel/simd/instruction_sets.h"
+#include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
 #include "tests/support/scenes.h"
 #include "tests/variants/image_by.h"

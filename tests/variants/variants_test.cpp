@@ -10,7 +10,6 @@
 #include <iterator>
 
 #include "engine/image/encode.h"
-#include "engine/kernel/simd/instruction_sets.h"
 #include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
 #include "engine/reference/radiance.h"

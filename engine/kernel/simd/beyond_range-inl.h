@@ -2,19 +2,10 @@
 //
 // Looked at before colours are clamped: what is no number would be 1 after it, on most machines.
 
-#if defined(RAYTRACER_KERNEL_SIMD_BEYOND_RANGE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_KERNEL_SIMD_BEYOND_RANGE_INL_H_
-#undef RAYTRACER_KERNEL_SIMD_BEYOND_RANGE_INL_H_
-#else
-#define RAYTRACER_KERNEL_SIMD_BEYOND_RANGE_INL_H_
-#endif
-
 #include "engine/kernel/beyond_range.h"
-#include "engine/kernel/simd/block-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Looks for colours that cannot be shown, at three instructions a packet.
 template <class D, typename T = hn::TFromD<D>>
@@ -86,8 +77,5 @@ class BlockBeyondRange {
   alignas(64) T marks_[block_pixels];  ///< 0: none; not set while it is empty
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -1,12 +1,5 @@
 // A block of pixels: how packets cover it, and its colours.
 
-#if defined(RAYTRACER_KERNEL_SIMD_BLOCK_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_KERNEL_SIMD_BLOCK_INL_H_
-#undef RAYTRACER_KERNEL_SIMD_BLOCK_INL_H_
-#else
-#define RAYTRACER_KERNEL_SIMD_BLOCK_INL_H_
-#endif
-
 #include <hwy/contrib/math/math-inl.h>
 
 #include <cstdint>
@@ -14,11 +7,9 @@
 #include "engine/math/transfer.h"
 #include "engine/kernel/sample_point.h"
 #include "engine/math/block.h"
-#include "engine/packets/packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 inline constexpr int block_pixels = block_side * block_side;
 
@@ -141,8 +132,5 @@ HWY_INLINE V encoded(D d, Transfer transfer, V linear) {
   return hn::IfThenElse(is_dark, straight, hn::Min(curved, hn::Set(d, T(1))));
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

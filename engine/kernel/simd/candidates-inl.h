@@ -1,12 +1,5 @@
 // Candidates: what rays from the eye may meet in a block of pixels and in its subtiles.
 
-#if defined(RAYTRACER_KERNEL_SIMD_CANDIDATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_KERNEL_SIMD_CANDIDATES_INL_H_
-#undef RAYTRACER_KERNEL_SIMD_CANDIDATES_INL_H_
-#else
-#define RAYTRACER_KERNEL_SIMD_CANDIDATES_INL_H_
-#endif
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -14,11 +7,9 @@
 
 #include "engine/finders/screen_bins.h"
 #include "engine/image/tile.h"
-#include "engine/kernel/simd/find-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// So many entries are looked through at a time.
 inline constexpr std::size_t entries_at_once = 64;
@@ -119,8 +110,5 @@ struct SubtileCandidates {
   }
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

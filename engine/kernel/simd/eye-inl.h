@@ -1,21 +1,9 @@
 // What is seen from the eye.
 
-#if defined(RAYTRACER_KERNEL_SIMD_EYE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_KERNEL_SIMD_EYE_INL_H_
-#undef RAYTRACER_KERNEL_SIMD_EYE_INL_H_
-#else
-#define RAYTRACER_KERNEL_SIMD_EYE_INL_H_
-#endif
-
-#include <cstdint>
 #include <limits>
 
-#include "engine/kernel/simd/find-inl.h"
-#include "engine/kernel/simd/followed_rays-inl.h"
-
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// The directions from the eye through an image's points, and what is seen along them.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
@@ -156,8 +144,5 @@ HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool
   if (followed.count > 0) trace_followed(scene, followed, colours);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -1,21 +1,10 @@
 // What packets hit, and what hides lights from them: which finder takes which rays to each kind of
 // object, as the plan has chosen.
 
-#if defined(RAYTRACER_KERNEL_SIMD_FIND_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_KERNEL_SIMD_FIND_INL_H_
-#undef RAYTRACER_KERNEL_SIMD_FIND_INL_H_
-#else
-#define RAYTRACER_KERNEL_SIMD_FIND_INL_H_
-#endif
-
 #include <cstddef>
 
-#include "engine/finders/tree-inl.h"
-#include "engine/objects/kind-inl.h"
-
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Calls visit(geometry) for the kinds of objects that the scene has.
 template <std::size_t kind = 0, typename T, class Visit>
@@ -94,8 +83,5 @@ HWY_INLINE M occluded(D d, const PacketScene<T>& scene, const PacketLight<T>& li
   return dark;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -1,22 +1,10 @@
 // Rays that follow others: those that still matter side by side, a step of all at a time.
 
-#if defined(RAYTRACER_KERNEL_SIMD_FOLLOWED_RAYS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_KERNEL_SIMD_FOLLOWED_RAYS_INL_H_
-#undef RAYTRACER_KERNEL_SIMD_FOLLOWED_RAYS_INL_H_
-#else
-#define RAYTRACER_KERNEL_SIMD_FOLLOWED_RAYS_INL_H_
-#endif
-
 #include <limits>
 #include <utility>
 
-#include "engine/kernel/simd/block-inl.h"
-#include "engine/kernel/simd/shade-inl.h"
-#include "engine/kernel/simd/surface-inl.h"
-
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// A packet of rays that follow others, or come from the eye.
 template <class V>
@@ -154,8 +142,5 @@ void trace_followed(const PacketScene<T>& scene, FollowedRays<T>& rays, BlockCol
   }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

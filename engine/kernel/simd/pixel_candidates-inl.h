@@ -1,12 +1,5 @@
 // Candidates of rays from the eye through one pixel.
 
-#if defined(RAYTRACER_KERNEL_SIMD_PIXEL_CANDIDATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_KERNEL_SIMD_PIXEL_CANDIDATES_INL_H_
-#undef RAYTRACER_KERNEL_SIMD_PIXEL_CANDIDATES_INL_H_
-#else
-#define RAYTRACER_KERNEL_SIMD_PIXEL_CANDIDATES_INL_H_
-#endif
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,12 +8,8 @@
 #include <limits>
 #include <vector>
 
-#include "engine/kernel/simd/candidates-inl.h"
-#include "engine/kernel/simd/eye-inl.h"
-
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// A cone that holds all rays from the eye through a pixel.
 template <typename T>
@@ -119,8 +108,5 @@ class PixelCandidates {
   std::array<std::size_t, ObjectKinds::count> looked_through_{};  ///< of the block's entries
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -1,6 +1,6 @@
 #include "engine/kernel/simd/render_tile.h"
 
-#include "engine/kernel/simd/instruction_sets.h"
+#include "engine/kernel/this_machine.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/kernel/simd/render_tile.cpp"  // this file, once per target
@@ -9,15 +9,14 @@
 
 #include <algorithm>
 
+#include "engine/kernel/simd/kernel-inl.h"
+
+// After what they build on.
 #include "engine/kernel/simd/beyond_range-inl.h"
-#include "engine/kernel/simd/candidates-inl.h"
-#include "engine/kernel/simd/eye-inl.h"
-#include "engine/kernel/simd/resolve-inl.h"
 #include "engine/kernel/simd/store-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// The rays from the eye through a block's pixels.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
@@ -259,8 +258,7 @@ TracedTile render_double(const PacketScene<double>& scene, const SamplePattern& 
   return render_blocks(scene, pattern, transfer, tile, canvas, errors);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -1,20 +1,11 @@
 // What becomes of the sum of a pixel's samples: its colour, and what they tell of its error.
 
-#if defined(RAYTRACER_KERNEL_SIMD_RESOLVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_KERNEL_SIMD_RESOLVE_INL_H_
-#undef RAYTRACER_KERNEL_SIMD_RESOLVE_INL_H_
-#else
-#define RAYTRACER_KERNEL_SIMD_RESOLVE_INL_H_
-#endif
-
 #include <cstddef>
 
 #include "engine/errors/error_model.h"
-#include "engine/kernel/simd/block-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// 1 / count.
 template <class D, typename T = hn::TFromD<D>>
@@ -64,8 +55,5 @@ HWY_INLINE Spread<V> spread_of(D d, const V3<V>& sum_a, const V3<V>& all, const 
           hn::IfThenElseZero(hn::Gt(variance, zero), variance)};
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

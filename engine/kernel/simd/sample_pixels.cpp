@@ -1,6 +1,6 @@
 #include "engine/kernel/simd/sample_pixels.h"
 
-#include "engine/kernel/simd/instruction_sets.h"
+#include "engine/kernel/this_machine.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/kernel/simd/sample_pixels.cpp"  // this file, once per target
@@ -10,16 +10,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
-#include <vector>
 
-#include "engine/kernel/simd/candidates-inl.h"
-#include "engine/kernel/simd/eye-inl.h"
+#include "engine/kernel/simd/kernel-inl.h"
 #include "engine/kernel/simd/pixel_candidates-inl.h"
-#include "engine/kernel/simd/resolve-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Places of samples, as many as a block has colours.
 template <typename T>
@@ -199,8 +195,7 @@ void sample_double(const PacketScene<double>& scene, const SamplePattern& patter
   sample_block(scene, pattern, transfer, pixels, results);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/image/image.h"
 #include "engine/image/sampled_pixel.h"
 #include "engine/kernel/packet_scene.h"
 #include "engine/kernel/sample_point.h"

@@ -1,19 +1,7 @@
 // The colours of a packet of points.
 
-#if defined(RAYTRACER_KERNEL_SIMD_SHADE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_KERNEL_SIMD_SHADE_INL_H_
-#undef RAYTRACER_KERNEL_SIMD_SHADE_INL_H_
-#else
-#define RAYTRACER_KERNEL_SIMD_SHADE_INL_H_
-#endif
-
-#include "engine/kernel/simd/surface-inl.h"
-#include "engine/lights/lights-inl.h"
-#include "engine/materials/materials-inl.h"
-
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// The colour of the packet's points, without what they mirror; rubbish in lanes not `active`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
@@ -45,8 +33,5 @@ HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surfa
           hn::Mul(hn::Add(sum.z, ambient), colour.z)};
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

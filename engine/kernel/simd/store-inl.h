@@ -1,12 +1,5 @@
 // A block's colours on their way into the image.
 
-#if defined(RAYTRACER_KERNEL_SIMD_STORE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_KERNEL_SIMD_STORE_INL_H_
-#undef RAYTRACER_KERNEL_SIMD_STORE_INL_H_
-#else
-#define RAYTRACER_KERNEL_SIMD_STORE_INL_H_
-#endif
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -16,11 +9,9 @@
 
 #include "engine/image/image.h"
 #include "engine/image/tile.h"
-#include "engine/kernel/simd/block-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// The lanes' channels in single precision, which is what an image of floats holds.
 template <class D>
@@ -204,8 +195,5 @@ HWY_INLINE void fill_subtiles(const SolidRow& row, const Block& block, std::uint
     fill_subtiles(row.bytes, block, subtiles, *std::get<ByteImage*>(canvas));
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -1,18 +1,7 @@
 // What shading needs of a hit: the point, the normal and the material.
 
-#if defined(RAYTRACER_KERNEL_SIMD_SURFACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_KERNEL_SIMD_SURFACE_INL_H_
-#undef RAYTRACER_KERNEL_SIMD_SURFACE_INL_H_
-#else
-#define RAYTRACER_KERNEL_SIMD_SURFACE_INL_H_
-#endif
-
-#include "engine/kernel/simd/find-inl.h"
-#include "engine/packets/rows-inl.h"
-
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// What a packet has met, made ready for shading and for leaving it.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
@@ -56,8 +45,5 @@ HWY_INLINE Surface<D> surface_at(D d, const PacketScene<T>& scene, const RayOrig
   return surface;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -3,7 +3,6 @@
 //   { "type": "distant", "direction": [-0.6, -1, 0.7], "color": [1, 1, 1], "intensity": 0.9 }
 #pragma once
 
-#include <limits>
 #include <string_view>
 #include <tuple>
 
@@ -31,7 +30,7 @@ inline double brightest(const DistantLight&, double i, double /*clearance*/) { r
 
 inline ArrivingLight arriving(std::type_identity<DistantLight>, const PackedLight& light,
                               const SurfacePoint&) {
-  return {light.place, std::numeric_limits<double>::infinity(), light.emission};
+  return {light.place, infinity, light.emission};
 }
 
 }  // namespace raytracer

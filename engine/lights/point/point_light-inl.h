@@ -1,20 +1,11 @@
 // Light from a point, for packets of points.
 
-#if defined(RAYTRACER_LIGHTS_POINT_POINT_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_LIGHTS_POINT_POINT_LIGHT_INL_H_
-#undef RAYTRACER_LIGHTS_POINT_POINT_LIGHT_INL_H_
-#else
-#define RAYTRACER_LIGHTS_POINT_POINT_LIGHT_INL_H_
-#endif
-
 #include <limits>
 
-#include "engine/lights/arriving-inl.h"
 #include "engine/lights/packet_light.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE ArrivingLights<V> arriving(D d, std::type_identity<PointLight>,
@@ -30,8 +21,5 @@ HWY_INLINE ArrivingLights<V> arriving(D d, std::type_identity<PointLight>,
           hn::Sqrt(square)};
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -1,22 +1,13 @@
 // Blinn-Phong for packets of points.
 
-#if defined(RAYTRACER_MATERIALS_BLINN_PHONG_BLINN_PHONG_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_MATERIALS_BLINN_PHONG_BLINN_PHONG_INL_H_
-#undef RAYTRACER_MATERIALS_BLINN_PHONG_BLINN_PHONG_INL_H_
-#else
-#define RAYTRACER_MATERIALS_BLINN_PHONG_BLINN_PHONG_INL_H_
-#endif
-
 #include <hwy/contrib/math/math-inl.h>
 
 #include <cstdint>
 
 #include "engine/materials/material_row.h"
-#include "engine/packets/rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// x^exponent for x in [0, 1], by squaring from the exponent's highest bit; 0^0 = 1.
 template <class D, class V = hn::Vec<D>>
@@ -107,8 +98,5 @@ class BlinnPhongPacket {
   V ks_;
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -1,28 +1,17 @@
 // Packets against cylinders.
 
-#if defined(RAYTRACER_OBJECTS_CYLINDER_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_OBJECTS_CYLINDER_INL_H_
-#undef RAYTRACER_OBJECTS_CYLINDER_INL_H_
-#else
-#define RAYTRACER_OBJECTS_CYLINDER_INL_H_
-#endif
-
 #include <hwy/cache_control.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
-#include "engine/finders/light_grid-inl.h"
-#include "engine/finders/tree_walk-inl.h"
 #include "engine/lights/packet_light.h"
 #include "engine/objects/cylinder/packets.h"
 #include "engine/objects/geometry.h"
-#include "engine/packets/hit-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Cylinders, one for each lane's ray, or the same in all lanes.
 template <class V>
@@ -374,8 +363,5 @@ HWY_INLINE M occluded_by(D d, const Geometry<CylinderKind, T>& cylinders,
   return occluded_in_lists(d, view.grid, rays.from.point, lit, in_cell);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

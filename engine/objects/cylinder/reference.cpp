@@ -1,7 +1,6 @@
 // Where a ray meets a cylinder: the definition, in double and one ray at a time.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/math/ray_plane.h"
 #include "engine/objects/cylinder/cylinder.h"
@@ -37,8 +36,6 @@ CylinderLeft left_surface(const Ray& ray, const PackedCylinder& c) {
   const double outward = from.part == to_part ? 1 : -1;
   return {true, from.part, outward * dot(from.normal, c.axis) < 0};
 }
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// From where to where along the ray: empty unless enter <= leave.
 struct Span {

@@ -1,23 +1,14 @@
 // Packets against lattices of touching spheres, and the shadows of those.
 
-#if defined(RAYTRACER_OBJECTS_LATTICE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_OBJECTS_LATTICE_INL_H_
-#undef RAYTRACER_OBJECTS_LATTICE_INL_H_
-#else
-#define RAYTRACER_OBJECTS_LATTICE_INL_H_
-#endif
-
 #include <limits>
 
 #include "engine/lights/packet_light.h"
 #include "engine/objects/geometry.h"
 #include "engine/objects/lattice/packets.h"
 #include "engine/objects/lattice/rows-inl.h"
-#include "engine/objects/lattice/walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Whether a neighbour in the list's cell stands between a sphere's point with `normal` and a
 /// distant light, both in the lattice's axes.
@@ -180,8 +171,5 @@ HWY_INLINE M occluded_by(D d, const Geometry<LatticeKind, T>& lattices, const Pa
   return dark;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

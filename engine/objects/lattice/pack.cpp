@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "engine/objects/lattice/lattice.h"
@@ -32,7 +31,7 @@ double distance_to(const PackedLattice& l, const Vec3& place) {
     const double cell = std::floor(at / (2 * r)) + neighbour;
     return (2 * cell + 1) * r;
   };
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = infinity;
   for (const int i : {-1, 0, 1})
     for (const int k : {-1, 0, 1})
       nearest = std::min(

@@ -2,9 +2,7 @@
 // not depend on its size.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "engine/math/ray_sphere.h"
 #include "engine/objects/lattice/lattice.h"
@@ -43,7 +41,7 @@ class Walk {
     const double half = static_cast<double>(lattice_.side) * lattice_.radius;
     // A little more than the spheres' reach, against rounding: exactness is the spheres' affair.
     constexpr double slack = 1 + 0x1p-40;
-    Interval t{0, std::numeric_limits<double>::infinity()};
+    Interval t{0, infinity};
     // A ray within the spheres' tangent plane would cross every row and touch at most points.
     constexpr double level = 0x1p-30;
     constexpr double not_tangent = 1 - 0x1p-32;

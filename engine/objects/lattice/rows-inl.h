@@ -8,20 +8,12 @@
 // All is relative to the point in which the ray crosses the plane of the centres, and mirrored so
 // that both slopes are positive.
 
-#if defined(RAYTRACER_OBJECTS_LATTICE_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_OBJECTS_LATTICE_ROWS_INL_H_
-#undef RAYTRACER_OBJECTS_LATTICE_ROWS_INL_H_
-#else
-#define RAYTRACER_OBJECTS_LATTICE_ROWS_INL_H_
-#endif
-
 #include <utility>
 
 #include "engine/objects/lattice/walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Whether the eye is above or below all spheres of the lattice.
 template <typename T>
@@ -120,8 +112,5 @@ HWY_INLINE CellHit<V, M> first_in_rows(D d, const LatticeItem<T>& lattice, const
   return found;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -4,22 +4,13 @@
 // that cell, and the first sphere met on the way is the nearest. Positions are recomputed from
 // the cells' integer coordinates, never accumulated.
 
-#if defined(RAYTRACER_OBJECTS_LATTICE_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_OBJECTS_LATTICE_WALK_INL_H_
-#undef RAYTRACER_OBJECTS_LATTICE_WALK_INL_H_
-#else
-#define RAYTRACER_OBJECTS_LATTICE_WALK_INL_H_
-#endif
-
 #include <limits>
 
 #include "engine/objects/lattice/long_walk.h"
 #include "engine/objects/lattice/packets.h"
-#include "engine/packets/hit-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// A vector's coordinates along the lattice's first axis, across it, and along its second.
 template <typename T, class V>
@@ -213,8 +204,5 @@ HWY_INLINE CellHit<V, M> walk_lattice(D d, const LatticeItem<T>& lattice, const 
   return found;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -2,7 +2,6 @@
 // large they are.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/objects/plane/plane.h"
 
@@ -13,7 +12,6 @@ void pack(const Plane& p, Packing<PackedPlane>& to) {
 }
 
 Box bounds(const PackedPlane& p) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Box box{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
   for (const int axis : {0, 1, 2}) {
     Vec3 across;

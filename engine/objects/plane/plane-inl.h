@@ -1,20 +1,11 @@
 // Packets against planes.
 
-#if defined(RAYTRACER_OBJECTS_PLANE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_OBJECTS_PLANE_INL_H_
-#undef RAYTRACER_OBJECTS_PLANE_INL_H_
-#else
-#define RAYTRACER_OBJECTS_PLANE_INL_H_
-#endif
-
 #include "engine/lights/packet_light.h"
 #include "engine/objects/geometry.h"
 #include "engine/objects/plane/packets.h"
-#include "engine/packets/flat-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// The packet against one plane.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
@@ -54,8 +45,5 @@ HWY_INLINE M occluded_by(D d, const Geometry<PlaneKind, T>& planes, const Packet
   return dark;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

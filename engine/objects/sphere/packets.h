@@ -4,7 +4,6 @@
 // of each sphere as the eye sees it) is computed once, in double.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 

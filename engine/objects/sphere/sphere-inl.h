@@ -1,28 +1,16 @@
 // Packets against spheres.
 
-#if defined(RAYTRACER_OBJECTS_SPHERE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_OBJECTS_SPHERE_INL_H_
-#undef RAYTRACER_OBJECTS_SPHERE_INL_H_
-#else
-#define RAYTRACER_OBJECTS_SPHERE_INL_H_
-#endif
-
 #include <hwy/cache_control.h>
 
 #include <cmath>
 #include <cstdint>
 
-#include "engine/finders/light_grid-inl.h"
-#include "engine/finders/point_grid-inl.h"
-#include "engine/finders/tree_walk-inl.h"
 #include "engine/lights/packet_light.h"
 #include "engine/objects/geometry.h"
 #include "engine/objects/sphere/packets.h"
-#include "engine/packets/hit-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Rays from the eye against the sphere of that number.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
@@ -243,8 +231,5 @@ HWY_INLINE void prefetch_cells(D d, const Geometry<SphereKind, T>& spheres,
               hn::And(lanes, is_on_plane(d, grid.plane, at)));
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

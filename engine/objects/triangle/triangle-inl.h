@@ -1,28 +1,17 @@
 // Packets against triangles.
 
-#if defined(RAYTRACER_OBJECTS_TRIANGLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RAYTRACER_OBJECTS_TRIANGLE_INL_H_
-#undef RAYTRACER_OBJECTS_TRIANGLE_INL_H_
-#else
-#define RAYTRACER_OBJECTS_TRIANGLE_INL_H_
-#endif
-
 #include <hwy/cache_control.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
-#include "engine/finders/light_grid-inl.h"
-#include "engine/finders/tree_walk-inl.h"
 #include "engine/lights/packet_light.h"
 #include "engine/objects/geometry.h"
 #include "engine/objects/triangle/packets.h"
-#include "engine/packets/flat-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace raytracer {
-namespace HWY_NAMESPACE {
+namespace raytracer::HWY_NAMESPACE {
 
 /// Triangles, one for each lane's ray.
 template <class V>
@@ -198,8 +187,5 @@ HWY_INLINE M occluded_by(D d, const Geometry<TriangleKind, T>& triangles,
       });
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace raytracer
+}  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#endif  // include guard of each target

@@ -13,7 +13,6 @@
 // asked of the corners, which are exact (math/ray_plane.h).
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

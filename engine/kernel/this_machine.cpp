@@ -1,8 +1,6 @@
-#include "engine/kernel/simd/instruction_sets.h"
+#include "engine/kernel/this_machine.h"
 
 #include <hwy/highway.h>
-
-#include "engine/kernel/this_machine.h"
 
 namespace raytracer {
 
