@@ -1,5 +1,4 @@
 // What leaves the page: a link to its state, and the command that renders the same picture.
-import { copy } from "./copy.js";
 import { curlCommand, fragmentOf } from "./share.js";
 
 /// `state()` gives {name, title, text, view, choice, settings, written}: `name` is empty where the text
@@ -15,4 +14,19 @@ export function createSharing({ share, curl, dialog }, state, say) {
     const { written, settings, title } = state();
     if (await copy(curlCommand(written(), settings, title), dialog, "Command for this picture")) say("Command copied");
   });
+}
+
+// Resolves to whether `text` is in the clipboard; where the browser forbids it, `dialog` shows it selected.
+async function copy(text, dialog, title) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    dialog.querySelector("h2").textContent = title;
+    const area = dialog.querySelector("textarea");
+    area.value = text;
+    dialog.showModal();
+    area.select();
+    return false;
+  }
 }

@@ -1,6 +1,7 @@
 // The kinds of lights, each in a folder beside this file: the one list of them.
 #pragma once
 
+#include <cstdint>
 #include <tuple>
 #include <variant>
 
@@ -24,6 +25,10 @@ struct Light {
       std::tuple(optional("color", &Light::color, ColorRule{}),
                  optional("intensity", &Light::intensity, NumberRule{not_negative}));
 };
+
+/// What a surface that a light does not reach shows of that light's ambient part; `off`: every
+/// light reaches every surface that faces it.
+enum class Shadows : std::uint8_t { black, ambient, off };
 
 inline PackedLight pack_light(const Light& light, const Frame& frame) {
   return std::visit(

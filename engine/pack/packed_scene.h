@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/lights/lights.h"
-#include "engine/lights/shadows.h"
 #include "engine/materials/materials.h"
 #include "engine/math/frame.h"
 #include "engine/math/view.h"

@@ -11,7 +11,6 @@
 
 #include "engine/fields/field_table.h"
 #include "engine/lights/lights.h"
-#include "engine/lights/shadows.h"
 #include "engine/materials/materials.h"
 #include "engine/math/transfer.h"
 #include "engine/memory/shared_array.h"

@@ -27,7 +27,7 @@ struct OwnAxes {
 };
 
 template <typename T>
-CylinderShadow<T> shadow_of(const PackedCylinder& c, const Vec3& towards, std::int32_t number) {
+CylinderShadow<T> shadow_of(const PackedCylinder& c, const Vec3& towards) {
   const Vec3 both = cross(towards, c.axis);
   const double slant = length(both);
   // Exactly across the axis, however nearly the light is along it: points lie far along it.
@@ -49,8 +49,7 @@ CylinderShadow<T> shadow_of(const PackedCylinder& c, const Vec3& towards, std::i
           inverse(slant),
           inverse(slope),
           static_cast<T>(c.low),
-          static_cast<T>(c.high),
-          static_cast<T>(number)};
+          static_cast<T>(c.high)};
 }
 
 /// How far the disc of an end reaches along a unit vector.
@@ -115,13 +114,13 @@ void PacketLayout<CylinderKind, T>::fill(const PackedCylinder& cylinder, std::in
 template <typename T>
 CylinderLightView<T> PacketLayout<CylinderKind, T>::light_view(
     std::span<const PackedCylinder> cylinders, const PackedLight& light, const FinderRow& finders,
-    const Numbering& numbers, WorkerPool& pool) {
+    const Numbering&, WorkerPool& pool) {
   CylinderLightView<T> view;
   if (light.rays != LightRays::parallel || cylinders.empty()) return view;
   view.shadows.resize(cylinders.size());
   for_each_range(cylinders.size(), pool, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      view.shadows[i] = shadow_of<T>(cylinders[i], light.place, numbers(cylinders[i].id));
+      view.shadows[i] = shadow_of<T>(cylinders[i], light.place);
   });
   if (finder_of(finders, RayKind::to_distant_light) != Finder::light_grid) return view;
   const LightAxes axes = light_axes(light.place);

@@ -53,7 +53,6 @@ struct CylinderShadow {
   T radius2;
   T per_e, per_w;  ///< 1 / the light's part along e and w
   T low, high;
-  T id;
 };
 
 template <typename T>
