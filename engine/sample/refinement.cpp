@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <ranges>
+#include <numeric>
 
 #include "engine/plan/sampling.h"
 #include "engine/sample/error_rules.h"
@@ -188,11 +188,13 @@ std::vector<PixelSamples> choose_samples(std::span<const PixelError> pixels,
   const Allocation allocation(classes.all(), goal);
   // What is enough stays so as the factor grows, and what is affordable as it falls.
   constexpr int lowest = -most_log_of_coefficient;
-  const int enough = *std::ranges::partition_point(
-      std::views::iota(lowest, log_count), [&](int log) { return !allocation.is_enough(log); });
-  const int too_dear = *std::ranges::partition_point(
-      std::views::iota(lowest, enough + 1), [&](int log) { return allocation.is_affordable(log); });
-  const int log_factor = std::min(enough, too_dear - 1);
+  std::array<int, log_count - lowest + 1> logs;
+  std::iota(logs.begin(), logs.end(), lowest);
+  const auto enough = std::partition_point(logs.begin(), logs.end() - 1,
+                                           [&](int log) { return !allocation.is_enough(log); });
+  const auto too_dear = std::partition_point(
+      logs.begin(), enough + 1, [&](int log) { return allocation.is_affordable(log); });
+  const int log_factor = std::min(*enough, lowest - 1 + static_cast<int>(too_dear - logs.begin()));
   for (ErrorClass& each : classes.all()) each.next = allocation.samples_at(log_factor, each);
   std::vector<PixelSamples> refined;
   for (std::size_t i = 0; i < pixels.size(); ++i)

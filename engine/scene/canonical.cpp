@@ -52,7 +52,7 @@ class Bytes {
   template <typename... T>
   void append(const std::variant<T...>& value) {
     append(value.index());
-    std::visit([this](const auto& alternative) { append(alternative); }, value);
+    std::visit([this](const auto& alternative) { this->append(alternative); }, value);
   }
   template <typename Structure>
   requires requires { Structure::fields; }

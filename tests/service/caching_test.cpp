@@ -80,7 +80,7 @@ TEST_F(Caching, known_picture_is_not_rendered_again) {
 }
 
 TEST_F(Caching, picture_without_a_tag_is_any_but_no_named_one) {
-  const auto status_for = [this](const char* known) {
+  const auto status_for = [](const char* known) {
     return post("/render?budget_ms=5", small_scene, {{"If-None-Match", known}}).status;
   };
   EXPECT_EQ(status_for("*"), 304);
