@@ -49,7 +49,8 @@ void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering
   bool is_complete = render_pilot(pilot, tracing, refined);
   const bool has_estimate = is_complete && pilot > 1;
   if (has_estimate) refined.look_for_subpixel_objects();
-  while (is_complete && has_estimate && refined.error2() > refined2 && !tracing.is_over_time()) {
+  while (is_complete && has_estimate && refined.error2() > refined2 &&
+         !tracing.is_over_time(refined.choosing_ms())) {
     std::vector<PixelSamples> pixels =
         refined.choose_samples(RefinementModel::aim * refined2, most_samples);
     if (pixels.empty()) break;

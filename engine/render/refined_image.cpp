@@ -84,7 +84,14 @@ void RefinedImage::guess_errors(const std::vector<char>& is_traced) {
     }
   });
   errors_.use_guesses();
-  after_ms_ = RefinementModel::half_buffer_cost * watch.elapsed_ms();
+  const double guess_ms = watch.elapsed_ms();
+  // Estimates take each pixel through the transfer besides, which guesses do not: as long as for a
+  // row of them, row by row.
+  const ShownError shown(image_, tracing_.scene.render.transfer);
+  for (int x = 0; x < width_; ++x) shown(1e-4, x, height_ / 2);
+  const double rows_per_thread = height_ / static_cast<double>(tracing_.pool.thread_count());
+  transfer_ms_ = (watch.elapsed_ms() - guess_ms) * rows_per_thread;
+  after_ms_ = RefinementModel::half_buffer_cost * guess_ms + transfer_ms_;
 }
 
 void RefinedImage::look_for_subpixel_objects() {
@@ -130,6 +137,9 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
   for (const RefinementTask& task : tasks)
     if (!patterns_.contains(task.samples_per_pixel))
       patterns_[task.samples_per_pixel] = sample_pattern(task.samples_per_pixel);
+  // Their errors before and after are taken through the transfer, too.
+  after_ms_ += 2 * transfer_ms_ * static_cast<double>(pixels.size()) /
+               (static_cast<double>(width_) * height_);
   std::vector<SampledPixel> sampled(pixels.size());
   const std::vector<char> is_done = run_tasks(tasks, [&](const RefinementTask& task) {
     const Tile tile = errors_.tile_of(task.block);

@@ -41,6 +41,10 @@ class RefinedImage {
   /// Which pixels get how many samples for a goal in terms of error2(), within the time that is
   /// left; as choose_samples().
   std::vector<PixelSamples> choose_samples(double goal_error2, int most_samples) const;
+  /// What that takes, on one thread, and to look at what came of it.
+  double choosing_ms() const {
+    return transfer_ms_ * static_cast<double>(tracing_.pool.thread_count()) + after_ms_;
+  }
 
   /// Gives the pixels their samples. False if not all were done: time was over, or it was stopped.
   bool refine(std::vector<PixelSamples> pixels);
@@ -71,6 +75,7 @@ class RefinedImage {
   double sample_ms_ = 0;                     ///< that one takes all threads together
   double last_sample_ms_ = 0;                ///< when the last pass ended
   double after_ms_ = 0;                      ///< that it took to look at it
+  double transfer_ms_ = 0;  ///< to take the errors of all pixels through the transfer
 };
 
 }  // namespace raytracer

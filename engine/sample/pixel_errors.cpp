@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/parallel/chunks.h"
+
 namespace raytracer {
 namespace {
 
@@ -249,11 +251,12 @@ void PixelErrors::calibrate(const RefinementChange& change) {
 }
 
 std::vector<float> PixelErrors::seen(std::span<const std::uint32_t> pixels) const {
-  std::vector<float> errors2;
-  errors2.reserve(pixels.size());
-  InversePower inverse_power;
-  for (const std::uint32_t pixel : pixels)
-    errors2.push_back(static_cast<float>(seen(unscaled(pixel, inverse_power), pixel)));
+  std::vector<float> errors2(pixels.size());
+  for_each_range(pixels.size(), pool_, [&](std::size_t begin, std::size_t end) {
+    InversePower inverse_power;
+    for (std::size_t i = begin; i < end; ++i)
+      errors2[i] = static_cast<float>(seen(unscaled(pixels[i], inverse_power), pixels[i]));
+  });
   return errors2;
 }
 
