@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <chrono>
 #include <string>
 
 #include "tests/browser/browser_page.h"
@@ -39,20 +37,6 @@ class Orbit : public BrowserPage {
                                                   duration_ms));
   }
 
-  /// Frames of the page's kind that the server gives now, one after the other.
-  static double served_per_second() {
-    constexpr int count = 30;
-    httplib::Client client = server().client();
-    client.set_keep_alive(true);
-    const auto begin = std::chrono::steady_clock::now();
-    for (int i = 0; i < count; ++i) {
-      const httplib::Result frame =
-          client.Get("/render?scene=demo&budget_ms=8", {{"Accept", "image/x-portable-pixmap"}});
-      EXPECT_EQ(frame->status, 200);
-    }
-    return count / std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  }
-
   static bool has_view() { return value("document.getElementById('view-tools').hidden") == false; }
 
   static bool was_asked(const std::string& part) {
@@ -77,10 +61,9 @@ TEST_F(Orbit, moves_fluently_and_refines_at_rest) {
       frames.at("per_second").get<double>(), frames.at("median_ms").get<double>(),
       frames.at("scale").get<double>(), refined_ms);
   EXPECT_EQ(meanwhile, "moving");
-  // Half of what is promised, for other tests run beside this one; or, where they leave even less,
-  // half of what the server gives to a client that does nothing else.
+  // Half of what is promised on an idle machine: other tests run beside this one.
   if (speed_counts) {
-    EXPECT_GE(frames.at("per_second").get<double>(), 0.5 * std::min(20.0, served_per_second()));
+    EXPECT_GE(frames.at("per_second").get<double>(), 10);
   }
   EXPECT_EQ(value("document.getElementById('motion').hidden"), true);
   EXPECT_EQ(value("document.getElementById('picture').naturalWidth"), 700);
