@@ -65,6 +65,8 @@ class Admission {
   /// Throws the 503 of a closed queue: for a look before a body is read.
   void require_open() const;
 
+  /// close() comes soon: readiness ends, all else goes on.
+  void announce_close() { closing_ = true; }
   /// No new work from now on; those who wait are refused, those who run go on.
   void close();
   /// Asks those who run to stop within a tile.
@@ -77,6 +79,7 @@ class Admission {
   Load load() const;
 
   bool is_closed() const { return closed_; }
+  bool is_closing() const { return closing_ || closed_; }
   bool is_full() const;
   /// True once nobody runs or waits; false if that takes longer than `timeout`.
   bool wait_until_empty(std::chrono::milliseconds timeout) const;
@@ -95,6 +98,7 @@ class Admission {
   std::vector<Slot*> running_;
   std::deque<Slot*> waiting_;
   std::atomic<std::size_t> extra_waiters_{0};
+  std::atomic<bool> closing_{false};
   std::atomic<bool> closed_{false};  ///< set with the mutex held
   double mean_render_s_ = 1;         ///< of late, the newest counting most
 };

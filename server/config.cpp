@@ -153,6 +153,10 @@ CommandLine::CommandLine(Config& config) {
       })
       ->expected(1, CLI::detail::expected_max_vector_size)
       ->allow_extra_args(false);
+  add_integer({"--drain-delay", "RAYTRACER_DRAIN_DELAY"}, "MS",
+              "Milliseconds between a signal to end, when /readyz says draining, and the refusal\n"
+              "of new work: time for a load balancer to notice",
+              std::to_string(config.drain_delay_ms), config.drain_delay_ms, 0, 60'000);
   app_.footer(
       fmt::format("SIGTERM and SIGINT: no new work; what runs has {} s to finish, and a job's "
                   "result {} s to be "

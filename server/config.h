@@ -25,6 +25,7 @@ struct Config {
   std::size_t max_cache = 128UL << 20;  ///< as size_table says
   std::string token;                    ///< empty: none is asked for
   AllowedOrigins allowed_origins{};     ///< whose pages may read answers
+  int drain_delay_ms = 0;               ///< between a signal to end and the refusal of new work
   bool quiet = false;                   ///< no line per request
 };
 

@@ -11,7 +11,7 @@ namespace raytracer {
 void get_health(Services&, Call& call) { answer_json(call.response, 200, {{"status", "ok"}}); }
 
 void get_readiness(Services& services, Call& call) {
-  if (services.admission.is_closed())
+  if (services.admission.is_closing())
     return answer_json(call.response, 503, {{"status", "draining"}});
   if (services.admission.is_full()) return answer_json(call.response, 503, {{"status", "full"}});
   answer_json(call.response, 200, {{"status", "ok"}});

@@ -1,6 +1,7 @@
 #include "server/shutdown.h"
 
 #include <chrono>
+#include <thread>
 
 namespace raytracer {
 namespace {
@@ -49,6 +50,10 @@ void Shutdown::drain() {
   constexpr std::chrono::milliseconds between_looks{20};
   constexpr std::chrono::seconds to_answer{10};
 
+  services_.admission.announce_close();
+  const auto closing = Clock::now() + std::chrono::milliseconds(services_.config.drain_delay_ms);
+  while (Clock::now() < closing && !another_signal_came())
+    std::this_thread::sleep_for(between_looks);
   services_.log.note("shutting down: no new work, waiting for what runs");
   services_.admission.close();
   const auto end = Clock::now() + time_to_finish;

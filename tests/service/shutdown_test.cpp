@@ -85,6 +85,23 @@ TEST(ShutdownSignal, draining_server_says_so) {
   EXPECT_EQ(server.wait(), 0) << server.log();
 }
 
+TEST(ShutdownSignal, work_is_taken_for_as_long_as_a_balancer_needs_to_notice) {
+  ServerProcess server({"--drain-delay", "3000"});
+  server.signal(SIGTERM);
+  ASSERT_TRUE(eventually([&] { return get(server, "/readyz").status == 503; }, 2s));
+  EXPECT_EQ(post(server, "/render", small_scene).status, 200);
+  EXPECT_TRUE(eventually([&] { return refuses_new_work(server); }));
+  EXPECT_EQ(server.wait(), 0) << server.log();
+}
+
+TEST(ShutdownSignal, second_signal_ends_the_delay) {
+  ServerProcess server({"--drain-delay", "60000"});
+  server.signal(SIGTERM);
+  ASSERT_TRUE(eventually([&] { return get(server, "/readyz").status == 503; }, 2s));
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.wait(), 0) << server.log();
+}
+
 TEST(ShutdownSignal, open_connections_do_not_delay_the_end) {
   ServerProcess server;
   RawConnection silent(server.port());
