@@ -7,7 +7,7 @@ JOBS ?= $(shell getconf _NPROCESSORS_ONLN)
 MAKEFLAGS += --no-print-directory
 
 sources = $(shell find engine server client tests -name '*.h' -o -name '*.cpp')
-scripts = raytracer-demo .ci/install .ci/run client/manual/help_of_all \
+scripts = raytracer-demo .ci/install .ci/run server/deploy/cluster client/manual/help_of_all \
   client/manual/completion.bash.in tests/instructions/check tests/measure/load/run tests/package/check
 
 # Configures every time: it takes a second, and finds what was installed since the last time.
