@@ -142,6 +142,24 @@ SceneText Api::shipped_scene(const std::string& name) {
       "{}: there is no such file, and no shipped scene of that name; there are: {}", name, known));
 }
 
+Cluster Api::cluster() {
+  const httplib::Response response = connection_->get("/cluster");
+  const json answer = connection_->parse(response, "workers");
+  try {
+    const json& tasks = answer.at("tasks");
+    Cluster cluster{{}, tasks.at("waiting"), tasks.at("running"), answer.at("redelivered")};
+    for (const json& worker : answer.at("workers"))
+      cluster.members.push_back({worker.at("name"), worker.at("build"),
+                                 worker.at("instruction_set"), worker.at("threads"),
+                                 worker.at("tasks_done"), worker.at("last_heard_s"),
+                                 worker.at("works")});
+    return cluster;
+  } catch (const json::exception& error) {
+    throw ServerError(fmt::format("{}: the answer to GET /cluster cannot be read: {}",
+                                  connection_->url.text(), error.what()));
+  }
+}
+
 void Api::validate(const SceneText& scene) {
   // Whatever image the server has for this scene, the client wants no other: it need not render.
   // The connection is closed because httplib 0.11 would wait for the body, which a 304 has not.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,6 +17,24 @@ namespace raytracer::client {
 struct ShippedScene {
   std::string name;
   std::string description;
+};
+
+/// A server of a cluster.
+struct ClusterMember {
+  std::string name;
+  std::string build;
+  std::string instruction_set;
+  std::int64_t threads = 0;
+  std::int64_t tasks_done = 0;
+  double last_heard_s = 0;
+  bool works = true;  ///< takes tasks
+};
+
+struct Cluster {
+  std::vector<ClusterMember> members;
+  std::int64_t tasks_waiting = 0;
+  std::int64_t tasks_running = 0;
+  std::int64_t redelivered = 0;  ///< tasks that were given to another worker
 };
 
 struct Job {
@@ -48,6 +67,9 @@ class Api {
   std::vector<ShippedScene> scenes();
   /// Throws InputError that lists the names if there is none of this one.
   SceneText shipped_scene(const std::string& name);
+
+  /// Throws ServerError with the server's reason if it works alone.
+  Cluster cluster();
 
   /// Returns if the scene is valid; renders nothing.
   void validate(const SceneText& scene);
