@@ -117,6 +117,8 @@ async function rendering(answer) {
     precision: answer.headers.get("Render-Precision"),
     error: answer.headers.get("Render-Error"),
     stop: answer.headers.get("Render-Stop"),
+    tasks: answer.headers.get("Render-Tasks"),  // null: rendered where it arrived
+    workers: answer.headers.get("Render-Workers"),
     cache: /\bcache;desc=(\w+)/.exec(timing)?.[1] ?? null,  // "hit", "shared" with another request; null: neither
     stages: stagesOf(timing),
   };

@@ -1,6 +1,6 @@
 // The picture, and what is known about how it came to be.
 import { element } from "./element.js";
-import { bytes, digits, duration } from "./units.js";
+import { bytes, digits, duration, pluralised } from "./units.js";
 
 const origins = { hit: "from the server's cache", shared: "rendered for another request too" };
 const stops = { samples: "sample count", target: "accuracy target", budget: "time budget" };
@@ -37,13 +37,14 @@ export async function showPicture(rendering, name, total_ms) {
   showStages(rendering.stages.filter(({ ms }) => !rendering.cache || ms > 0), total_ms);
 }
 
-function showFacts({ blob, cache, samples, precision, error, stop }, size) {
+function showFacts({ blob, cache, samples, precision, error, stop, tasks, workers }, size) {
   const facts = [
     ["Size", size],
     ["Samples per pixel", samples && digits(Number(samples))],
     ["Precision", precision],
     ["Estimated error", error],
     ["Ended by", stop && (stops[stop] ?? stop)],
+    ["Rendered as", tasks && `${pluralised(Number(tasks), "task")} by ${pluralised(Number(workers), "worker")}`],
     ["PNG", bytes(blob.size)],
     ["Came", origins[cache]],
   ];

@@ -66,6 +66,24 @@ TEST_F(Loading, address_names_the_scene) {
   EXPECT_NE(text.find("\"First sphere\""), std::string::npos);
 }
 
+TEST_F(Loading, picture_that_several_rendered_says_so) {
+  open();
+  const char* const facts = "document.getElementById('facts').innerText";
+  EXPECT_EQ(value(facts).get<std::string>().find("worker"), std::string::npos) << value(facts);
+  browser().run(R"(
+    window.fetch = ((ask) => async (...request) => {
+      const answer = await ask(...request);
+      const get = answer.headers.get.bind(answer.headers);
+      answer.headers.get = (name) => ({ "Render-Tasks": "12", "Render-Workers": "1" })[name] ?? get(name);
+      return answer;
+    })(window.fetch);)");
+  const std::string former = picture();
+  choose_accuracy(4);
+  await("done", former);
+  EXPECT_NE(value(facts).get<std::string>().find("12 tasks by 1 worker"), std::string::npos)
+      << value(facts);
+}
+
 TEST_F(Loading, times_of_the_stages_are_shown) {
   open("/#scene=demo&samples=2");  // which is in no cache
   const std::string timings = value("document.getElementById('timings').innerText");
