@@ -47,7 +47,8 @@ SignsOfLife::~SignsOfLife() {
 }
 
 void SignsOfLife::say_until_end(const std::stop_token& end) {
-  constexpr std::chrono::seconds period{1};
+  constexpr std::chrono::milliseconds longest{1000};
+  const auto period = std::min(longest, store_.limits().task_timeout / 4);
   std::mutex mutex;
   std::condition_variable_any ended;
   while (!end.stop_requested()) {

@@ -20,7 +20,8 @@ bool has_worker(const std::vector<Member>& members, const std::string& renderer,
 /// Whether a server of this name was heard of lately.
 bool lives(const std::vector<Member>& members, const std::string& name, const StoreLimits& limits);
 
-/// Says that this server lives, once a second, until it ends; then that it does not.
+/// Says that this server lives, several times within the tasks' timeout, until it ends; then that
+/// it does not.
 class SignsOfLife {
  public:
   /// `describe` is called each time, on another thread. Both must outlive it.

@@ -11,6 +11,7 @@ namespace {
 
 /// So that whoever asks often does not ask NATS as often.
 constexpr std::chrono::milliseconds between_looks{50};
+constexpr std::chrono::seconds between_roll_calls{1};
 
 }  // namespace
 
@@ -39,10 +40,16 @@ void SharedJob::look() const {
     if (collector_.is_complete(record_))
       result_ = collector_.take_result();
     else
-      has_workers_ = has_worker(store_.members(), record_.renderer, store_.limits());
+      look_for_workers();
     looked_ = Clock::now();
   } catch (const NatsUnavailable&) {  // NOLINT: what was known last is said
   }
+}
+
+void SharedJob::look_for_workers() const {
+  if (Clock::now() - looked_for_workers_ < between_roll_calls) return;
+  has_workers_ = has_worker(store_.members(), record_.renderer, store_.limits());
+  looked_for_workers_ = Clock::now();
 }
 
 JobStatus SharedJob::status() const {

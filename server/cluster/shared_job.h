@@ -32,6 +32,7 @@ class SharedJob : public Job {
 
   // With the mutex held.
   void look() const;
+  void look_for_workers() const;
   JobStatus status() const;
   std::string detail() const;
 
@@ -39,6 +40,7 @@ class SharedJob : public Job {
   News& news_;
   mutable std::mutex mutex_;
   mutable Clock::time_point looked_{};
+  mutable Clock::time_point looked_for_workers_{};
   mutable JobRecord record_;
   mutable bool is_removed_ = false;
   mutable bool has_workers_ = true;  ///< who could take its tasks
