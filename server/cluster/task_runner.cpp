@@ -99,7 +99,6 @@ std::vector<OpenJob> TaskRunner::jobs_in_order() {
     });
   }
   std::vector<OpenJob> jobs = open_;
-  std::erase_if(jobs, [](const OpenJob& job) { return job.waiting + job.running == 0; });
   std::stable_sort(jobs.begin(), jobs.end(), [this](const OpenJob& a, const OpenJob& b) {
     const auto rank = [this](const OpenJob& job) {
       const auto served = served_.find(job.id);
@@ -113,11 +112,13 @@ std::vector<OpenJob> TaskRunner::jobs_in_order() {
 
 std::optional<TaskMessage> TaskRunner::next_task(Sources& sources) {
   const std::vector<OpenJob> jobs = jobs_in_order();
+  // One that is kept may hold a task that came when nobody waited any more.
   std::erase_if(sources, [&](const auto& entry) {
     return std::none_of(jobs.begin(), jobs.end(),
                         [&](const OpenJob& job) { return job.id == entry.first; });
   });
   for (const OpenJob& job : jobs) {
+    if (job.waiting + job.running == 0) continue;
     auto source = sources.find(job.id);
     try {
       if (source == sources.end()) source = sources.emplace(job.id, store_.tasks_of(job)).first;
