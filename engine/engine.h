@@ -21,7 +21,9 @@
 #include "engine/plan/explain.h"            // IWYU pragma: export
 #include "engine/plan/machine.h"            // IWYU pragma: export
 #include "engine/plan/sampling.h"           // IWYU pragma: export
+#include "engine/render/prepared_scene.h"   // IWYU pragma: export
 #include "engine/render/progress.h"         // IWYU pragma: export
+#include "engine/render/region.h"           // IWYU pragma: export
 #include "engine/render/render.h"           // IWYU pragma: export
 #include "engine/scene/canonical.h"         // IWYU pragma: export
 #include "engine/scene/limits.h"            // IWYU pragma: export

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -37,6 +38,13 @@ std::int64_t integer_of(const std::string& text, const Source& source, std::int6
   return value;
 }
 
+double number_of(const std::string& text, const Source& source, double least, double most) {
+  const std::optional<double> value = read_double(text);
+  if (!value || *value < least || *value > most)
+    source.refuse(fmt::format("a number from {} to {}, not \"{}\"", least, most, text));
+  return *value;
+}
+
 /// Whether only this machine can reach a server that listens on `host`.
 bool is_loopback(const std::string& host) {
   if (host == "localhost") return true;
@@ -44,6 +52,15 @@ bool is_loopback(const std::string& host) {
   if (inet_pton(AF_INET, host.c_str(), &v4) == 1) return (ntohl(v4.s_addr) >> 24) == 127;
   in6_addr v6{};
   return inet_pton(AF_INET6, host.c_str(), &v6) == 1 && IN6_IS_ADDR_LOOPBACK(&v6);
+}
+
+void require_meaning(const ClusterConfig& cluster, bool names_no_work) {
+  if (cluster.is_worker && cluster.nats_url.empty())
+    throw ConfigError("--worker goes with --nats: a worker takes its tasks from NATS");
+  if (cluster.is_worker && names_no_work)
+    throw ConfigError("--worker and --no-work do not go together: a worker does nothing but work");
+  if (names_no_work && cluster.nats_url.empty())
+    throw ConfigError("--no-work goes with --nats: others have to do the work");
 }
 
 void require_token_beyond_loopback(const Config& config) {
@@ -86,6 +103,16 @@ class CommandLine {
         ->envname(source.variable)
         ->expected(1);
   }
+
+  void add_number(const Source& source, const std::string& placeholder, std::string_view help,
+                  double& value, double least, double most) {
+    add(source, placeholder, help, fmt::format("{}", value),
+        [&value, least, most](const std::string& text, const Source& from) {
+          value = number_of(text, from, least, most);
+        });
+  }
+
+  void add_cluster(ClusterConfig& cluster);
 
   template <typename Integer>
   void add_integer(const Source& source, const std::string& placeholder, std::string_view help,
@@ -157,11 +184,38 @@ CommandLine::CommandLine(Config& config) {
               "Milliseconds between a signal to end, when /readyz says draining, and the refusal\n"
               "of new work: time for a load balancer to notice",
               std::to_string(config.drain_delay_ms), config.drain_delay_ms, 0, 60'000);
+  add_cluster(config.cluster);
   app_.footer(
       fmt::format("SIGTERM and SIGINT: no new work; what runs has {} s to finish, and a job's "
                   "result {} s to be "
                   "fetched. A second signal ends both.\n",
                   time_to_finish.count(), time_to_fetch.count()));
+}
+
+void CommandLine::add_cluster(ClusterConfig& cluster) {
+  add({"--nats", "RAYTRACER_NATS"}, "URL",
+      "Share renders and jobs with the servers at this NATS, such as nats://host:4222;\n"
+      "its credentials and TLS by NATS_CREDS, NATS_CA, NATS_CERT, NATS_KEY",
+      "none: this server works alone", [&cluster](const std::string& text, const Source& source) {
+        if (text.empty()) source.refuse("a URL, such as nats://127.0.0.1:4222");
+        cluster.nats_url = text;
+      });
+  app_.add_flag("--worker", cluster.is_worker,
+                "With --nats: take tasks and nothing else; of HTTP only /healthz, /readyz,\n"
+                "/metrics and /version");
+  app_.add_flag("--no-work{false}", cluster.works, "With --nats: take no tasks");
+  add_number({"--share-from", "RAYTRACER_SHARE_FROM"}, "MS",
+             "Share renders that are predicted to trace for so many milliseconds",
+             cluster.share_from_ms, 0, 1e9);
+  add_number({"--task-timeout", "RAYTRACER_TASK_TIMEOUT"}, "SECONDS",
+             "After a worker's last sign of life, others take its tasks", cluster.task_timeout_s,
+             0.1, 3600);
+  add_integer({"--keep", "RAYTRACER_KEEP"}, "SECONDS",
+              "How long NATS keeps jobs, their results and scenes", std::to_string(cluster.keep_s),
+              cluster.keep_s, 1, 366LL * 24 * 3600);
+  add_integer({"--max-stored", "RAYTRACER_MAX_STORED"}, "BYTES", "Most that NATS keeps of all that",
+              std::to_string(cluster.max_stored), cluster.max_stored, 64 << 20,
+              std::int64_t{1} << 50);
 }
 
 }  // namespace
@@ -180,6 +234,7 @@ std::variant<Config, std::string> read_config(int argc, const char* const* argv)
     throw ConfigError(fmt::format("{} (--help lists the flags)", error.what()));
   }
   require_token_beyond_loopback(config);
+  require_meaning(config.cluster, !config.cluster.works);
   return config;
 }
 

@@ -15,6 +15,17 @@
 
 namespace raytracer {
 
+/// As a part of a cluster; see server/cluster.
+struct ClusterConfig {
+  std::string nats_url;        ///< empty: this server works alone
+  bool is_worker = false;      ///< takes tasks and nothing else
+  bool works = true;           ///< takes tasks
+  double share_from_ms = 200;  ///< predicted time to trace from which renders are shared
+  double task_timeout_s = 5;   ///< from a worker's last sign of life until others take its tasks
+  std::int64_t keep_s = 24 * 3600;                  ///< jobs, results and scenes
+  std::int64_t max_stored = std::int64_t{4} << 30;  ///< bytes in NATS
+};
+
 struct Config {
   std::string host = "127.0.0.1";
   int port = 8080;  ///< 0: one that is free
@@ -27,6 +38,7 @@ struct Config {
   AllowedOrigins allowed_origins{};     ///< whose pages may read answers
   int drain_delay_ms = 0;               ///< between a signal to end and the refusal of new work
   bool quiet = false;                   ///< no line per request
+  ClusterConfig cluster{};
 };
 
 // Once the server is told to end.

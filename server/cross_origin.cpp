@@ -51,9 +51,10 @@ void add_cross_origin_fields(const httplib::Request& request, httplib::Response&
   const std::optional<std::string> origin = allowed_origin(request, allowed);
   if (origin) {
     response.set_header("Access-Control-Allow-Origin", *origin);
-    response.set_header("Access-Control-Expose-Headers",
-                        "ETag, Location, Retry-After, Server-Timing, X-Request-Id, Render-Samples, "
-                        "Render-Error, Render-Precision, Render-Stop");
+    response.set_header(
+        "Access-Control-Expose-Headers",
+        "ETag, Location, Retry-After, Server-Timing, X-Request-Id, Render-Samples, "
+        "Render-Error, Render-Precision, Render-Stop, Render-Tasks, Render-Workers");
   }
   if (origin == every_origin) return;
   const std::string varies_by = response.get_header_value("Vary");

@@ -8,7 +8,7 @@ namespace raytracer {
 
 template <typename Channel>
 FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queue_ms,
-                           ImageFormat format, WorkerPool& pool) {
+                           ImageFormat format, WorkerPool& pool, const Sharing& sharing) {
   FinishedImage image;
   const auto begin = std::chrono::steady_clock::now();
   image.bytes = encode(rendering.image, format, pool);
@@ -25,10 +25,16 @@ FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queu
                   {"Render-Stop", stop}};
   if (rendering.estimated_error)
     image.fields.emplace_back("Render-Error", fmt::format("{:.3g}", *rendering.estimated_error));
+  if (sharing.tasks > 0) {
+    image.fields.emplace_back("Render-Tasks", std::to_string(sharing.tasks));
+    image.fields.emplace_back("Render-Workers", std::to_string(sharing.workers));
+  }
   return image;
 }
 
-template FinishedImage finish_image(const Rendering&, double, ImageFormat, WorkerPool&);
-template FinishedImage finish_image(const ByteRendering&, double, ImageFormat, WorkerPool&);
+template FinishedImage finish_image(const Rendering&, double, ImageFormat, WorkerPool&,
+                                    const Sharing&);
+template FinishedImage finish_image(const ByteRendering&, double, ImageFormat, WorkerPool&,
+                                    const Sharing&);
 
 }  // namespace raytracer

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/engine.h"
+#include "server/job.h"
 
 namespace raytracer {
 
@@ -32,6 +33,6 @@ struct FinishedImage {
 /// Encodes the rendering, which waited in the queue for `queue_ms`, on the pool's threads.
 template <typename Channel>
 FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queue_ms,
-                           ImageFormat format, WorkerPool& pool);
+                           ImageFormat format, WorkerPool& pool, const Sharing& sharing = {});
 
 }  // namespace raytracer

@@ -22,6 +22,7 @@ void delete_job(Services& services, Call& call);
 void get_scenes(Services& services, Call& call);
 void get_scene(Services& services, Call& call);
 void post_scene(Services& services, Call& call);
+void get_cluster(Services& services, Call& call);
 void get_health(Services& services, Call& call);
 void get_readiness(Services& services, Call& call);
 void get_metrics(Services& services, Call& call);

@@ -14,7 +14,9 @@ void get_readiness(Services& services, Call& call) {
   if (services.admission.is_closing())
     return answer_json(call.response, 503, {{"status", "draining"}});
   if (services.admission.is_full()) return answer_json(call.response, 503, {{"status", "full"}});
-  answer_json(call.response, 200, {{"status", "ok"}});
+  // What needs nobody else goes on.
+  const bool is_degraded = services.cluster && services.cluster->is_degraded();
+  answer_json(call.response, 200, {{"status", is_degraded ? "degraded" : "ok"}});
 }
 
 void get_version(Services& services, Call& call) {

@@ -2,19 +2,14 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <cstddef>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "engine/engine.h"
-#include "server/admission.h"
-#include "server/scenes.h"
 
 namespace raytracer {
 
@@ -35,8 +30,13 @@ std::string_view name_of(JobTask task);
 /// Whether it will change no more.
 inline bool has_ended(JobStatus status) { return status >= JobStatus::done; }
 
+/// A curve as GET /jobs/ID/result answers it.
+struct CurveText {
+  std::string json;
+};
+
 /// Nothing if it was stopped before there was any.
-using JobResult = std::variant<std::monostate, Rendering, Curve>;
+using JobResult = std::variant<std::monostate, Rendering, CurveText>;
 
 /// What a job is like at one moment.
 struct JobState {
@@ -44,56 +44,51 @@ struct JobState {
   double progress = 0;    ///< 0 to 1
   double elapsed_ms = 0;  ///< since it was accepted, until it ended
   double queue_ms = 0;    ///< how long it waited to be admitted
-  std::string detail;     ///< why it failed or was cancelled
+  std::string detail;     ///< why it failed or was cancelled, or what it waits for
 };
 
-/// One job. The constant members are set when it is accepted; everything else through state().
+/// What is known of a job from the first.
+struct JobRequest {
+  std::string id;
+  JobTask task = JobTask::render;
+  std::optional<std::string> digest{};  ///< SceneView::picture_digest()
+  double parse_ms = 0;
+  int width = 0;
+  int height = 0;
+};
+
+/// In how many tasks a picture was rendered, and by how many servers.
+struct Sharing {
+  int tasks = 0;  ///< 0: it was rendered where it was asked for
+  std::size_t workers = 0;
+};
+
+/// Every member function may be called from any thread.
 class Job {
  public:
-  Job(std::string job_id, JobTask job_task, SceneView view);
+  explicit Job(JobRequest job_request) : request(std::move(job_request)) {}
+  virtual ~Job() = default;
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
 
-  const std::string id;
-  const JobTask task;
-  const std::optional<std::string> digest;  ///< SceneView::picture_digest()
-  const double parse_ms;
-  const int width;
-  const int height;
+  const JobRequest request;
 
-  JobState state() const;
+  virtual JobState state() const = 0;
 
   /// Returns when the job has ended, or after `longest`.
-  void wait_for_end(std::chrono::milliseconds longest) const;
+  virtual void wait_for_end(std::chrono::milliseconds longest) const = 0;
 
   /// What came of it; null unless it is done. Constant from then on.
-  const JobResult* result() const;
-  /// Somebody was given its result.
-  void note_fetched() const { is_fetched_ = true; }
-  /// Whether nobody was, of a job that was done at most so long ago.
-  bool awaits_fetch(std::chrono::seconds time) const;
+  virtual const JobResult* result() const = 0;
 
   /// A render's picture as far as it has come; nothing if there is nothing to see yet, or it ended.
-  std::optional<Image> image_so_far() const { return progress_.preview.so_far(); }
+  virtual std::optional<Image> image_so_far() const = 0;
 
- private:
-  friend class Jobs;
-  using Clock = std::chrono::steady_clock;
+  /// Of a job that is done.
+  virtual Sharing sharing() const { return {}; }
 
-  void begin();
-  void end(JobStatus status, std::string detail, JobResult result = {});
-  std::size_t result_bytes() const;
-
-  std::optional<SceneView> view_;            ///< until it ended; only who runs it reads it
-  RenderProgress progress_;                  ///< of a tradeoff: of the picture that is made now
-  CurveProgress curve_progress_{progress_};  ///< of a tradeoff
-  std::optional<Admission::Slot> slot_;      ///< until it ended
-
-  mutable std::mutex mutex_;
-  mutable std::condition_variable end_came_;
-  JobState state_;  ///< but for what state() computes
-  const Clock::time_point accepted_ = Clock::now();
-  Clock::time_point ended_{};
-  JobResult result_;
-  mutable std::atomic<bool> is_fetched_{false};
+  /// Somebody was given its result.
+  virtual void note_fetched() const {}
 };
 
 }  // namespace raytracer

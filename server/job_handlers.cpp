@@ -25,8 +25,8 @@ nlohmann::ordered_json to_json(const Job& job) {
   const JobState state = job.state();
   const JobResult* const result = job.result();
   const auto* const rendering = result ? std::get_if<Rendering>(result) : nullptr;
-  nlohmann::ordered_json json{{"id", job.id},
-                              {"task", name_of(job.task)},
+  nlohmann::ordered_json json{{"id", job.request.id},
+                              {"task", name_of(job.request.task)},
                               {"status", name_of(state.status)},
                               {"progress", state.progress},
                               {"samples", nullptr},
@@ -40,9 +40,10 @@ nlohmann::ordered_json to_json(const Job& job) {
 
 /// Throws HttpError 404 for a job of the other task.
 void require_task(const Job& job, JobTask task) {
-  if (job.task == task) return;
-  refuse(404, fmt::format("The job is a {}: what comes of it is at /jobs/{}/{}", name_of(job.task),
-                          job.id, job.task == JobTask::render ? "image" : "result"));
+  if (job.request.task == task) return;
+  refuse(404, fmt::format("The job is a {}: what comes of it is at /jobs/{}/{}",
+                          name_of(job.request.task), job.request.id,
+                          job.request.task == JobTask::render ? "image" : "result"));
 }
 
 /// What came of the job. Throws HttpError 409 if nothing has, yet or at all.
@@ -67,7 +68,7 @@ std::optional<Image> image_so_far(const Job& job) {
     const JobState state = job.state();
     if (has_ended(state.status)) return {};
     if (state.progress == 0) {
-      Image black(job.width, job.height);
+      Image black(job.request.width, job.request.height);
       std::fill(black.values.begin(), black.values.end(), 0.0F);
       return black;
     }
@@ -103,45 +104,45 @@ void post_job(Services& services, Call& call) {
   const RenderQuery query = is_curve ? read_curve_query(params) : read_query(params);
   SceneView view = read_scene_request(call, query, services);
   if (is_curve) require_room_for_curve(view.scene, services.config.limits);
-  const auto job = services.jobs.accept(task, std::move(view));
+  const auto job = services.jobs().accept(task, std::move(view), call.request.params);
   answer_json(call.response, 202, to_json(*job));
-  call.response.set_header("Location", "/jobs/" + job->id);
+  call.response.set_header("Location", "/jobs/" + job->request.id);
 }
 
 void get_job(Services& services, Call& call) {
-  answer_json(call.response, 200, to_json(*services.jobs.at(call.captured)));
+  answer_json(call.response, 200, to_json(*services.jobs().at(call.captured)));
 }
 
 void get_job_image(Services& services, Call& call) {
   const ImageFormat format = require_format(call.request);
-  const auto job = services.jobs.at(call.captured);
+  const auto job = services.jobs().at(call.captured);
   require_task(*job, JobTask::render);
   if (const std::optional<Image> image = image_so_far(*job))
     return answer_image_so_far(services, call, *image, format);
   const auto& rendering = require_result<Rendering>(*job);
-  const Representation wanted = represent(job->digest, format, services.renderer_id);
+  const Representation wanted = represent(job->request.digest, format, services.renderer_id);
   if (!call.is_head()) job->note_fetched();
   if (answer_without_image(call, wanted)) return;
   const auto image = std::make_shared<const FinishedImage>(
-      finish_image(rendering, job->state().queue_ms, format, services.pool));
+      finish_image(rendering, job->state().queue_ms, format, services.pool, job->sharing()));
   services.metrics.took("encode", image->stages.encode_ms);
-  answer_image(call, {image, image->stages}, job->parse_ms, wanted);
+  answer_image(call, {image, image->stages}, job->request.parse_ms, wanted);
 }
 
 void get_job_result(Services& services, Call& call) {
-  const auto job = services.jobs.at(call.captured);
+  const auto job = services.jobs().at(call.captured);
   require_task(*job, JobTask::tradeoff);
-  answer_json(call.response, 200, to_json(require_result<Curve>(*job)));
+  answer_bytes(call.response, require_result<CurveText>(*job).json, "application/json");
   if (!call.is_head()) job->note_fetched();
 }
 
 void get_job_events(Services& services, Call& call) {
-  answer_events(call, services.event_streams, services.jobs.at(call.captured),
+  answer_events(call, services.event_streams, services.jobs().at(call.captured),
                 [](const Job& job) { return to_json(job).dump(); });
 }
 
 void delete_job(Services& services, Call& call) {
-  services.jobs.remove(call.captured);
+  services.jobs().remove(call.captured);
   call.response.status = 204;
 }
 

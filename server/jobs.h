@@ -1,70 +1,46 @@
-// Work that nobody holds a connection open for: accepted, watched, fetched, forgotten.
-//
-// A job takes its place in the same queue as every other render when it is accepted, so a full
-// queue refuses both alike, and waits there on a thread of its own.
-//
-// Finished jobs are kept until there are too many or they take too much memory, oldest out first.
+// The jobs of this server alone (LocalJobs), or of all fronts of a cluster (SharedJobs).
 #pragma once
 
 #include <chrono>
 #include <cstddef>
-#include <deque>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 
-#include "engine/engine.h"
-#include "server/admission.h"
 #include "server/job.h"
-#include "server/metrics.h"
-#include "server/request_log.h"
-#include "server/thread_per_task.h"
+#include "server/query.h"
+#include "server/scenes.h"
 
 namespace raytracer {
 
-/// Every member function may be called from any thread.
+/// 128 random bits: an id cannot be guessed, and none comes twice.
+std::string random_id();
+
+/// What GET answers for a job that is not there.
+[[noreturn]] void refuse_unknown_job(const std::string& id);
+
+/// Every member function may be called from any thread, and throws HttpError 503 where what is
+/// shared cannot be reached.
 class Jobs {
  public:
-  /// All must outlive it.
-  Jobs(Admission& admission, WorkerPool& pool, const Limits& limits, Metrics& metrics,
-       RequestLog& log);
-  /// Cancels what is not done.
-  ~Jobs();
-  Jobs(const Jobs&) = delete;
-  Jobs& operator=(const Jobs&) = delete;
+  virtual ~Jobs() = default;
 
-  /// Throws HttpError if the queue is full or closed.
-  std::shared_ptr<const Job> accept(JobTask task, SceneView view);
+  /// Throws HttpError if the queue is full or closed. `query`: what the request said beside its
+  /// document.
+  virtual std::shared_ptr<const Job> accept(JobTask task, SceneView view,
+                                            const httplib::Params& query) = 0;
 
   /// Throws HttpError 404.
-  std::shared_ptr<const Job> at(const std::string& id) const;
+  virtual std::shared_ptr<const Job> at(const std::string& id) = 0;
 
   /// Cancels and forgets the job. Throws HttpError 404.
-  void remove(const std::string& id);
+  virtual void remove(const std::string& id) = 0;
 
-  /// Whether a job awaits_fetch(time).
-  bool await_fetch(std::chrono::seconds time) const;
+  /// Whether a job that ended at most so long ago would be lost to who has not fetched it yet.
+  virtual bool await_fetch(std::chrono::seconds time) const = 0;
 
   /// How many of the jobs that are not forgotten have each status.
-  std::map<JobStatus, std::size_t> counts() const;
-
- private:
-  void run(Job& job);
-  JobResult make_result(Job& job);
-  void keep(const std::shared_ptr<Job>& job);
-
-  Admission& admission_;
-  WorkerPool& pool_;
-  const Limits& limits_;
-  Metrics& metrics_;
-  RequestLog& log_;
-
-  mutable std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<Job>> jobs_;
-  std::deque<std::shared_ptr<Job>> finished_;  ///< oldest first
-  std::size_t finished_bytes_ = 0;
-  ThreadPerTask threads_;
+  virtual std::map<JobStatus, std::size_t> counts() const = 0;
 };
 
 }  // namespace raytracer

@@ -30,7 +30,7 @@ inline constexpr std::array<double, 16> duration_bounds_s{
 inline constexpr std::array<double, 12> ratio_bounds{0.25, 0.5,  0.7, 0.8, 0.9, 1,
                                                      1.1,  1.25, 1.5, 2,   4,   10};
 
-inline constexpr std::array<MetricFamily, 29> metric_table{{
+inline constexpr std::array<MetricFamily, 37> metric_table{{
     {"http_requests_total",
      "Requests answered, by route and status.",
      {"method", "route", "status"}},
@@ -74,6 +74,18 @@ inline constexpr std::array<MetricFamily, 29> metric_table{{
     {"cache_evictions_total", "What went because the memory was full.", {"cache"}},
     {"cache_entries", "What is kept now.", {"cache"}},
     {"cache_bytes", "The memory that it takes.", {"cache"}},
+    {"cluster_connected", "1 while NATS can be reached."},
+    {"cluster_workers", "Servers of the cluster that take tasks and were heard of lately."},
+    {"cluster_tasks", "Tasks of the cluster that wait, and that were taken.", {"state"}},
+    {"cluster_redelivered_total",
+     "Tasks of the cluster that were taken again, after whoever had them fell silent."},
+    {"cluster_tasks_total", "Tasks done here."},
+    {"cluster_task_failures_total", "Tasks that failed here."},
+    {"cluster_task_wait_seconds",
+     "What tasks that were taken here had waited.",
+     {},
+     duration_bounds_s},
+    {"cluster_scene_bytes_total", "Bytes of scenes that were fetched for tasks."},
     {"build_info",
      "What this server is; its value is always 1.",
      {"version", "build_id", "instruction_set"}},

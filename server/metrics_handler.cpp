@@ -13,13 +13,13 @@
 namespace raytracer {
 namespace {
 
-void set_load(Metrics& metrics, const Services& services) {
+void set_load(Metrics& metrics, Services& services) {
   const Admission::Load load = services.admission.load();
   metrics.set("renders_running", static_cast<double>(load.running));
   metrics.set("queue_length", static_cast<double>(load.waiting));
   metrics.set("queue_limit", static_cast<double>(services.config.max_queue));
   metrics.set("event_streams_open", static_cast<double>(services.event_streams.taken()));
-  std::map<JobStatus, std::size_t> jobs = services.jobs.counts();
+  std::map<JobStatus, std::size_t> jobs = services.jobs().counts();
   for (const JobStatus status : job_statuses)
     metrics.set("jobs", static_cast<double>(jobs[status]), {name_of(status)});
 }
@@ -62,6 +62,7 @@ void get_metrics(Services& services, Call& call) {
   set_load(services.metrics, services);
   set_caches(services.metrics, services);
   set_process(services.metrics, services);
+  if (services.cluster) services.cluster->set_metrics(services.metrics);
   answer_bytes(call.response, services.metrics.text(), "text/plain; version=0.0.4; charset=utf-8");
 }
 

@@ -27,6 +27,7 @@ RouteTable make_routes(Services& services) {
       {"GET", "/scenes", none, with(get_scenes)},
       {"POST", "/scenes", scene, with(post_scene)},
       {"GET", "/scenes/{name}", none, with(get_scene)},
+      {"GET", "/cluster", none, with(get_cluster)},
       {"GET", "/healthz", none, with(get_health), is_public},
       {"GET", "/readyz", none, with(get_readiness), is_public},
       {"GET", "/metrics", none, with(get_metrics)},
@@ -34,6 +35,13 @@ RouteTable make_routes(Services& services) {
       {"GET", "/schema/scene.json", none, with(get_scene_schema)},
       {"GET", "/openapi.json", none, with(get_openapi)},
   };
+  if (services.config.cluster.is_worker) {
+    std::erase_if(routes, [](const Route& route) {
+      return !(route.pattern == "/healthz" || route.pattern == "/readyz" ||
+               route.pattern == "/metrics" || route.pattern == "/version");
+    });
+    return RouteTable(std::move(routes));
+  }
   // The page is no secret: it asks for the token and sends it with what it asks of the service.
   for (const EmbeddedFile& file : embedded_files()) {
     if (!file.path.starts_with(page_folder)) continue;

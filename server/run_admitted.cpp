@@ -3,16 +3,13 @@
 #include "server/problem.h"
 
 namespace raytracer {
-namespace {
 
-[[noreturn]] void refuse_stopped(Services& services) {
+void refuse_stopped(Services& services) {
   services.metrics.add("renders_cancelled_total");
   if (services.admission.is_closed())
     refuse(503, "The server shut down before the work was finished");
   refuse(499, "The client has left");
 }
-
-}  // namespace
 
 double run_admitted(Services& services, RenderProgress& progress,
                     const std::function<bool()>& work) {

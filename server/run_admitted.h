@@ -15,4 +15,8 @@ namespace raytracer {
 double run_admitted(Services& services, RenderProgress& progress,
                     const std::function<bool()>& work);
 
+/// What a client is told whose work was stopped. Throws HttpError: 503 if the server ends, 499 if
+/// the client has left.
+[[noreturn]] void refuse_stopped(Services& services);
+
 }  // namespace raytracer

@@ -21,7 +21,7 @@ void get_scenes(Services& services, Call& call) {
 }
 
 void get_scene(Services& services, Call& call) {
-  answer_bytes(call.response, services.scenes.document(call.captured), "application/json");
+  answer_shared_bytes(call.response, services.scenes.document(call.captured), "application/json");
 }
 
 void post_scene(Services& services, Call& call) {
@@ -31,6 +31,7 @@ void post_scene(Services& services, Call& call) {
   const SceneView view = find_scene(posted.text, {}, services);
   const Scene& scene = view.known->scene;
   const auto kept = services.scenes.keep(view.known, std::move(posted.text));
+  if (services.cluster) services.cluster->keep_scene(kept->id, kept->document);
   answer_json(call.response, 201,
               {{"id", kept->id},
                {"objects", count_objects(scene)},

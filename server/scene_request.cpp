@@ -34,11 +34,14 @@ SceneView read_scene_request(Call& call, const RenderQuery& query, Services& ser
            "as ?scene=NAME, or POST a document");
   if (query.scene) {
     services.admission.require_open();
-    return find_scene({}, query, services);
+    SceneView view = find_scene({}, query, services);
+    if (services.cluster) view.document = services.scenes.document(*query.scene);
+    return view;
   }
   PostedDocument posted = read_document(call, services);
   SceneView view = find_scene(posted.text, query, services);
   view.body_memory = std::move(posted.memory);
+  if (services.cluster) view.document = std::make_shared<const std::string>(std::move(posted.text));
   return view;
 }
 

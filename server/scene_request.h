@@ -25,7 +25,7 @@ PostedDocument read_document(Call& call, Services& services);
 SceneView find_scene(std::string_view document, const RenderQuery& query, Services& services);
 
 /// Alike, with the request's body as the document: it is gone once it was read, the scene has all
-/// of it. Throws HttpError, 503 while draining.
+/// of it, unless the scene may have to travel. Throws HttpError, 503 while draining.
 SceneView read_scene_request(Call& call, const RenderQuery& query, Services& services);
 
 }  // namespace raytracer

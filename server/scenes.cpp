@@ -49,8 +49,12 @@ std::optional<std::string> SceneView::picture_digest() const {
 }
 
 Scenes::Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_kept,
-               std::size_t most_read)
-    : catalog_(catalog), limits_(limits), kept_(most_kept), read_(most_read) {}
+               std::size_t most_read, Elsewhere elsewhere)
+    : catalog_(catalog),
+      limits_(limits),
+      elsewhere_(std::move(elsewhere)),
+      kept_(most_kept),
+      read_(most_read) {}
 
 SceneView Scenes::read(std::string_view document, const Overrides& overrides) {
   if (document.size() < least_cached) return parse(document, overrides);
@@ -91,6 +95,9 @@ std::shared_ptr<const KeptScene> Scenes::keep(std::shared_ptr<const KnownScene> 
 
 std::shared_ptr<const KeptScene> Scenes::kept_at(std::string_view id) {
   if (auto scene = kept_.find(id)) return scene;
+  if (elsewhere_)
+    if (std::optional<std::string> document = elsewhere_(std::string(id)))
+      return keep(parse(*document, {}).known, *std::move(document));
   refuse(404, fmt::format("There is no scene \"{}\": it was never posted, or was forgotten "
                           "because others needed the memory; POST it to /scenes again",
                           id));
@@ -101,9 +108,10 @@ SceneView Scenes::at(std::string_view name, const Overrides& overrides) {
   return read(catalog_.at(name).document, overrides);
 }
 
-std::string Scenes::document(std::string_view name) {
-  if (is_scene_id(name)) return kept_at(name)->document;
-  return std::string(catalog_.at(name).document);
+std::shared_ptr<const std::string> Scenes::document(std::string_view name) {
+  if (!is_scene_id(name)) return std::make_shared<const std::string>(catalog_.at(name).document);
+  const std::shared_ptr<const KeptScene> kept = kept_at(name);
+  return {kept, &kept->document};
 }
 
 }  // namespace raytracer

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,6 +39,7 @@ struct SceneView {
   Scene scene;
   double parse_ms = 0;         ///< to find or read the scene, and to judge the view
   Quota::Share body_memory{};  ///< of the body that came with the request
+  std::shared_ptr<const std::string> document{};  ///< its text, where it may have to travel
 
   /// What decides the picture, if the same request would give the same bytes again. A time budget
   /// does not: how far it gets differs from run to run.
@@ -47,9 +49,12 @@ struct SceneView {
 /// Every member function may be called from any thread.
 class Scenes {
  public:
+  /// What was posted elsewhere under an id, if it was.
+  using Elsewhere = std::function<std::optional<std::string>(const std::string& id)>;
+
   /// `most_kept` bytes of posted scenes and `most_read` bytes of scenes by their texts.
-  Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_kept,
-         std::size_t most_read);
+  Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_kept, std::size_t most_read,
+         Elsewhere elsewhere = {});
 
   /// A view of the document's scene. Throws HttpError with all errors of both.
   SceneView read(std::string_view document, const Overrides& overrides);
@@ -63,7 +68,10 @@ class Scenes {
                                         std::string document);
 
   /// Its document, which is not read for that. Throws HttpError 404.
-  std::string document(std::string_view name);
+  std::shared_ptr<const std::string> document(std::string_view name);
+
+  /// A view of a known scene. Throws HttpError with the view's errors.
+  SceneView view(std::shared_ptr<const KnownScene> known, const Overrides& overrides) const;
 
   LruCounts kept() const { return kept_.counts(); }
   LruCounts read_lately() const { return read_.counts(); }
@@ -71,10 +79,10 @@ class Scenes {
  private:
   std::shared_ptr<const KeptScene> kept_at(std::string_view id);
   SceneView parse(std::string_view document, const Overrides& overrides) const;
-  SceneView view(std::shared_ptr<const KnownScene> known, const Overrides& overrides) const;
 
   const Catalog& catalog_;
   const Limits limits_;
+  const Elsewhere elsewhere_;
   LruCache<KeptScene> kept_;
   LruCache<KnownScene> read_;
 };

@@ -1,17 +1,19 @@
 // Everything that the handlers share, in the order in which it has to begin and end.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "engine/engine.h"
 #include "server/admission.h"
 #include "server/catalog.h"
+#include "server/cluster/cluster.h"
 #include "server/config.h"
 #include "server/disconnect_watch.h"
 #include "server/etag.h"
 #include "server/image_cache.h"
 #include "server/job_events.h"
-#include "server/jobs.h"
+#include "server/local_jobs.h"
 #include "server/metrics.h"
 #include "server/quota.h"
 #include "server/request_log.h"
@@ -32,9 +34,19 @@ struct Services {
         pool(config.threads),
         renderer_id(renderer_id_of(this_machine())),
         machine_costs(measure_machine_costs(pool)),
-        scenes(catalog, config.limits, config.max_kept, config.max_cache),
-        image_cache(config.max_cache, admission, disconnect_watch),
-        jobs(admission, pool, config.limits, metrics, log) {}
+        scenes(catalog, config.limits, config.max_kept, config.max_cache,
+               [this](const std::string& id) {
+                 return cluster ? cluster->kept_scene(id) : std::optional<std::string>();
+               }),
+        image_cache(config.max_cache, admission, disconnect_watch) {
+    if (config.cluster.nats_url.empty())
+      local_jobs.emplace(admission, pool, config.limits, metrics, log);
+    else
+      cluster.emplace(Cluster::Parts{config, renderer_id, machine_costs, renders_at_once, admission,
+                                     pool, scenes, metrics, log});
+  }
+
+  Jobs& jobs() { return cluster ? cluster->jobs() : static_cast<Jobs&>(*local_jobs); }
 
   const Config config;
   RequestLog log;
@@ -51,7 +63,9 @@ struct Services {
                       "to time instead"};
   Scenes scenes;
   ImageCache image_cache;
-  Jobs jobs;  ///< ends first: its threads use what is above
+  // One of the two, which ends first: its threads use what is above.
+  std::optional<LocalJobs> local_jobs;
+  std::optional<Cluster> cluster;
 };
 
 }  // namespace raytracer

@@ -56,10 +56,11 @@ void Shutdown::drain() {
     std::this_thread::sleep_for(between_looks);
   services_.log.note("shutting down: no new work, waiting for what runs");
   services_.admission.close();
+  if (services_.cluster) services_.cluster->drain(time_to_finish);
   const auto end = Clock::now() + time_to_finish;
   while (!services_.admission.wait_until_empty(between_looks))
     if (Clock::now() > end || another_signal_came()) services_.admission.stop_running();
-  while (services_.jobs.await_fetch(time_to_fetch) && !another_signal_came())
+  while (services_.jobs().await_fetch(time_to_fetch) && !another_signal_came())
     std::this_thread::sleep_for(between_looks);
   services_.log.wait_until_empty(to_answer);
   listener_.stop();

@@ -7,9 +7,8 @@
 
 #include "engine/errors/error_model.h"
 #include "engine/forecast/rehearsal.h"
-#include "engine/kernel/this_machine.h"
-#include "engine/measure/stopwatch.h"
 #include "engine/plan/tiles.h"
+#include "engine/render/built_scene.h"
 #include "engine/sample/refinement.h"
 #include "engine/text/pluralised.h"
 
@@ -87,14 +86,19 @@ std::string error_basis(const Rehearsal& rehearsal, double samples) {
 std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
                                  const MachineCosts& costs, WorkerPool& pool,
                                  const RenderProgress& progress) {
-  PackedScene packed = pack_scene(scene, &pool);
-  Forecast result{make_plan(scene, packed, this_machine(pool.thread_count()), &pool), {}};
-  const Plan& plan = result.plan;
-  const Stopwatch build_watch;
-  const Tracer tracer = make_tracer(plan, std::move(packed), pool);
-  const double build_ms = build_watch.elapsed_ms();
+  const PreparedScene prepared(scene, pool);
   if (progress.stop) return {};
-  const Rehearsal rehearsal = rehearse(scene, tracer, pool, progress);
+  const std::optional<Prediction> prediction = predict(prepared, limits, costs, pool, progress);
+  if (!prediction) return {};
+  return Forecast{prepared.plan(), *prediction};
+}
+
+std::optional<Prediction> predict(const PreparedScene& prepared, const Limits& limits,
+                                  const MachineCosts& costs, WorkerPool& pool,
+                                  const RenderProgress& progress) {
+  const Scene& scene = prepared.scene();
+  const Plan& plan = prepared.plan();
+  const Rehearsal rehearsal = rehearse(scene, prepared.built().tracer, pool, progress);
   if (progress.stop) return {};
 
   const Camera& camera = scene.camera;
@@ -113,8 +117,8 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
           ? expect_contract(scene.render, refined_rmse(scene.render, plan.statistics), most,
                             choose_pilot_samples(plan.statistics, most), model)
           : Expectation{fixed, model.pass_ms(fixed), rehearsal.error_of(fixed)};
-  result.prediction = {
-      .build_ms = build_ms,
+  return Prediction{
+      .build_ms = prepared.build_ms(),
       .trace_ms = expected.trace_ms,
       .samples = expected.samples,
       .error = expected.error,
@@ -123,7 +127,6 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
                            "traced, spread over it; for a machine that does nothing else",
                            grouped(rehearsal.timed), grouped(rehearsal.tile_count)),
       .error_basis = error_basis(rehearsal, expected.samples)};
-  return result;
 }
 
 }  // namespace raytracer

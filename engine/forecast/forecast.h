@@ -13,6 +13,7 @@
 #include "engine/parallel/worker_pool.h"
 #include "engine/plan/plan.h"
 #include "engine/plan/prediction.h"
+#include "engine/render/prepared_scene.h"
 #include "engine/render/progress.h"
 #include "engine/scene/limits.h"
 #include "engine/scene/scene.h"
@@ -24,8 +25,13 @@ struct Forecast {
   Prediction prediction;
 };
 
-/// Builds what the render would build and traces a part of it, on the pool's threads. Nothing if
-/// `progress.stop` ended it. `limits` bounds the samples that a contract may spend.
+/// Traces a part of what the render would trace, on the pool's threads. Nothing if `progress.stop`
+/// ended it. `limits` bounds the samples that a contract may spend.
+std::optional<Prediction> predict(const PreparedScene& prepared, const Limits& limits,
+                                  const MachineCosts& costs, WorkerPool& pool,
+                                  const RenderProgress& progress);
+
+/// Alike, after it has built what the render would build.
 std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
                                  const MachineCosts& costs, WorkerPool& pool,
                                  const RenderProgress& progress);

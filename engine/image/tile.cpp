@@ -4,12 +4,16 @@
 
 namespace raytracer {
 
-std::vector<Tile> split_into_tiles(int width, int height, int side) {
+std::vector<Tile> split_into_tiles(const Tile& area, int side) {
   std::vector<Tile> tiles;
-  for (int y = 0; y < height; y += side)
-    for (int x = 0; x < width; x += side)
-      tiles.push_back({x, y, std::min(x + side, width), std::min(y + side, height)});
+  for (int y = area.y_begin; y < area.y_end; y += side)
+    for (int x = area.x_begin; x < area.x_end; x += side)
+      tiles.push_back({x, y, std::min(x + side, area.x_end), std::min(y + side, area.y_end)});
   return tiles;
+}
+
+std::vector<Tile> split_into_tiles(int width, int height, int side) {
+  return split_into_tiles(whole_image(width, height), side);
 }
 
 void copy_tile(const Image& from, const Tile& tile, Image& to) {

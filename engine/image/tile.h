@@ -33,7 +33,12 @@ struct Tile {
 /// Copies all of the tile's pixels from one image into another of its size.
 void copy_tile(const Image& from, const Tile& tile, Image& to);
 
-/// The tiles that cover an image, each at most `side` pixels wide and high, row by row.
+/// All of an image.
+inline Tile whole_image(int width, int height) { return {0, 0, width, height}; }
+
+/// The tiles that cover an area, each at most `side` pixels wide and high, row by row.
+std::vector<Tile> split_into_tiles(const Tile& area, int side);
+/// Those that cover an image.
 std::vector<Tile> split_into_tiles(int width, int height, int side);
 
 }  // namespace raytracer

@@ -32,8 +32,4 @@ Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& mac
   return plan;
 }
 
-Plan make_plan(const Scene& scene, const Machine& machine, WorkerPool* pool) {
-  return make_plan(scene, pack_scene(scene, pool), machine, pool);
-}
-
 }  // namespace raytracer

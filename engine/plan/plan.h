@@ -31,7 +31,4 @@ struct Plan {
 Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& machine,
                WorkerPool* pool = nullptr);
 
-/// The same where nothing is to be traced.
-Plan make_plan(const Scene& scene, const Machine& machine, WorkerPool* pool = nullptr);
-
 }  // namespace raytracer

@@ -46,7 +46,8 @@ RefinedImage::RefinedImage(Tracing& tracing, Image& image)
       image_(image) {}
 
 bool RefinedImage::begin(const SamplePattern& pattern) {
-  std::optional<Image> image = tracing_.pass<float>(pattern, {.pixels = &errors_.spreads()});
+  std::optional<Image> image =
+      tracing_.pass<float>(pattern, {.pixels = &errors_.spreads()}, whole_image(width_, height_));
   if (!image) return false;
   const auto samples = static_cast<int>(pattern.points.size());
   note_first_pass(samples);

@@ -67,8 +67,7 @@ class RefinedImage {
   int width_;
   int height_;
   PixelErrors errors_;
-  std::int64_t stand_ins_ =
-      0;  ///< pixels that were not traced, but one subtile of their block for all
+  std::int64_t stand_ins_ = 0;  ///< pixels not traced, but one subtile of their block for all
   Preview::Whole shown_;
   Image& image_;
   std::map<int, SamplePattern> patterns_{};  ///< by their samples

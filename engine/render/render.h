@@ -7,6 +7,7 @@
 #include "engine/image/image.h"
 #include "engine/kernel/beyond_range.h"
 #include "engine/parallel/worker_pool.h"
+#include "engine/render/prepared_scene.h"
 #include "engine/render/progress.h"
 #include "engine/scene/limits.h"
 #include "engine/scene/scene.h"
@@ -43,11 +44,15 @@ using ByteRendering = BasicRendering<unsigned char>;
 /// structures are built.
 /// The pixels depend on the scene alone (with a time budget: up to how far it got), not on the
 /// number of threads. `limits` bounds the samples that a contract may spend.
+Rendering render(const PreparedScene& scene, const Limits& limits, WorkerPool& pool,
+                 RenderProgress& progress);
 Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
                  RenderProgress& progress);
 
 /// Alike, rounded to 8 bits, which is cheaper than floats where no contract refines the image.
 /// There is no preview then.
+ByteRendering render_bytes(const PreparedScene& scene, const Limits& limits, WorkerPool& pool,
+                           RenderProgress& progress);
 ByteRendering render_bytes(const Scene& scene, const Limits& limits, WorkerPool& pool,
                            RenderProgress& progress);
 

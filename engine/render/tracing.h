@@ -14,13 +14,21 @@
 #include "engine/measure/stopwatch.h"
 #include "engine/plan/plan.h"
 #include "engine/plan/tiles.h"
+#include "engine/render/built_scene.h"
 #include "engine/render/progress.h"
-#include "engine/render/tracer.h"
 
 namespace raytracer {
 
 /// A scene made ready, and what every pass over the image needs.
 struct Tracing {
+  Tracing(const BuiltScene& built, WorkerPool& worker_pool, RenderProgress& render_progress)
+      : tracer(built.tracer),
+        scene(built.scene),
+        plan(built.plan),
+        pool(worker_pool),
+        progress(render_progress),
+        plan_ms(built.plan_ms) {}
+
   const Tracer& tracer;
   const Scene& scene;
   const Plan& plan;
@@ -40,14 +48,15 @@ struct Tracing {
   /// Whether the budget is spent, or would be `more_ms` from now.
   bool is_over_time(double more_ms = 0) const { return rest_ms() < more_ms; }
 
-  /// An image with these samples, and what they tell of its errors if somebody wants it and the
-  /// pattern has half buffers; nothing if it was stopped before it was whole.
+  /// An image with these samples in the pixels of `region` (the others are not touched), and what
+  /// they tell of its errors if somebody wants it and the pattern has half buffers; nothing if it
+  /// was stopped before all were done.
   template <typename Channel>
-  std::optional<Raster<Channel>> pass(const SamplePattern& pattern, const TileErrors& errors) {
+  std::optional<Raster<Channel>> pass(const SamplePattern& pattern, const TileErrors& errors,
+                                      const Tile& region) {
     Raster<Channel> image(scene.camera.width, scene.camera.height);
     const auto samples = static_cast<int>(pattern.points.size());
-    const std::vector<Tile> tiles =
-        split_into_tiles(image.width, image.height, plan.tile_side_px.value);
+    const std::vector<Tile> tiles = split_into_tiles(region, plan.tile_side_px.value);
     std::vector<BeyondRange> beyond_in_tiles(tiles.size());
     std::atomic<bool> stop{progress.stop.load()};
     std::atomic<std::size_t> done{0};

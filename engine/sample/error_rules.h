@@ -1,6 +1,8 @@
 // Corrections of estimated errors.
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <span>
 
 #include "engine/errors/error_model.h"
@@ -23,6 +25,11 @@ ErrorMultiplier choose_error_multiplier(const SceneStatistics& statistics);
 /// The sum of these squared errors with its own uncertainty, which counts where few have an error:
 /// that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself.
 double conservative_sum(std::span<const double> errors2);
+
+/// The rms error over the channels of so many pixels whose squared errors sum up to `error2`.
+inline double rms_of(double error2, std::size_t pixel_count) {
+  return std::sqrt(error2 / (3 * static_cast<double>(pixel_count)));
+}
 
 /// 1 / error_power() of pixels one after another, most of which have the samples of the one before.
 /// Those without samples, beyond the rim, have no error.

@@ -8,6 +8,7 @@
 #include "engine/plan/plan.h"
 #include "tests/extremes/cases.h"
 #include "tests/extremes/comparison.h"
+#include "tests/support/scene_plan.h"
 
 namespace raytracer::extremes {
 

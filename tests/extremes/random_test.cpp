@@ -12,7 +12,9 @@
 #include "engine/plan/plan.h"
 #include "tests/extremes/cases.h"
 #include "tests/extremes/comparison.h"
+#include "tests/support/edit.h"
 #include "tests/support/rays.h"
+#include "tests/support/scene_plan.h"
 
 namespace raytracer::extremes {
 namespace {
@@ -46,7 +48,7 @@ Scene random_scene(std::uint64_t seed, const Magnitudes& size) {
   scene.materials = {matt, mirror};
   scene.background = {0.2, 0.3, 0.4};
   const auto add = [&](auto shape) {
-    scene.objects.push_back({std::move(shape), random.below(4) == 0 ? 1U : 0U});
+    test::append(scene.objects, {std::move(shape), random.below(4) == 0 ? 1U : 0U});
   };
   const Vec3 middle = far_point();
   const double radius = any_radius();

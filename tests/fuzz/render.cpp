@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/engine.h"
+#include "tests/support/edit.h"
 
 namespace raytracer {
 namespace {
@@ -113,7 +114,7 @@ void add_object(Bytes& bytes, Scene& scene) {
     }
   }
   object.material = static_cast<MaterialIndex>(bytes.below(2));
-  scene.objects.push_back(std::move(object));
+  test::append(scene.objects, std::move(object));
 }
 
 Scene make_scene(Bytes& bytes) {
@@ -135,15 +136,15 @@ Scene make_scene(Bytes& bytes) {
     material.ks = bytes.share();
     material.shininess = std::abs(bytes.number());
     material.reflectivity = i * bytes.share();
-    scene.materials.push_back(material);
+    test::append(scene.materials, material);
   }
   scene.render.max_depth = bytes.below(6);
   for (int i = bytes.below(3); i >= 0; --i) {
     const double intensity = std::abs(bytes.number());
     if (bytes.below(2) == 0)
-      scene.lights.push_back({DistantLight{bytes.direction()}, {1, 1, 1}, intensity});
+      test::append(scene.lights, {DistantLight{bytes.direction()}, {1, 1, 1}, intensity});
     else
-      scene.lights.push_back({PointLight{bytes.point()}, {1, 0, 1}, intensity});
+      test::append(scene.lights, {PointLight{bytes.point()}, {1, 0, 1}, intensity});
   }
   while (!bytes.is_empty() && scene.objects.size() < 12) add_object(bytes, scene);
   return scene;

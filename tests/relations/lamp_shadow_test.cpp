@@ -11,6 +11,7 @@
 #include "engine/render/tracer.h"
 #include "engine/sample/pattern.h"
 #include "tests/support/reference_plan.h"
+#include "tests/support/scene_plan.h"
 #include "tests/support/scenes.h"
 
 namespace raytracer::test {

@@ -6,6 +6,7 @@
 #include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
 #include "tests/relations/varied_scene.h"
+#include "tests/support/scene_plan.h"
 
 namespace raytracer::test {
 namespace {

@@ -7,6 +7,7 @@
 #include "engine/render/tracer.h"
 #include "tests/relations/varied_scene.h"
 #include "tests/support/reference_plan.h"
+#include "tests/support/scene_plan.h"
 
 namespace raytracer::test {
 namespace {

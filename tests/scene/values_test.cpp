@@ -34,7 +34,7 @@ TEST(Defaults, of_a_material_are_the_documented_ones) {
                              sphere_json({0, 0, 5}, 1, json::object())}) {
     const Scene scene = scene_of(document(camera_json(), {object}));
     ASSERT_EQ(scene.materials.size(), 1U);
-    const Material& material = scene.materials[scene.objects.at(0).material];
+    const Material& material = scene.materials[scene.objects[0].material];
     EXPECT_EQ(material.color, (Rgb{1, 1, 1}));
     EXPECT_EQ(material.ka, 1);
     EXPECT_EQ(material.kd, 0.7);
@@ -58,7 +58,7 @@ TEST(Defaults, of_a_square_is_the_axes_xz) {
   json square = square_json({1, 2, 3}, 0.5, 7);
   square.erase("axes");
   const Scene scene = scene_of(document(camera_json(), {square}));
-  const auto& shape = std::get<SphereSquare>(scene.objects.at(0).shape);
+  const auto& shape = std::get<SphereSquare>(scene.objects[0].shape);
   EXPECT_EQ(shape.axes, Axes::xz);
   EXPECT_EQ(shape.n, 7);
   EXPECT_EQ(shape.radius, 0.5);
@@ -157,20 +157,20 @@ TEST(Values, of_cylinders_are_taken_over) {
   plain.erase("caps");
   plain.erase("colors");
   const Scene scene = scene_of(document(camera_json(), {one, open, many, plain}));
-  const auto& closed = std::get<Cylinder>(scene.objects.at(0).shape);
+  const auto& closed = std::get<Cylinder>(scene.objects[0].shape);
   EXPECT_EQ(closed.from, (Vec3{1, 2, 3}));
   EXPECT_EQ(closed.to, (Vec3{4, 5, 6}));
   EXPECT_EQ(closed.radius, 0.25);
   EXPECT_TRUE(closed.caps);
-  EXPECT_FALSE(std::get<Cylinder>(scene.objects.at(1).shape).caps);
-  const auto& cylinders = std::get<Cylinders>(scene.objects.at(2).shape);
+  EXPECT_FALSE(std::get<Cylinder>(scene.objects[1].shape).caps);
+  const auto& cylinders = std::get<Cylinders>(scene.objects[2].shape);
   EXPECT_EQ(cylinders.from, (std::vector<Vec3>{{1, 0, 0}, {2, 0, 0}}));
   EXPECT_EQ(cylinders.to, (std::vector<Vec3>{{1, 1, 0}, {2, 2, 0}}));
   EXPECT_EQ(cylinders.radius(0), 0.5);
   EXPECT_EQ(cylinders.radius(1), 0.75);
   EXPECT_FALSE(cylinders.caps);
   EXPECT_EQ(cylinders.colors, (std::vector<Rgb>{{0.25, 0.5, 1}, {0, 1, 0}}));
-  const auto& alike = std::get<Cylinders>(scene.objects.at(3).shape);
+  const auto& alike = std::get<Cylinders>(scene.objects[3].shape);
   EXPECT_EQ(alike.radius(1), 0.5);
   EXPECT_TRUE(alike.caps);
   EXPECT_TRUE(alike.colors.empty());
@@ -184,7 +184,7 @@ TEST(Values, a_material_is_found_by_name_wherever_it_stands_in_the_document) {
     "camera": {"origin": [0, 0, 0], "look_at": [0, 0, 5], "fov": 1, "width": 7, "height": 5},
     "materials": {"a": {"kd": 0.25, "reflectivity": 0.75}, "a/~ b": {"ks": 0.125}}})");
   const auto material = [&](std::size_t object) {
-    return scene.materials.at(scene.objects.at(object).material);
+    return scene.materials[scene.objects[object].material];
   };
   EXPECT_EQ(material(0).kd, 0.25);
   EXPECT_EQ(material(0).reflectivity, 0.75);

@@ -1,8 +1,10 @@
 // What of shading and geometry a scene needs: what no pixel can show does not count.
 #include "engine/scene/features.h"
-#include "engine/scene/scene.h"
 
 #include <gtest/gtest.h>
+
+#include "engine/scene/scene.h"
+#include "tests/support/edit.h"
 
 namespace raytracer::test {
 namespace {
@@ -23,10 +25,10 @@ Scene lit_sphere() {
 
 TEST(Features, count_primitives_by_kind) {
   Scene scene = lit_sphere();
-  scene.objects.push_back({Spheres{{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {0.1}, {}}, 0});
-  scene.objects.push_back({SphereSquare{{0, -3, 0}, 1, 1000, Axes::xz}, 0});
-  scene.objects.push_back({Plane{{0, -9, 0}, {0, 1, 0}}, 0});
-  scene.objects.push_back({Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, 0});
+  append(scene.objects, {Spheres{{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {0.1}, {}}, 0});
+  append(scene.objects, {SphereSquare{{0, -3, 0}, 1, 1000, Axes::xz}, 0});
+  append(scene.objects, {Plane{{0, -9, 0}, {0, 1, 0}}, 0});
+  append(scene.objects, {Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, 0});
   const Features features = find_features(scene);
   EXPECT_EQ(features.primitives[kind_index<SphereKind>], 4U);
   EXPECT_EQ(features.primitives[kind_index<LatticeKind>], 1U);
@@ -45,15 +47,15 @@ TEST(Features, leave_out_a_material_that_nothing_is_made_of) {
 
 TEST(Features, leave_out_the_material_of_an_empty_set) {
   Scene scene = lit_sphere();
-  scene.objects.push_back({Spheres{{}, {1}, {}}, 1});
-  scene.objects.push_back({Mesh{}, 1});
+  append(scene.objects, {Spheres{{}, {1}, {}}, 1});
+  append(scene.objects, {Mesh{}, 1});
   EXPECT_FALSE(find_features(scene).reflects);
   EXPECT_EQ(find_features(scene).materials, 1U);
 }
 
 TEST(Features, count_a_mirror_that_is_used) {
   Scene scene = lit_sphere();
-  scene.objects[0].material = 1;
+  edit(scene.objects, [](auto& objects) { objects[0].material = 1; });
   const Features features = find_features(scene);
   EXPECT_TRUE(features.reflects);
   EXPECT_EQ(features.max_depth, 5);
@@ -63,39 +65,39 @@ TEST(Features, count_a_mirror_that_is_used) {
 
 TEST(Features, leave_out_mirrors_when_no_ray_may_be_reflected) {
   Scene scene = lit_sphere();
-  scene.objects[0].material = 1;
+  edit(scene.objects, [](auto& objects) { objects[0].material = 1; });
   scene.render.max_depth = 0;
   EXPECT_FALSE(find_features(scene).reflects);
 }
 
 TEST(Features, leave_out_highlights_where_nothing_shows_them) {
   Scene without_ks = lit_sphere();
-  without_ks.materials[0].ks = 0;
+  edit(without_ks.materials, [](auto& materials) { materials[0].ks = 0; });
   EXPECT_FALSE(find_features(without_ks).has_specular);
   EXPECT_EQ(find_features(without_ks).shininess, 0);
   EXPECT_TRUE(find_features(without_ks).has_diffuse);
 
   Scene dark = lit_sphere();
-  dark.lights[0].intensity = 0;
+  edit(dark.lights, [](auto& lights) { lights[0].intensity = 0; });
   EXPECT_FALSE(find_features(dark).has_specular);
   EXPECT_FALSE(find_features(dark).has_diffuse);
 
   Scene black = lit_sphere();
-  black.materials[0].color = {0, 0, 0};
+  edit(black.materials, [](auto& materials) { materials[0].color = {0, 0, 0}; });
   EXPECT_FALSE(find_features(black).has_specular);
 }
 
 TEST(Features, ask_only_the_specular_for_one_exponent) {
   Scene scene = lit_sphere();
-  scene.objects.push_back({Sphere{{3, 0, 0}, 1}, 1});
+  append(scene.objects, {Sphere{{3, 0, 0}, 1}, 1});
   EXPECT_EQ(find_features(scene).uniform_shininess, -1);
-  scene.materials[1].ks = 0;
+  edit(scene.materials, [](auto& materials) { materials[1].ks = 0; });
   EXPECT_EQ(find_features(scene).uniform_shininess, 50);
 }
 
 TEST(Features, leave_out_a_light_that_changes_no_colour) {
   Scene scene = lit_sphere();
-  scene.lights.push_back({PointLight{{0, 9, 0}}, {1, 1, 1}, 0});
+  append(scene.lights, {PointLight{{0, 9, 0}}, {1, 1, 1}, 0});
   scene.shadows = Shadows::ambient;
   EXPECT_EQ(find_features(scene).light_count(LightRays::converging), 0U);
   scene.shadows = Shadows::black;
@@ -112,7 +114,7 @@ TEST(Features, cast_shadows_only_under_lights_that_have_some) {
   scene.shadows = Shadows::off;
   EXPECT_FALSE(find_features(scene).casts_shadows);
   scene.shadows = Shadows::black;
-  scene.lights.clear();
+  scene.lights = {};
   EXPECT_FALSE(find_features(scene).casts_shadows);
   EXPECT_FALSE(find_features(scene).has_ambient) << "what no light reaches is black";
 }

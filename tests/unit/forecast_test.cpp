@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "tests/support/edit.h"
 #include "tests/support/scenes.h"
 
 namespace raytracer::test {
@@ -26,7 +27,7 @@ Scene row_of_spheres(int count) {
   scene.lights = {{DistantLight{{-1, -1, 2}}}};
   scene.materials = {Material{}};
   for (int i = 0; i < count; ++i)
-    scene.objects.push_back({Sphere{{2.5 * (i - (count - 1) / 2.0), 0, 0}, 1}, 0});
+    append(scene.objects, {Sphere{{2.5 * (i - (count - 1) / 2.0), 0, 0}, 1}, 0});
   return scene;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/pack/packed_scene.h"
+#include "tests/support/edit.h"
 #include "tests/support/rays.h"
 
 namespace raytracer::test {
@@ -11,7 +12,7 @@ namespace {
 Scene scene_with(const Vec3& eye, const Vec3& center, double radius) {
   Scene scene;
   scene.camera.origin = eye;
-  scene.objects.push_back({Sphere{center, radius}, 0});
+  scene.objects = {{Sphere{center, radius}, 0}};
   return scene;
 }
 
@@ -59,15 +60,15 @@ TEST(Frame, keeps_every_extent_near_one) {
 
 TEST(Frame, holds_lights_planes_squares_and_meshes) {
   Scene scene;
-  scene.objects.push_back({Plane{{0, -1e10, 0}, {0, 1, 0}}, 0});
+  append(scene.objects, {Plane{{0, -1e10, 0}, {0, 1, 0}}, 0});
   EXPECT_NEAR(make_frame(scene).exponent(), 33, 2);
-  scene.lights.push_back({PointLight{{0, 1e20, 0}}, {1, 1, 1}, 1});
+  append(scene.lights, {PointLight{{0, 1e20, 0}}, {1, 1, 1}, 1});
   EXPECT_NEAR(make_frame(scene).exponent(), 66, 2);
-  scene.objects.push_back({SphereSquare{{}, 1e21, 1'000'000'000, Axes::xz}, 0});
+  append(scene.objects, {SphereSquare{{}, 1e21, 1'000'000'000, Axes::xz}, 0});
   EXPECT_NEAR(make_frame(scene).exponent(), 101, 3);
-  scene.objects.push_back({Mesh{{{1e40, 0, 0}}, {}}, 0});
+  append(scene.objects, {Mesh{{{1e40, 0, 0}}, {}}, 0});
   EXPECT_NEAR(make_frame(scene).exponent(), 133, 2);
-  scene.objects.push_back({Spheres{{{0, 0, 0}, {0, 0, 1e50}}, {1}, {}}, 0});
+  append(scene.objects, {Spheres{{{0, 0, 0}, {0, 0, 1e50}}, {1}, {}}, 0});
   EXPECT_NEAR(make_frame(scene).exponent(), 166, 2);
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/scene_plan.h"
+
 namespace raytracer::test {
 namespace {
 

@@ -9,6 +9,8 @@
 
 #include "engine/plan/explain.h"
 #include "engine/text/pluralised.h"
+#include "tests/support/edit.h"
+#include "tests/support/scene_plan.h"
 
 namespace raytracer::test {
 namespace {
@@ -73,7 +75,7 @@ TEST(Plan, builds_nothing_that_no_ray_asks) {
   EXPECT_EQ(finder_of_spheres(RayKind::followed), Finder::none);
   scene.shadows = Shadows::off;
   EXPECT_EQ(finder_of_spheres(RayKind::to_distant_light), Finder::none);
-  scene.objects[0].material = 1;
+  edit(scene.objects, [](auto& objects) { objects[0].material = 1; });
   EXPECT_EQ(finder_of_spheres(RayKind::followed), Finder::tree);
   scene.render.max_depth = 0;
   EXPECT_EQ(finder_of_spheres(RayKind::followed), Finder::none);

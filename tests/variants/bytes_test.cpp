@@ -7,6 +7,7 @@
 #include "engine/engine.h"
 #include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
+#include "tests/support/scene_plan.h"
 #include "tests/support/scenes.h"
 #include "tests/variants/image_by.h"
 

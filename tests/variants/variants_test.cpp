@@ -17,6 +17,7 @@
 #include "engine/render/tracer.h"
 #include "engine/scene/read_scene.h"
 #include "tests/support/reference_plan.h"
+#include "tests/support/scene_plan.h"
 #include "tests/variants/image_by.h"
 #include "tests/variants/random_documents.h"
 

@@ -9,7 +9,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <future>
 #include <iostream>
 #include <optional>
 #include <thread>
@@ -17,6 +16,7 @@
 #include "tests/measure/bench/measure_case.h"
 #include "tests/measure/bench/report.h"
 #include "tests/measure/report/command_text.h"
+#include "tests/measure/report/print_measured.h"
 #include "tests/measure/report/written_file.h"
 
 namespace {
@@ -145,19 +145,12 @@ Report measure_all(const Options& options, const std::string& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    Options options;
-    if (const auto status = parse_arguments(argc, argv, options)) return *status;
-    // Not by the main thread: jemalloc 5.3 makes its arena before it has read the options, and
-    // gives back its blocks of 8 MB at once; most of the server's threads have others.
-    const auto run = [&] {
-      return measure_all(options, measure::command_text("raytracer_bench", argc, argv,
-                                                        {"--runs", "--pictures", "--commit"}));
-    };
-    std::cout << to_markdown(std::async(std::launch::async, run).get());
-  } catch (const std::exception& error) {
-    std::cerr << "bench: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  Options options;
+  return measure::print_measured(
+      "bench", [&] { return parse_arguments(argc, argv, options); },
+      [&] {
+        return to_markdown(
+            measure_all(options, measure::command_text("raytracer_bench", argc, argv,
+                                                       {"--runs", "--pictures", "--commit"})));
+      });
 }

@@ -19,6 +19,7 @@
 #include "tests/extremes/cases.h"
 #include "tests/extremes/comparison.h"
 #include "tests/measure/peers/all_peers.h"
+#include "tests/support/scene_plan.h"
 
 namespace {
 

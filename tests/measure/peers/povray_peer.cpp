@@ -35,28 +35,17 @@ std::string PovrayPeer::version() const {
 }
 
 std::optional<std::string> PovrayPeer::refusal(const Scene& scene) const {
+  if (auto reason = ProgramPeer::refusal(scene)) return reason;
   const SceneFeatures features = features_of(scene);
-  if (auto type = first_unknown(
-          features.objects,
-          {"sphere", "spheres", "sphere_square", "plane", "mesh", "cylinder", "cylinders"},
-          "objects"))
-    return type;
-  if (auto type = first_unknown(features.lights, {"distant", "point"}, "lights")) return type;
   const int root = root_of(features.samples);
   return first_reason(
-      {{features.has_item_colors, "sets with a colour for each item"},
-       {features.has_flat_highlights, "highlights of shininess 0"},
+      {{features.has_flat_highlights, "highlights of shininess 0"},
        {root * root != features.samples, "a number of samples that is not a square"}});
-}
-
-bool PovrayPeer::omits_ambient(const Scene& scene) const {
-  return scene.shadows == Shadows::black && features_of(scene).has_ambient_part;
 }
 
 std::vector<std::string> PovrayPeer::differences(const Scene& scene) const {
   const SceneFeatures features = features_of(scene);
-  std::vector<std::string> differences;
-  if (omits_ambient(scene)) differences.push_back("drawn without ambient light");
+  std::vector<std::string> differences = ProgramPeer::differences(scene);
   if (features.has_colored_highlights)
     differences.push_back("highlights on coloured surfaces have a Fresnel term");
   if (features.samples > 1) differences.push_back("other sample positions");

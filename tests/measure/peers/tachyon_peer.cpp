@@ -15,27 +15,16 @@ std::string TachyonPeer::version() const {
 }
 
 std::optional<std::string> TachyonPeer::refusal(const Scene& scene) const {
+  if (auto reason = ProgramPeer::refusal(scene)) return reason;
   const SceneFeatures features = features_of(scene);
-  if (auto type = first_unknown(
-          features.objects,
-          {"sphere", "spheres", "sphere_square", "plane", "mesh", "cylinder", "cylinders"},
-          "objects"))
-    return type;
-  if (auto type = first_unknown(features.lights, {"distant", "point"}, "lights")) return type;
   return first_reason(
-      {{features.has_item_colors, "sets with a colour for each item"},
-       {features.has_highlights && features.lights.contains("point"),
+      {{features.has_highlights && features.lights.contains("point"),
         "highlights of point lights, which do not fall off with the distance there"}});
-}
-
-bool TachyonPeer::omits_ambient(const Scene& scene) const {
-  return scene.shadows == Shadows::black && features_of(scene).has_ambient_part;
 }
 
 std::vector<std::string> TachyonPeer::differences(const Scene& scene) const {
   const SceneFeatures features = features_of(scene);
-  std::vector<std::string> differences;
-  if (omits_ambient(scene)) differences.push_back("drawn without ambient light");
+  std::vector<std::string> differences = ProgramPeer::differences(scene);
   if (features.has_colored_highlights && features.has_uneven_lights)
     differences.push_back(
         "highlights on coloured surfaces have the same brightness and no colour of any light");

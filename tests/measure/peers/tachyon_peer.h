@@ -5,20 +5,18 @@
 
 #include <string>
 
-#include "tests/measure/peers/peer.h"
 #include "tests/measure/peers/program.h"
+#include "tests/measure/peers/program_peer.h"
 
 namespace raytracer::peers {
 
-class TachyonPeer : public Peer {
+class TachyonPeer : public ProgramPeer {
  public:
   explicit TachyonPeer(std::size_t thread_count) : thread_count_(thread_count) {}
 
   std::string name() const override { return "Tachyon"; }
   std::string version() const override;
-  bool is_program() const override { return true; }
   std::optional<std::string> refusal(const Scene& scene) const override;
-  bool omits_ambient(const Scene& scene) const override;
   std::vector<std::string> differences(const Scene& scene) const override;
   void set_scene(const Scene& scene) override;
   Drawing draw() override { return run(samples_ - 1); }

@@ -7,12 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <future>
 #include <iostream>
 #include <optional>
 #include <utility>
 
 #include "tests/measure/report/command_text.h"
+#include "tests/measure/report/print_measured.h"
 #include "tests/measure/report/written_file.h"
 #include "tests/measure/scenes/named_scene.h"
 #include "tests/measure/scenes/untuned_scenes.h"
@@ -173,19 +173,11 @@ Report measure_all(const Options& options, const std::string& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    Options options;
-    if (const auto status = parse_arguments(argc, argv, options)) return *status;
-    // Not by the main thread: jemalloc 5.3 makes its arena before it has read the options, and
-    // gives back its blocks of 8 MB at once; most of the server's threads have others.
-    const auto run = [&] {
-      return measure_all(options, command_text("raytracer_published_tradeoff", argc, argv,
-                                               {"--runs", "--commit"}));
-    };
-    std::cout << to_markdown(std::async(std::launch::async, run).get());
-  } catch (const std::exception& error) {
-    std::cerr << "published_tradeoff: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  Options options;
+  return print_measured(
+      "published_tradeoff", [&] { return parse_arguments(argc, argv, options); },
+      [&] {
+        return to_markdown(measure_all(options, command_text("raytracer_published_tradeoff", argc,
+                                                             argv, {"--runs", "--commit"})));
+      });
 }

@@ -1,0 +1,138 @@
+#include "engine/render/region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/image/subtile_errors.h"
+#include "engine/render/built_scene.h"
+#include "engine/render/tracing.h"
+#include "engine/sample/error_rules.h"
+#include "engine/sample/neighbour_error.h"
+#include "engine/sample/pattern.h"
+#include "engine/sample/refinement.h"
+
+namespace raytracer {
+namespace {
+
+std::size_t blocks_along(int pixels) {
+  return static_cast<std::size_t>((pixels + block_side - 1) / block_side);
+}
+
+/// Of a region's rows of blocks: where its errors lie among those of an image `width` pixels wide,
+/// and how many they are.
+template <typename Visit>
+void for_each_block_row(const Tile& region, int width, const Visit& visit) {
+  const std::size_t count = subtiles_in_block * blocks_along(region.x_end - region.x_begin);
+  for (int y = region.y_begin; y < region.y_end; y += block_side) {
+    const std::size_t row = static_cast<std::size_t>(y / block_side) * blocks_along(width);
+    visit(subtiles_in_block * (row + static_cast<std::size_t>(region.x_begin / block_side)), count);
+  }
+}
+
+std::size_t row_length(const Tile& region) {
+  return 3 * static_cast<std::size_t>(region.x_end - region.x_begin);
+}
+
+}  // namespace
+
+std::vector<Tile> regions_of(int width_px, int height_px, int side_px) {
+  return split_into_tiles(width_px, height_px, side_px);
+}
+
+template <typename Channel>
+std::optional<RegionRendering<Channel>> render_region(const PreparedScene& scene,
+                                                      const Tile& region, WorkerPool& pool,
+                                                      RenderProgress& progress) {
+  const BuiltScene& built = scene.built();
+  if (built.plan.sampling.value == Sampling::contract)
+    throw std::logic_error("a contract looks at the whole image");
+  const Camera& camera = built.scene.camera;
+  Tracing tracing{built, pool, progress};
+  const SamplePattern pattern = sample_pattern(built.scene.render.samples.value_or(1));
+  std::optional<SubtileErrors> errors;
+  if (pattern.has_half_buffers()) errors.emplace(camera.width, camera.height);
+  const auto image =
+      tracing.pass<Channel>(pattern, {.subtiles = errors ? &*errors : nullptr}, region);
+  if (!image) return {};
+
+  RegionRendering<Channel> part{
+      .region = region,
+      .error_multiplier = choose_error_multiplier(built.plan.statistics).initial,
+      .precision = built.plan.precision.value,
+      .beyond = tracing.beyond};
+  part.values.reserve(row_length(region) * static_cast<std::size_t>(region.y_end - region.y_begin));
+  for (int y = region.y_begin; y < region.y_end; ++y) {
+    const Channel* const row = image->pixel(region.x_begin, y);
+    part.values.insert(part.values.end(), row, row + row_length(region));
+  }
+  if (errors)
+    for_each_block_row(region, camera.width, [&](std::size_t begin, std::size_t count) {
+      const double* const row = errors->all().data() + begin;
+      part.subtile_error2.insert(part.subtile_error2.end(), row, row + count);
+    });
+  return part;
+}
+
+template <typename Channel>
+ImageOfRegions<Channel>::ImageOfRegions(int width_px, int height_px, int samples)
+    : samples_(samples) {
+  rendering_.image = Raster<Channel>(width_px, height_px);
+  std::fill(rendering_.image.values.begin(), rendering_.image.values.end(), Channel{0});
+  rendering_.pixel_count = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
+  rendering_.samples_per_pixel = samples;
+  if (sample_pattern(samples).has_half_buffers())
+    subtile_error2_ = SubtileErrors(width_px, height_px).all();
+}
+
+template <typename Channel>
+void ImageOfRegions<Channel>::add(const RegionRendering<Channel>& part) {
+  Raster<Channel>& image = rendering_.image;
+  const Tile& region = part.region;
+  std::size_t error_count = 0;
+  if (!subtile_error2_.empty())
+    for_each_block_row(region, image.width,
+                       [&](std::size_t, std::size_t count) { error_count += count; });
+  const bool is_inside = region.x_begin >= 0 && region.x_begin < region.x_end &&
+                         region.x_end <= image.width && region.y_begin >= 0 &&
+                         region.y_begin < region.y_end && region.y_end <= image.height;
+  if (!is_inside ||
+      part.values.size() !=
+          row_length(region) * static_cast<std::size_t>(region.y_end - region.y_begin) ||
+      part.subtile_error2.size() != error_count)
+    throw std::invalid_argument("the region is not one of this image");
+
+  const Channel* from = part.values.data();
+  for (int y = region.y_begin; y < region.y_end; ++y, from += row_length(region))
+    std::copy_n(from, row_length(region), image.pixel(region.x_begin, y));
+  const double* error2 = part.subtile_error2.data();
+  if (error_count > 0)
+    for_each_block_row(region, image.width, [&](std::size_t begin, std::size_t count) {
+      std::copy_n(error2, count, subtile_error2_.data() + begin);
+      error2 += count;
+    });
+  error_multiplier_ = part.error_multiplier;
+  rendering_.precision = part.precision;
+  rendering_.beyond += part.beyond;
+}
+
+template <typename Channel>
+BasicRendering<Channel> ImageOfRegions<Channel>::finish() && {
+  rendering_.estimated_error =
+      subtile_error2_.empty()
+          ? neighbour_error(rendering_.image, samples_)
+          : rms_of(error_multiplier_ * conservative_sum(subtile_error2_), rendering_.pixel_count);
+  return std::move(rendering_);
+}
+
+template std::optional<RegionRendering<float>> render_region(const PreparedScene&, const Tile&,
+                                                             WorkerPool&, RenderProgress&);
+template std::optional<RegionRendering<unsigned char>> render_region(const PreparedScene&,
+                                                                     const Tile&, WorkerPool&,
+                                                                     RenderProgress&);
+template class ImageOfRegions<float>;
+template class ImageOfRegions<unsigned char>;
+
+}  // namespace raytracer

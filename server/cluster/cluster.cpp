@@ -1,0 +1,224 @@
+#include "server/cluster/cluster.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "server/cluster/answered.h"
+#include "server/cluster/collector.h"
+#include "server/problem.h"
+
+namespace raytracer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The host's name and what no other server there has; NATS's subjects have no dots within names.
+std::string unique_name() {
+  std::array<char, 64> host{};
+  gethostname(host.data(), host.size() - 1);
+  std::string name(host.data());
+  std::replace_if(
+      name.begin(), name.end(),
+      [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '-');
+  return fmt::format("{}-{}-{}", name, getpid(), random_id().substr(0, 4));
+}
+
+StoreLimits limits_of(const Config& config) {
+  return {
+      std::chrono::milliseconds(static_cast<std::int64_t>(1000 * config.cluster.task_timeout_s)),
+      std::chrono::seconds(config.cluster.keep_s), config.cluster.max_stored};
+}
+
+}  // namespace
+
+Cluster::Cluster(const Parts& parts)
+    : parts_(parts),
+      self_{unique_name(), parts.renderer_id},
+      nats_(parts.config.cluster.nats_url),
+      store_(nats_, limits_of(parts.config)),
+      news_(store_),
+      scenes_(store_, parts.scenes, parts.pool, parts.metrics, parts.config.max_kept),
+      jobs_({.self = self_,
+             .store = store_,
+             .news = news_,
+             .scenes = scenes_,
+             .admission = parts.admission,
+             .pool = parts.pool,
+             .limits = parts.config.limits,
+             .most_open = parts.config.max_queue + parts.renders_at_once,
+             .is_front = !parts.config.cluster.is_worker,
+             .metrics = parts.metrics,
+             .log = parts.log,
+             .choose_cut =
+                 [this](const PreparedScene& scene, bool is_8_bit, const RenderProgress& progress) {
+                   return foresee(scene, is_8_bit, progress);
+                 }}),
+      signs_(store_, [this] { return describe_self(); }) {
+  if (parts.config.cluster.works)
+    runner_.emplace(self_, store_, news_, scenes_, parts.pool, parts.config.limits, parts.metrics,
+                    parts.log);
+}
+
+Member Cluster::describe_self() const {
+  return {.name = self_.name,
+          .build = std::string(build_id),
+          .instruction_set = this_machine().instruction_set.name,
+          .renderer = self_.renderer,
+          .threads = parts_.config.threads,
+          .tasks_done = runner_ ? runner_->tasks_done() : 0,
+          .works = parts_.config.cluster.works};
+}
+
+std::optional<Cut> Cluster::foresee(const PreparedScene& scene, bool is_8_bit,
+                                    const RenderProgress& progress) const {
+  const double share_from_ms = parts_.config.cluster.share_from_ms;
+  if (is_short(scene, share_from_ms, parts_.config.threads)) return {};
+  const std::optional<Prediction> prediction =
+      predict(scene, parts_.config.limits, parts_.machine_costs, parts_.pool, progress);
+  if (!prediction || prediction->trace_ms < share_from_ms) return {};
+  return cut_into_tasks(scene, *prediction, is_8_bit);
+}
+
+std::optional<Cut> Cluster::choose_cut(const PreparedScene& scene, bool is_8_bit,
+                                       const RenderProgress& progress) {
+  const bool works = parts_.config.cluster.works;
+  if (works && is_degraded()) return {};  // it needs nobody else
+  const std::optional<Cut> cut = foresee(scene, is_8_bit, progress);
+  if (!cut || works) return cut;
+  return answered([&] {
+    if (!has_worker(store_.members(), self_.renderer, store_.limits()))
+      refuse(503,
+             fmt::format("The render is predicted to trace for {:.0f} ms, which this front leaves "
+                         "to workers of its build ({}), and none has been heard of",
+                         cut->predicted_ms, self_.renderer),
+             {{"Retry-After", "5"}});
+    return cut;
+  });
+}
+
+template <typename Channel>
+BasicRendering<Channel> Cluster::render(const SceneView& view, const httplib::Params& query,
+                                        const Cut& cut, RenderProgress& progress,
+                                        Sharing& sharing) {
+  constexpr std::chrono::milliseconds longest_silence{250};
+  const auto waiter = parts_.admission.add_waiter();
+  const auto began = Clock::now();
+  const JobRecord record = jobs_.begin_render(view, query, cut, sizeof(Channel) == 1);
+  struct AtEnd {
+    ClusterStore& store;
+    const std::string& id;
+    ~AtEnd() {
+      try {
+        store.remove_job(id);
+      } catch (const std::exception&) {  // NOLINT: it is forgotten by itself
+      }
+    }
+  } const at_end{store_, record.id};
+
+  Collector collector(store_);
+  std::uint64_t seen = 0;
+  for (auto looked = began; true; news_.wait(seen, longest_silence)) {
+    if (progress.stop) {
+      BasicRendering<Channel> stopped;
+      stopped.stop = Stop::cancelled;
+      return stopped;
+    }
+    try {
+      collector.collect(record);
+      if (collector.is_complete(record)) break;
+      progress.fraction = collector.progress(record);
+      if (Clock::now() - looked < longest_silence) continue;
+      looked = Clock::now();
+      const auto stored = store_.job(record.id);
+      if (!stored) throw std::runtime_error("the render's record was removed");
+      if (!stored->failure.empty()) throw std::runtime_error(stored->failure);
+    } catch (const NatsUnavailable&) {  // NOLINT: it comes back
+    }
+  }
+  sharing = {record.task_count, collector.worker_count()};
+  BasicRendering<Channel> rendering = collector.take_rendering<Channel>();
+  rendering.trace_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+  return rendering;
+}
+template Rendering Cluster::render(const SceneView&, const httplib::Params&, const Cut&,
+                                   RenderProgress&, Sharing&);
+template ByteRendering Cluster::render(const SceneView&, const httplib::Params&, const Cut&,
+                                       RenderProgress&, Sharing&);
+
+void Cluster::keep_scene(const std::string& id, std::string_view document) {
+  answered([&] {
+    const std::string digest = ClusterStore::digest_of(document);
+    store_.put_document(digest, document);
+    store_.keep_scene(id, digest);
+  });
+}
+
+std::optional<std::string> Cluster::kept_scene(const std::string& id) {
+  return answered([&]() -> std::optional<std::string> {
+    const auto digest = store_.kept_scene(id);
+    if (!digest) return {};
+    try {
+      return store_.document(*digest);
+    } catch (const NatsRefused&) {
+      return {};  // it was dropped for others
+    }
+  });
+}
+
+nlohmann::ordered_json Cluster::describe() {
+  return answered([&] {
+    nlohmann::ordered_json workers = nlohmann::ordered_json::array();
+    for (const Member& member : store_.members())
+      workers.push_back({{"name", member.name},
+                         {"build", member.build},
+                         {"instruction_set", member.instruction_set},
+                         {"threads", member.threads},
+                         {"tasks_done", member.tasks_done},
+                         {"last_heard_s", silence_s(member)},
+                         {"works", member.works}});
+    std::uint64_t waiting = 0;
+    std::uint64_t running = 0;
+    for (const OpenJob& job : store_.open_jobs()) {
+      waiting += job.waiting;
+      running += job.running;
+    }
+    return nlohmann::ordered_json{{"workers", workers},
+                                  {"tasks", {{"waiting", waiting}, {"running", running}}},
+                                  {"redelivered", store_.redelivered()}};
+  });
+}
+
+void Cluster::set_metrics(Metrics& metrics) {
+  metrics.set("cluster_connected", is_degraded() ? 0 : 1);
+  try {
+    std::uint64_t waiting = 0;
+    std::uint64_t running = 0;
+    for (const OpenJob& job : store_.open_jobs()) {
+      waiting += job.waiting;
+      running += job.running;
+    }
+    metrics.set("cluster_tasks", static_cast<double>(waiting), {"waiting"});
+    metrics.set("cluster_tasks", static_cast<double>(running), {"running"});
+    const std::vector<Member> members = store_.members();
+    metrics.set("cluster_workers",
+                static_cast<double>(
+                    std::count_if(members.begin(), members.end(), [&](const Member& member) {
+                      return member.works &&
+                             1000 * silence_s(member) <
+                                 static_cast<double>(store_.limits().task_timeout.count());
+                    })));
+    metrics.set("cluster_redelivered_total", static_cast<double>(store_.redelivered()));
+  } catch (const std::exception&) {  // NOLINT: what was known last stays
+  }
+}
+
+void Cluster::drain(std::chrono::milliseconds longest) {
+  if (runner_) runner_->drain(longest);
+}
+
+}  // namespace raytracer

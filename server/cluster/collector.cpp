@@ -1,0 +1,78 @@
+#include "server/cluster/collector.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "server/cluster/result.h"
+
+namespace raytracer {
+
+void Collector::collect(const JobRecord& record) {
+  if (record.task_count == 0 || is_complete(record)) return;
+  for (const int task : store_.results(record.id)) {
+    if (done_.contains(task)) continue;
+    std::optional<StoredMessage> message = store_.result(record.id, task);
+    if (!message) continue;
+    add(record, std::move(*message));
+    done_.insert(task);
+  }
+  if (record.side_px == 0 && done_.empty()) whole_progress_ = store_.progress(record.id);
+}
+
+bool Collector::is_complete(const JobRecord& record) const {
+  return record.task_count > 0 && static_cast<int>(done_.size()) >= record.task_count;
+}
+
+double Collector::progress(const JobRecord& record) const {
+  if (record.task_count == 0) return 0;
+  if (record.side_px == 0 && done_.empty()) return whole_progress_;
+  return static_cast<double>(done_.size()) / record.task_count;
+}
+
+void Collector::add(const JobRecord& record, StoredMessage message) {
+  TaskResult result = read_result(message.data);
+  workers_.insert(result.worker);
+  last_ms_ = std::max(last_ms_, message.time_ms);
+  const auto add_region = [&]<typename Channel>(const RegionRendering<Channel>& part) {
+    using Whole = ImageOfRegions<Channel>;
+    if (!std::holds_alternative<Whole>(made_))
+      made_.emplace<Whole>(record.width, record.height, record.samples);
+    try {
+      std::get<Whole>(made_).add(part);
+    } catch (const std::invalid_argument& error) {
+      throw NatsRefused(std::string("a task's result is not of this job: ") + error.what());
+    }
+  };
+  if (auto* const floats = std::get_if<RegionRendering<float>>(&result.made)) {
+    add_region(*floats);
+  } else if (auto* const bytes = std::get_if<RegionRendering<unsigned char>>(&result.made)) {
+    add_region(*bytes);
+  } else if (auto* const whole = std::get_if<Rendering>(&result.made)) {
+    made_ = std::move(*whole);
+  } else {
+    made_ = std::move(std::get<CurveText>(result.made));
+  }
+}
+
+std::optional<Image> Collector::image_so_far() const {
+  if (const auto* const regions = std::get_if<ImageOfRegions<float>>(&made_))
+    return regions->so_far();
+  return {};
+}
+
+template <typename Channel>
+BasicRendering<Channel> Collector::take_rendering() {
+  if constexpr (sizeof(Channel) == sizeof(float))
+    if (auto* const whole = std::get_if<Rendering>(&made_)) return std::move(*whole);
+  return std::get<ImageOfRegions<Channel>>(std::move(made_)).finish();
+}
+template Rendering Collector::take_rendering();
+template ByteRendering Collector::take_rendering();
+
+JobResult Collector::take_result() {
+  if (auto* const curve = std::get_if<CurveText>(&made_)) return std::move(*curve);
+  return take_rendering<float>();
+}
+
+}  // namespace raytracer

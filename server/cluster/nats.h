@@ -1,0 +1,168 @@
+// NATS and JetStream, as far as a cluster needs them: the one place that knows libnats.
+//
+// Streams hold one message a subject, as a table holds one row a key; the queue of tasks is a
+// stream whose messages are handed out and removed. https://docs.nats.io/nats-concepts/jetstream
+//
+// libnats 3.4.1 reads beyond its memory when a fetch of several messages meets some that are left
+// over: tasks are fetched one by one.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct __natsConnection;    // NOLINT: libnats' names
+struct __natsMsg;           // NOLINT
+struct __natsSubscription;  // NOLINT
+struct __jsCtx;             // NOLINT
+
+namespace raytracer {
+
+/// NATS cannot be reached or does not answer now; later it may.
+class NatsUnavailable : public std::runtime_error {
+  using runtime_error::runtime_error;
+};
+
+/// NATS answered, and what it was asked for cannot be had.
+class NatsRefused : public std::runtime_error {
+  using runtime_error::runtime_error;
+};
+
+/// NatsRefused because the stream may not grow.
+class StreamFull : public NatsRefused {
+  using NatsRefused::NatsRefused;
+};
+
+struct StreamSpec {
+  std::string name;
+  std::string subjects;  ///< a subject with wildcards
+  std::int64_t most_bytes;
+  std::chrono::seconds longest_kept;
+  bool is_queue = false;      ///< a message is removed once it is acknowledged
+  bool is_in_memory = false;  ///< gone when NATS ends
+  bool drops_oldest = false;  ///< when full, instead of refusing new ones
+  std::int64_t most_messages = -1;
+};
+
+struct StoredMessage {
+  std::string data;
+  std::int64_t time_ms;    ///< when it was stored, since 1970
+  std::uint64_t sequence;  ///< its number in the stream, never 0
+};
+
+struct StreamFill {
+  std::uint64_t bytes = 0;
+  std::uint64_t messages_ever = 0;
+};
+
+/// The messages of a queue that one consumer hands out.
+struct ConsumerFill {
+  std::string name;
+  std::string description;
+  std::uint64_t waiting = 0;  ///< not handed out yet
+  std::uint64_t running = 0;  ///< handed out, not acknowledged
+};
+
+/// A message that was handed out: whoever holds it works on it, and says so from time to time.
+/// Unless it was settled it goes to others after the consumer's time to acknowledge.
+class TaskMessage {
+ public:
+  explicit TaskMessage(__natsMsg* message);
+
+  const std::string& subject() const { return subject_; }
+  /// How often it was handed out so far, this time included.
+  std::uint64_t deliveries() const { return deliveries_; }
+  /// When it was queued, in milliseconds since 1970.
+  std::int64_t queued_ms() const { return queued_ms_; }
+
+  /// It is done. Like the two below it does nothing if NATS is away: then others do it again.
+  void acknowledge();
+  void say_in_progress();
+  void hand_back(std::chrono::milliseconds delay);
+
+ private:
+  std::shared_ptr<__natsMsg> message_;
+  std::string subject_;
+  std::uint64_t deliveries_ = 1;
+  std::int64_t queued_ms_ = 0;
+};
+
+/// Hands out the messages of one consumer; for one thread.
+class TaskSource {
+ public:
+  TaskSource(__jsCtx* context, const std::string& stream, const std::string& consumer);
+
+  /// The next one, if there is one within `longest`. Throws NatsUnavailable, and NatsRefused if the
+  /// consumer is gone.
+  std::optional<TaskMessage> take(std::chrono::milliseconds longest);
+
+ private:
+  std::shared_ptr<__natsSubscription> subscription_;
+};
+
+/// A connection that mends itself; it need not stand when this is made. Every member function may
+/// be called from any thread and, unless it says otherwise, throws NatsUnavailable or NatsRefused.
+class NatsConnection {
+ public:
+  /// `url`: nats://[user:password@]host[:port], or tls://; several with commas. What else NATS's
+  /// own programs take from the environment: NATS_CREDS, NATS_CA, NATS_CERT, NATS_KEY, each a
+  /// file. Throws std::invalid_argument if the URL or one of the files cannot be used.
+  explicit NatsConnection(const std::string& url);
+  ~NatsConnection();
+  NatsConnection(const NatsConnection&) = delete;
+  NatsConnection& operator=(const NatsConnection&) = delete;
+
+  /// Whether it stands now. Throws nothing.
+  bool is_connected() const;
+
+  /// The bytes of the largest message that NATS takes.
+  std::size_t most_message_bytes() const;
+
+  /// Makes the stream if there is none of that name.
+  void ensure_stream(const StreamSpec& spec);
+  StreamFill fill_of(const std::string& stream);
+
+  /// Stores it in place of what the subject held.
+  void put(const std::string& subject, std::string_view data);
+  /// Stores it if the subject holds the message of that sequence, or nothing for 0. Returns its own
+  /// sequence, or nothing if it was not stored.
+  std::optional<std::uint64_t> replace(const std::string& subject, std::string_view data,
+                                       std::uint64_t sequence);
+  /// Stores an empty message at each subject that holds nothing, faster.
+  void create_all(const std::vector<std::string>& subjects);
+  std::optional<StoredMessage> get(const std::string& stream, const std::string& subject);
+  /// The subjects that hold something, of those that match.
+  std::vector<std::string> subjects(const std::string& stream, const std::string& filter);
+  /// Removes what the matching subjects hold.
+  void purge(const std::string& stream, const std::string& filter);
+
+  /// Has the queue's messages with these subjects handed out, to be acknowledged within `time`.
+  void ensure_consumer(const std::string& stream, const std::string& name,
+                       const std::string& filter, const std::string& description,
+                       std::chrono::milliseconds time, std::chrono::seconds longest_idle);
+  void remove_consumer(const std::string& stream, const std::string& name);
+  std::vector<ConsumerFill> consumers(const std::string& stream);
+  TaskSource source(const std::string& stream, const std::string& consumer);
+
+  /// Tells those who listen() now. If NATS is away nobody hears it.
+  void signal(const std::string& subject, std::string_view data);
+
+  using Listener = std::function<void(const std::string& subject, const std::string& data)>;
+  /// Calls the listener for each signal, on a thread of its own, as long as the returned lives.
+  std::shared_ptr<const void> listen(const std::string& subject, Listener listener);
+
+ private:
+  void require_connection() const;
+
+  std::unique_ptr<__natsConnection, void (*)(__natsConnection*)> connection_;
+  std::unique_ptr<__jsCtx, void (*)(__jsCtx*)> context_;
+};
+
+}  // namespace raytracer

@@ -1,0 +1,43 @@
+// A job of the cluster, as it is stored for all who have a part in it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "server/job.h"
+
+namespace raytracer {
+
+struct JobRecord {
+  std::string id{};
+  JobTask task = JobTask::render;
+  std::string document{};                      ///< digest of the scene's text, see ClusterStore
+  std::map<std::string, std::string> query{};  ///< the request's, which stands over the document
+  std::string renderer{};                      ///< who may trace it: see renderer_id_of()
+  std::string front{};                         ///< the name of who accepted it
+  bool has_client = false;                     ///< somebody waits at that front: it ends with it
+  bool is_8_bit = false;                       ///< of its regions' channels; else floats
+  std::optional<std::string> picture_digest{};
+  double parse_ms = 0;
+  double predicted_ms = 0;  ///< that it traces for, on the front that cut it
+  int width = 0;
+  int height = 0;
+  int samples = 1;
+  std::int64_t accepted_ms = 0;  ///< since 1970
+  int side_px = 0;               ///< of its regions; 0: one task makes the whole
+  int task_count = 0;            ///< 0: not cut yet
+  std::string failure{};         ///< why it failed, if it did
+  std::uint64_t sequence = 0;    ///< of what is stored; 0: nothing yet
+};
+
+std::string to_text(const JobRecord& record);
+/// Throws NatsRefused if it is none.
+JobRecord read_record(std::string_view text);
+
+/// Milliseconds since 1970.
+std::int64_t now_ms();
+
+}  // namespace raytracer

@@ -1,0 +1,142 @@
+#include "server/cluster/result.h"
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "server/cluster/nats.h"
+
+namespace raytracer {
+namespace {
+
+using Json = nlohmann::json;
+
+template <typename... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+template <typename Values>
+void append(std::string& bytes, const Values& values) {
+  bytes.append(reinterpret_cast<const char*>(values.data()),
+               values.size() * sizeof(values.front()));
+}
+
+/// Takes as many values as it has room for off the front of `bytes`.
+template <typename Values>
+void take(std::string_view& bytes, Values& values) {
+  const std::size_t size = values.size() * sizeof(values.front());
+  if (bytes.size() < size) throw NatsRefused("a task's result is too short");
+  if (size > 0) std::memcpy(values.data(), bytes.data(), size);
+  bytes.remove_prefix(size);
+}
+
+Json to_json(const BeyondRange& beyond) { return {beyond.clamped, beyond.not_numbers}; }
+BeyondRange beyond_in(const Json& json) { return {json.at(0), json.at(1)}; }
+
+template <typename Channel>
+Json header_of(const RegionRendering<Channel>& part) {
+  const Tile& region = part.region;
+  return {{"kind", sizeof(Channel) == 1 ? "bytes" : "floats"},
+          {"region", {region.x_begin, region.y_begin, region.x_end, region.y_end}},
+          {"values", part.values.size()},
+          {"errors", part.subtile_error2.size()},
+          {"error_multiplier", part.error_multiplier},
+          {"is_single", part.precision == Precision::single_precision},
+          {"beyond", to_json(part.beyond)}};
+}
+
+Json header_of(const Rendering& rendering) {
+  Json json{{"kind", "whole"},
+            {"width", rendering.image.width},
+            {"height", rendering.image.height},
+            {"samples", rendering.samples_per_pixel},
+            {"is_single", rendering.precision == Precision::single_precision},
+            {"beyond", to_json(rendering.beyond)},
+            {"stop", static_cast<int>(rendering.stop)},
+            {"plan_ms", rendering.plan_ms},
+            {"build_ms", rendering.build_ms},
+            {"trace_ms", rendering.trace_ms}};
+  if (rendering.estimated_error) json["error"] = *rendering.estimated_error;
+  return json;
+}
+
+Precision precision_in(const Json& header) {
+  return header.at("is_single").get<bool>() ? Precision::single_precision
+                                            : Precision::double_precision;
+}
+
+template <typename Channel>
+RegionRendering<Channel> region_in(const Json& header, std::string_view bytes) {
+  const Json& region = header.at("region");
+  RegionRendering<Channel> part{.region = {region.at(0), region.at(1), region.at(2), region.at(3)},
+                                .error_multiplier = header.at("error_multiplier"),
+                                .precision = precision_in(header),
+                                .beyond = beyond_in(header.at("beyond"))};
+  const std::size_t values = header.at("values");
+  const std::size_t errors = header.at("errors");
+  if (bytes.size() != values * sizeof(Channel) + errors * sizeof(double))
+    throw NatsRefused("a task's result is not as long as it says");
+  part.values.resize(values);
+  part.subtile_error2.resize(errors);
+  take(bytes, part.values);
+  take(bytes, part.subtile_error2);
+  return part;
+}
+
+Rendering whole_in(const Json& header, std::string_view bytes) {
+  Rendering rendering;
+  rendering.image = Image(header.at("width"), header.at("height"));
+  rendering.pixel_count = rendering.image.values.size() / 3;
+  rendering.samples_per_pixel = header.at("samples");
+  rendering.precision = precision_in(header);
+  rendering.beyond = beyond_in(header.at("beyond"));
+  rendering.stop = static_cast<Stop>(header.at("stop").get<int>());
+  rendering.plan_ms = header.at("plan_ms");
+  rendering.build_ms = header.at("build_ms");
+  rendering.trace_ms = header.at("trace_ms");
+  if (header.contains("error")) rendering.estimated_error = header["error"].get<double>();
+  take(bytes, rendering.image.values);
+  return rendering;
+}
+
+}  // namespace
+
+std::string to_bytes(const TaskResult& result) {
+  const auto with_header = [&](Json header) {
+    header["worker"] = result.worker;
+    return header.dump() + '\n';
+  };
+  const auto region = [&](const auto& part) {
+    std::string bytes = with_header(header_of(part));
+    append(bytes, part.values);
+    append(bytes, part.subtile_error2);
+    return bytes;
+  };
+  return std::visit(Overloaded{region,
+                               [&](const Rendering& rendering) {
+                                 std::string bytes = with_header(header_of(rendering));
+                                 append(bytes, rendering.image.values);
+                                 return bytes;
+                               },
+                               [&](const CurveText& curve) {
+                                 return with_header({{"kind", "curve"}}) + curve.json;
+                               }},
+                    result.made);
+}
+
+TaskResult read_result(std::string_view bytes) try {
+  const std::size_t end = bytes.find('\n');
+  if (end == bytes.npos) throw NatsRefused("a task's result has no header");
+  const Json header = Json::parse(bytes.substr(0, end));
+  const std::string_view rest = bytes.substr(end + 1);
+  const std::string kind = header.at("kind");
+  const std::string worker = header.at("worker");
+  if (kind == "bytes") return {worker, region_in<unsigned char>(header, rest)};
+  if (kind == "floats") return {worker, region_in<float>(header, rest)};
+  if (kind == "whole") return {worker, whole_in(header, rest)};
+  return {worker, CurveText{std::string(rest)}};
+} catch (const nlohmann::json::exception& error) {
+  throw NatsRefused(std::string("a task's result cannot be read: ") + error.what());
+}
+
+}  // namespace raytracer

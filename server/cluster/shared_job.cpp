@@ -1,0 +1,115 @@
+#include "server/cluster/shared_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "server/cluster/members.h"
+
+namespace raytracer {
+namespace {
+
+/// So that whoever asks often does not ask NATS as often.
+constexpr std::chrono::milliseconds between_looks{50};
+constexpr std::chrono::seconds between_roll_calls{1};
+
+}  // namespace
+
+SharedJob::SharedJob(const JobRecord& record, ClusterStore& store, News& news)
+    : Job({.id = record.id,
+           .task = record.task,
+           .digest = record.picture_digest,
+           .parse_ms = record.parse_ms,
+           .width = record.width,
+           .height = record.height}),
+      store_(store),
+      news_(news),
+      record_(record),
+      collector_(store) {}
+
+void SharedJob::look() const {
+  if (result_ || is_removed_ || Clock::now() - looked_ < between_looks) return;
+  try {
+    std::optional<JobRecord> record = store_.job(request.id);
+    if (!record) {
+      is_removed_ = true;
+      return;
+    }
+    record_ = *std::move(record);
+    collector_.collect(record_);
+    if (collector_.is_complete(record_))
+      result_ = collector_.take_result();
+    else
+      look_for_workers();
+    looked_ = Clock::now();
+  } catch (const NatsUnavailable&) {  // NOLINT: what was known last is said
+  }
+}
+
+void SharedJob::look_for_workers() const {
+  if (Clock::now() - looked_for_workers_ < between_roll_calls) return;
+  has_workers_ = has_worker(store_.members(), record_.renderer, store_.limits());
+  looked_for_workers_ = Clock::now();
+}
+
+JobStatus SharedJob::status() const {
+  if (result_) return JobStatus::done;
+  if (is_removed_) return JobStatus::cancelled;
+  if (!record_.failure.empty()) return JobStatus::failed;
+  return collector_.progress(record_) > 0 || record_.task_count > 0 ? JobStatus::running
+                                                                    : JobStatus::queued;
+}
+
+std::string SharedJob::detail() const {
+  if (is_removed_) return "deleted";
+  if (!record_.failure.empty()) return record_.failure;
+  if (result_ || has_workers_) return "";
+  return fmt::format("It waits for a worker: none of its build ({}) has been heard of",
+                     record_.renderer);
+}
+
+JobState SharedJob::state() const {
+  const std::scoped_lock lock(mutex_);
+  look();
+  const std::int64_t until =
+      result_ ? std::max(collector_.last_ms(), record_.accepted_ms) : now_ms();
+  return {.status = status(),
+          .progress = result_ ? 1 : collector_.progress(record_),
+          .elapsed_ms = static_cast<double>(std::max(until - record_.accepted_ms, std::int64_t{0})),
+          .detail = detail()};
+}
+
+void SharedJob::wait_for_end(std::chrono::milliseconds longest) const {
+  std::uint64_t seen = 0;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (has_ended(status())) return;
+    seen = seen_;
+  }
+  news_.wait(seen, longest);
+  const std::scoped_lock lock(mutex_);
+  seen_ = seen;
+}
+
+const JobResult* SharedJob::result() const {
+  const std::scoped_lock lock(mutex_);
+  look();
+  return result_ ? &*result_ : nullptr;
+}
+
+std::optional<Image> SharedJob::image_so_far() const {
+  const std::scoped_lock lock(mutex_);
+  look();
+  if (has_ended(status())) return {};
+  if (std::optional<Image> image = collector_.image_so_far()) return image;
+  Image black(request.width, request.height);
+  std::fill(black.values.begin(), black.values.end(), 0.0F);
+  return black;
+}
+
+Sharing SharedJob::sharing() const {
+  const std::scoped_lock lock(mutex_);
+  return {record_.task_count, collector_.worker_count()};
+}
+
+}  // namespace raytracer

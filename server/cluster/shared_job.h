@@ -1,0 +1,52 @@
+// A job of the cluster, as any front sees it.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "server/cluster/collector.h"
+#include "server/cluster/news.h"
+#include "server/cluster/record.h"
+#include "server/cluster/store.h"
+#include "server/job.h"
+
+namespace raytracer {
+
+/// While NATS is away it says what it knew last.
+class SharedJob : public Job {
+ public:
+  /// Both must outlive it.
+  SharedJob(const JobRecord& record, ClusterStore& store, News& news);
+
+  JobState state() const override;
+  void wait_for_end(std::chrono::milliseconds longest) const override;
+  const JobResult* result() const override;
+  std::optional<Image> image_so_far() const override;
+  Sharing sharing() const override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // With the mutex held.
+  void look() const;
+  void look_for_workers() const;
+  JobStatus status() const;
+  std::string detail() const;
+
+  ClusterStore& store_;
+  News& news_;
+  mutable std::mutex mutex_;
+  mutable Clock::time_point looked_{};
+  mutable Clock::time_point looked_for_workers_{};
+  mutable JobRecord record_;
+  mutable bool is_removed_ = false;
+  mutable bool has_workers_ = true;  ///< who could take its tasks
+  mutable Collector collector_;
+  mutable std::optional<JobResult> result_;
+  mutable std::uint64_t seen_ = 0;
+};
+
+}  // namespace raytracer

@@ -1,0 +1,333 @@
+#include "server/cluster/shared_jobs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "server/cluster/answered.h"
+#include "server/cluster/members.h"
+#include "server/cluster/result.h"
+#include "server/problem.h"
+
+namespace raytracer {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::size_t most_watched_bytes = 512 << 20;
+constexpr milliseconds before_another_call{250};
+constexpr milliseconds between_rounds{500};
+
+/// What it takes to watch a job: its picture.
+std::size_t bytes_of(const JobRecord& record) {
+  return sizeof(SharedJob) + 3 * sizeof(float) * static_cast<std::size_t>(record.width) *
+                                 static_cast<std::size_t>(record.height);
+}
+
+}  // namespace
+
+/// A job that this front foresees or renders.
+struct SharedJobs::Own {
+  explicit Own(Admission& admission) : slot(admission, progress) {}
+  RenderProgress progress;
+  Admission::Slot slot;
+};
+
+SharedJobs::SharedJobs(Parts parts)
+    : parts_(std::move(parts)),
+      watched_(most_watched_bytes),
+      removals_(parts_.store.listen_for_removals([this](const std::string& id) {
+        const std::scoped_lock lock(mutex_);
+        if (const auto own = own_.find(id); own != own_.end())
+          parts_.admission.stop(own->second->progress);
+      })),
+      threads_(std::numeric_limits<std::size_t>::max()),  // admission bounds them
+      caretaker_([this](const std::stop_token& end) {
+        if (parts_.is_front) look_after_jobs(end);
+      }) {}
+
+SharedJobs::~SharedJobs() {
+  caretaker_.request_stop();
+  {
+    const std::scoped_lock lock(mutex_);
+    closing_ = true;
+    for (const auto& [id, own] : own_) parts_.admission.stop(own->progress);
+  }
+  changed_.notify_all();
+  caretaker_.join();
+  threads_.shutdown();
+}
+
+void SharedJobs::require_room() {
+  if (parts_.store.open_jobs().size() < parts_.most_open) return;
+  refuse(429, "The queue of the cluster is full; try again later", {{"Retry-After", "2"}});
+}
+
+JobRecord SharedJobs::new_record(JobTask task, const SceneView& view,
+                                 const httplib::Params& query) {
+  if (!view.document) throw std::logic_error("a scene without its text cannot be shared");
+  JobRecord record{.id = random_id(),
+                   .task = task,
+                   .document = ClusterStore::digest_of(*view.document),
+                   .query = {query.begin(), query.end()},
+                   .renderer = parts_.self.renderer,
+                   .front = parts_.self.name,
+                   .picture_digest = view.picture_digest(),
+                   .parse_ms = view.parse_ms,
+                   .width = view.scene.camera.width,
+                   .height = view.scene.camera.height,
+                   .samples = view.scene.render.samples.value_or(1),
+                   .accepted_ms = now_ms()};
+  record.query.erase("task");
+  parts_.store.put_document(record.document, *view.document);
+  return record;
+}
+
+std::shared_ptr<const Job> SharedJobs::accept(JobTask task, SceneView view,
+                                              const httplib::Params& query) {
+  return answered([&] {
+    const auto own = std::make_shared<Own>(parts_.admission);
+    require_room();
+    JobRecord record = new_record(task, view, query);
+    {
+      const std::scoped_lock lock(mutex_);
+      own_.emplace(record.id, own);
+    }
+    try {
+      parts_.store.put_job(record);
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      own_.erase(record.id);
+      throw;
+    }
+    const auto job = std::make_shared<const SharedJob>(record, parts_.store, parts_.news);
+    watched_.keep(record.id, job, bytes_of(record));
+    threads_.enqueue([this, record, view = std::move(view), own]() mutable {
+      cut_or_render(std::move(record), std::move(view), *own);
+    });
+    return std::shared_ptr<const Job>(job);
+  });
+}
+
+JobRecord SharedJobs::begin_render(const SceneView& view, const httplib::Params& query,
+                                   const Cut& cut, bool is_8_bit) {
+  return answered([&] {
+    require_room();
+    JobRecord record = new_record(JobTask::render, view, query);
+    record.has_client = true;
+    record.is_8_bit = is_8_bit;
+    record.predicted_ms = cut.predicted_ms;
+    record.side_px = cut.side_px;
+    record.task_count = cut.task_count;
+    parts_.store.put_job(record);
+    queue_all(record, cut);
+    return record;
+  });
+}
+
+void SharedJobs::queue_all(JobRecord record, const Cut& cut) {
+  std::vector<int> tasks(static_cast<std::size_t>(cut.task_count));
+  std::iota(tasks.begin(), tasks.end(), 0);
+  parts_.store.queue_tasks(record, tasks);
+}
+
+std::shared_ptr<const Job> SharedJobs::at(const std::string& id) {
+  return answered([&] {
+    const auto record = parts_.store.job(id);
+    if (!record || record->has_client) refuse_unknown_job(id);
+    std::shared_ptr<const SharedJob> job = watched_.find(id);
+    if (job) return std::shared_ptr<const Job>(job);
+    job = std::make_shared<const SharedJob>(*record, parts_.store, parts_.news);
+    watched_.keep(id, job, bytes_of(*record));
+    return std::shared_ptr<const Job>(job);
+  });
+}
+
+void SharedJobs::remove(const std::string& id) {
+  answered([&] {
+    if (!parts_.store.job(id)) refuse_unknown_job(id);
+    parts_.store.remove_job(id);
+  });
+}
+
+std::map<JobStatus, std::size_t> SharedJobs::counts() const {
+  std::map<JobStatus, std::size_t> counts;
+  try {
+    const std::size_t open = parts_.store.open_jobs().size();
+    const std::size_t all = parts_.store.job_ids().size();
+    counts[JobStatus::running] = open;
+    counts[JobStatus::done] = all - std::min(open, all);
+  } catch (const std::exception&) {  // NOLINT: nobody knows
+  }
+  return counts;
+}
+
+bool SharedJobs::persist(const std::function<bool()>& step) {
+  while (true) {
+    try {
+      return step();
+    } catch (const NatsUnavailable&) {  // NOLINT: it comes back
+    }
+    std::unique_lock lock(mutex_);
+    if (changed_.wait_for(lock, before_another_call, [this] { return closing_; })) return false;
+  }
+}
+
+void SharedJobs::cut_or_render(JobRecord record, SceneView view, Own& own) {
+  try {
+    // A front that shuts down leaves it to the others.
+    if (own.slot.wait_until_admitted()) {
+      if (record.task == JobTask::tradeoff) {
+        record.task_count = 1;
+      } else {
+        const PreparedScene scene(view.scene, parts_.pool);
+        if (const auto cut = parts_.choose_cut(scene, false, own.progress)) {
+          record.predicted_ms = cut->predicted_ms;
+          record.side_px = cut->side_px;
+          record.task_count = cut->task_count;
+        } else if (!own.progress.stop) {
+          render_here(record, scene, own);
+        }
+      }
+      const bool is_to_be_queued = record.task_count > 0 && !own.progress.stop;
+      if (is_to_be_queued && persist([&] { return parts_.store.put_job(record); }))
+        persist([&] {
+          if (!parts_.store.results(record.id).empty()) return true;  // it was rendered here
+          queue_all(record, {.task_count = record.task_count});
+          return true;
+        });
+    }
+  } catch (const HttpError&) {  // NOLINT: the same: this front shuts down
+  } catch (const std::exception& error) {
+    parts_.log.note(fmt::format("job {} failed: {}", record.id, error.what()));
+    persist([&] {
+      parts_.store.fail_job(record.id,
+                            fmt::format("The render failed inside the server: {}", error.what()));
+      return true;
+    });
+  }
+  const std::scoped_lock lock(mutex_);
+  own_.erase(record.id);
+}
+
+void SharedJobs::render_here(JobRecord& record, const PreparedScene& scene, Own& own) {
+  Rendering rendering = render(scene, parts_.limits, parts_.pool, own.progress);
+  if (rendering.stop == Stop::cancelled) return;
+  parts_.metrics.rendered(rendering, record.picture_digest);
+  const std::string bytes = to_bytes(TaskResult{parts_.self.name, std::move(rendering)});
+  if (persist([&] {
+        parts_.store.put_result(record.id, 0, bytes);
+        return true;
+      }))
+    record.task_count = 1;
+}
+
+bool SharedJobs::is_own(const std::string& id) const {
+  const std::scoped_lock lock(mutex_);
+  return own_.contains(id);
+}
+
+void SharedJobs::take_over(JobRecord record) {
+  std::shared_ptr<Own> own;
+  try {
+    own = std::make_shared<Own>(parts_.admission);
+  } catch (const HttpError&) {
+    return;  // no room here now
+  }
+  parts_.log.note(fmt::format("job {} is taken over from {}", record.id, record.front));
+  {
+    const std::scoped_lock lock(mutex_);
+    own_.emplace(record.id, own);
+  }
+  threads_.enqueue([this, record, own]() mutable {
+    try {
+      record.front = parts_.self.name;
+      if (persist([&] { return parts_.store.put_job(record); })) {
+        SceneView view = parts_.scenes.view_of(record);
+        cut_or_render(std::move(record), std::move(view), *own);
+        return;
+      }
+    } catch (const NatsUnavailable&) {  // NOLINT: it is tried again
+    } catch (const std::exception& error) {
+      const std::string reason = error.what();
+      persist([&] {
+        parts_.store.fail_job(record.id, reason);
+        return true;
+      });
+    }
+    const std::scoped_lock lock(mutex_);
+    own_.erase(record.id);
+  });
+}
+
+void SharedJobs::look_after_jobs(const std::stop_token& end) {
+  while (!end.stop_requested()) {
+    try {
+      const std::vector<std::string> ids = parts_.store.job_ids();
+      std::vector<std::string> open_ids;
+      {
+        const std::scoped_lock lock(mutex_);
+        for (const std::string& id : ids)
+          if (!ended_.contains(id) && !own_.contains(id)) open_ids.push_back(id);
+        std::erase_if(ended_, [&](const std::string& id) {
+          return std::find(ids.begin(), ids.end(), id) == ids.end();
+        });
+      }
+      if (!open_ids.empty()) {
+        const std::vector<Member> members = parts_.store.members();
+        const std::vector<OpenJob> open = parts_.store.open_jobs();
+        for (const std::string& id : open_ids) look_after(id, members, open);
+      }
+    } catch (const NatsUnavailable&) {  // NOLINT: it comes back
+    } catch (const std::exception& error) {
+      parts_.log.note(fmt::format("jobs cannot be looked after: {}", error.what()));
+    }
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, end, between_rounds, [&] { return closing_; });
+  }
+}
+
+void SharedJobs::look_after(const std::string& id, const std::vector<Member>& members,
+                            const std::vector<OpenJob>& open) {
+  const auto record = parts_.store.job(id);
+  if (!record) return;
+  const auto has_ended_now = [&] {
+    const std::scoped_lock lock(mutex_);
+    ended_.insert(id);
+    lacking_.erase(id);
+  };
+  if (!record->failure.empty()) return has_ended_now();
+  const bool front_lives =
+      record->front == parts_.self.name || lives(members, record->front, parts_.store.limits());
+  if (record->has_client && !front_lives) return parts_.store.remove_job(id);
+  if (record->task_count == 0) {
+    // Its own front has it in work, unless it was begun by an earlier process of that name.
+    if (!front_lives && !is_own(id)) take_over(*record);
+    return;
+  }
+  const std::set<int> done = parts_.store.results(id);
+  if (static_cast<int>(done.size()) >= record->task_count) {
+    parts_.store.close_job(*record);
+    return has_ended_now();
+  }
+  const auto entry =
+      std::find_if(open.begin(), open.end(), [&](const OpenJob& job) { return job.id == id; });
+  const std::uint64_t queued = entry == open.end() ? 0 : entry->waiting + entry->running;
+  const std::size_t missing = static_cast<std::size_t>(record->task_count) - done.size();
+  // Between two looks results come in: only what is lacking twice is lost.
+  const bool lacks = queued < missing;
+  const bool lacked_before = lacks && lacking_.contains(id) && lacking_[id] == missing;
+  lacking_.erase(id);
+  if (lacks) lacking_[id] = missing;
+  if (!lacked_before) return;
+  std::vector<int> tasks;
+  for (int task = 0; task < record->task_count; ++task)
+    if (!done.contains(task)) tasks.push_back(task);
+  parts_.log.note(fmt::format("job {}: {} tasks are queued again", id, tasks.size()));
+  parts_.store.queue_tasks(*record, tasks);
+}
+
+}  // namespace raytracer

@@ -1,0 +1,106 @@
+// The jobs of a cluster: any front accepts them, answers for them and, where a front has died,
+// takes over what it had begun.
+//
+// A job is accepted once its scene and its record are stored. The front that accepted it foresees
+// it; what is short it renders itself, all else it cuts into tasks. Every front looks through the
+// jobs from time to time: those that nobody has cut yet and whose front is silent it takes over;
+// tasks that have neither a result nor a place in the queue it queues again.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "engine/engine.h"
+#include "server/admission.h"
+#include "server/cluster/cut.h"
+#include "server/cluster/news.h"
+#include "server/cluster/prepared_scenes.h"
+#include "server/cluster/shared_job.h"
+#include "server/cluster/store.h"
+#include "server/cluster/task_runner.h"
+#include "server/jobs.h"
+#include "server/lru_cache.h"
+#include "server/metrics.h"
+#include "server/request_log.h"
+#include "server/thread_per_task.h"
+
+namespace raytracer {
+
+/// Whether and how this front shares a render; nothing if it is to be made here. It may end the
+/// render through its progress.
+using ChooseCut =
+    std::function<std::optional<Cut>(const PreparedScene&, bool is_8_bit, const RenderProgress&)>;
+
+class SharedJobs : public Jobs {
+ public:
+  struct Parts {
+    Identity self;
+    ClusterStore& store;
+    News& news;
+    PreparedScenes& scenes;
+    Admission& admission;
+    WorkerPool& pool;
+    const Limits& limits;
+    std::size_t most_open;  ///< jobs
+    bool is_front;          ///< looks after jobs
+    Metrics& metrics;
+    RequestLog& log;
+    ChooseCut choose_cut;
+  };
+
+  /// All must outlive it.
+  explicit SharedJobs(Parts parts);
+  ~SharedJobs() override;
+  SharedJobs(const SharedJobs&) = delete;
+  SharedJobs& operator=(const SharedJobs&) = delete;
+
+  std::shared_ptr<const Job> accept(JobTask task, SceneView view,
+                                    const httplib::Params& query) override;
+  std::shared_ptr<const Job> at(const std::string& id) override;
+  void remove(const std::string& id) override;
+  bool await_fetch(std::chrono::seconds) const override { return false; }
+  std::map<JobStatus, std::size_t> counts() const override;
+
+  /// Stores the record of a render for a client that waits here, and queues its tasks.
+  /// Throws HttpError as accept().
+  JobRecord begin_render(const SceneView& view, const httplib::Params& query, const Cut& cut,
+                         bool is_8_bit);
+
+ private:
+  struct Own;
+
+  void require_room();
+  JobRecord new_record(JobTask task, const SceneView& view, const httplib::Params& query);
+  void queue_all(JobRecord record, const Cut& cut);
+  void cut_or_render(JobRecord record, SceneView view, Own& own);
+  void render_here(JobRecord& record, const PreparedScene& scene, Own& own);
+  /// Calls step() until NATS has done it, or this front ends; false then, or if it says false.
+  bool persist(const std::function<bool()>& step);
+  void take_over(JobRecord record);
+  void look_after_jobs(const std::stop_token& end);
+  void look_after(const std::string& id, const std::vector<Member>& members,
+                  const std::vector<OpenJob>& open);
+  bool is_own(const std::string& id) const;
+
+  const Parts parts_;
+  mutable std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::map<std::string, std::shared_ptr<Own>> own_;  ///< foreseen or rendered here now
+  std::set<std::string> ended_;                      ///< need no looking after
+  std::map<std::string, std::size_t>
+      lacking_;  ///< tasks that a job seemed to lack at the last look
+  bool closing_ = false;
+  LruCache<SharedJob> watched_;
+  std::shared_ptr<const void> removals_;
+  ThreadPerTask threads_;
+  std::jthread caretaker_;
+};
+
+}  // namespace raytracer

@@ -1,0 +1,330 @@
+#include "server/cluster/store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <utility>
+
+#include "server/etag.h"
+
+namespace raytracer {
+namespace {
+
+constexpr std::size_t chunk_bytes = 512 << 10;  // NATS takes 1 MB unless it is told otherwise
+/// Above 31 MB server 2.9.10 loses acknowledged messages in a crash.
+constexpr std::size_t most_result_bytes_at_once = 4'000'000;
+constexpr std::size_t header_bytes = 1024;
+
+constexpr const char* news = "raytracer.news";
+constexpr const char* removals = "raytracer.removed";
+constexpr std::chrono::seconds longest_silence{60};  // then a member is forgotten
+
+std::string consumer_of(const std::string& renderer, const std::string& id) {
+  return renderer + "_" + id;
+}
+
+/// The number at a subject's end.
+int last_number(const std::string& subject) {
+  const std::size_t dot = subject.rfind('.');
+  int number = -1;
+  std::from_chars(subject.data() + dot + 1, subject.data() + subject.size(), number);
+  return number;
+}
+
+std::string random_token() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}", random(), random());
+}
+
+/// In the first line of a text in chunks, how many they are.
+std::string in_parts(std::size_t count) { return fmt::format("parts {}", count); }
+
+std::string_view chunk(std::string_view text, std::size_t index) {
+  return text.substr(index * chunk_bytes, chunk_bytes);
+}
+std::size_t chunks_in(std::size_t bytes) { return (bytes + chunk_bytes - 1) / chunk_bytes; }
+
+}  // namespace
+
+void ClusterStore::ensure_streams() {
+  const auto kept = limits_.longest_kept;
+  const std::int64_t all = limits_.most_bytes;
+  nats_.ensure_stream({.name = "raytracer_scenes",
+                       .subjects = "raytracer.scene.>",
+                       .most_bytes = all / 4,
+                       .longest_kept = kept,
+                       .drops_oldest = true});
+  nats_.ensure_stream({.name = "raytracer_jobs",
+                       .subjects = "raytracer.job.>",
+                       .most_bytes = all / 8,
+                       .longest_kept = kept});
+  nats_.ensure_stream({.name = "raytracer_tasks",
+                       .subjects = "raytracer.task.>",
+                       .most_bytes = all / 16,
+                       .longest_kept = kept,
+                       .is_queue = true});
+  nats_.ensure_stream({.name = "raytracer_results",
+                       .subjects = "raytracer.result.>",
+                       .most_bytes = most_result_bytes(),
+                       .longest_kept = kept});
+  nats_.ensure_stream({.name = "raytracer_workers",
+                       .subjects = "raytracer.worker.>",
+                       .most_bytes = 16 << 20,
+                       .longest_kept = longest_silence,
+                       .is_in_memory = true});
+  nats_.ensure_stream({.name = "raytracer_redelivered",
+                       .subjects = "raytracer.redelivered.>",
+                       .most_bytes = 1 << 20,
+                       .longest_kept = kept,
+                       .drops_oldest = true,
+                       .most_messages = 1});
+}
+
+std::string ClusterStore::digest_of(std::string_view document) {
+  return sha256_hex(document).substr(0, 32);
+}
+
+void ClusterStore::put_document(const std::string& digest, std::string_view document) {
+  const std::string subject = "raytracer.scene.text." + digest;
+  // The head comes last: where it is, all chunks are.
+  if (nats_.get("raytracer_scenes", subject)) return;
+  const std::size_t count = chunks_in(document.size());
+  for (std::size_t i = 0; i < count; ++i)
+    nats_.put(fmt::format("raytracer.scene.chunk.{}.{}", digest, i), chunk(document, i));
+  nats_.put(subject, in_parts(count));
+}
+
+std::string ClusterStore::document(const std::string& digest) {
+  const auto gone = [&] {
+    return NatsRefused(fmt::format(
+        "the scene {} is no longer stored: others needed the memory (--max-stored)", digest));
+  };
+  const auto head = nats_.get("raytracer_scenes", "raytracer.scene.text." + digest);
+  if (!head) throw gone();
+  std::size_t count = 0;
+  std::from_chars(head->data.data() + std::string_view("parts ").size(),
+                  head->data.data() + head->data.size(), count);
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto part =
+        nats_.get("raytracer_scenes", fmt::format("raytracer.scene.chunk.{}.{}", digest, i));
+    if (!part) throw gone();
+    text += part->data;
+  }
+  if (digest_of(text) != digest) throw gone();
+  return text;
+}
+
+void ClusterStore::keep_scene(const std::string& id, const std::string& digest) {
+  nats_.put("raytracer.scene.kept." + id, digest);
+}
+
+std::optional<std::string> ClusterStore::kept_scene(const std::string& id) {
+  auto found = nats_.get("raytracer_scenes", "raytracer.scene.kept." + id);
+  if (!found) return {};
+  return std::move(found->data);
+}
+
+bool ClusterStore::put_job(JobRecord& record) {
+  const auto sequence =
+      nats_.replace("raytracer.job.record." + record.id, to_text(record), record.sequence);
+  if (!sequence) return false;
+  record.sequence = *sequence;
+  nats_.signal(news, record.id);
+  return true;
+}
+
+void ClusterStore::fail_job(const std::string& id, const std::string& reason) {
+  std::optional<JobRecord> record = job(id);
+  if (!record || !record->failure.empty()) return;
+  record->failure = reason;
+  if (put_job(*record)) close_job(*record);
+}
+
+std::optional<JobRecord> ClusterStore::job(const std::string& id) {
+  const auto found = nats_.get("raytracer_jobs", "raytracer.job.record." + id);
+  if (!found) return {};
+  JobRecord record = read_record(found->data);
+  record.sequence = found->sequence;
+  return record;
+}
+
+std::vector<std::string> ClusterStore::job_ids() {
+  std::vector<std::string> ids = nats_.subjects("raytracer_jobs", "raytracer.job.record.*");
+  for (std::string& id : ids) id.erase(0, id.rfind('.') + 1);
+  return ids;
+}
+
+void ClusterStore::remove_job(const std::string& id) {
+  const auto record = job(id);
+  nats_.purge("raytracer_jobs", "raytracer.job.record." + id);
+  nats_.signal(removals, id);
+  if (record) close_job(*record);
+  nats_.purge("raytracer_jobs", fmt::format("raytracer.job.*.{}.>", id));
+  nats_.purge("raytracer_jobs", "raytracer.job.progress." + id);
+  nats_.purge("raytracer_results", fmt::format("raytracer.result.*.{}.>", id));
+}
+
+void ClusterStore::close_job(const JobRecord& record) {
+  nats_.purge("raytracer_tasks", fmt::format("raytracer.task.{}.*", record.id));
+  nats_.remove_consumer("raytracer_tasks", consumer_of(record.renderer, record.id));
+}
+
+void ClusterStore::queue_tasks(const JobRecord& record, const std::vector<int>& tasks) {
+  nats_.ensure_consumer("raytracer_tasks", consumer_of(record.renderer, record.id),
+                        fmt::format("raytracer.task.{}.*", record.id), record.document,
+                        limits_.task_timeout, limits_.longest_kept);
+  std::vector<std::string> subjects;
+  subjects.reserve(tasks.size());
+  for (const int task : tasks)
+    subjects.push_back(fmt::format("raytracer.task.{}.{}", record.id, task));
+  nats_.create_all(subjects);
+  nats_.signal(news, record.id);
+}
+
+std::vector<OpenJob> ClusterStore::open_jobs() {
+  std::vector<OpenJob> jobs;
+  for (const ConsumerFill& consumer : nats_.consumers("raytracer_tasks")) {
+    const std::size_t end = consumer.name.find('_');
+    if (end == consumer.name.npos) continue;
+    jobs.push_back({consumer.name.substr(end + 1), consumer.name.substr(0, end),
+                    consumer.description, consumer.waiting, consumer.running});
+  }
+  return jobs;
+}
+
+TaskSource ClusterStore::tasks_of(const OpenJob& job) {
+  return nats_.source("raytracer_tasks", consumer_of(job.renderer, job.id));
+}
+
+std::pair<std::string, int> ClusterStore::task_of(const std::string& subject) {
+  constexpr std::size_t begin = std::string_view("raytracer.task.").size();
+  const std::size_t dot = subject.rfind('.');
+  return {subject.substr(begin, dot - begin), last_number(subject)};
+}
+
+bool ClusterStore::put_result(const std::string& id, int task, std::string_view bytes) {
+  const std::string subject = fmt::format("raytracer.result.of.{}.{}", id, task);
+  bool is_first = false;
+  if (bytes.size() + header_bytes <=
+      std::min(nats_.most_message_bytes(), most_result_bytes_at_once)) {
+    is_first = nats_.replace(subject, bytes, 0).has_value();
+  } else {
+    // Two who work on the same task must not mix their parts.
+    const std::string token = random_token();
+    const std::size_t count = chunks_in(bytes.size());
+    for (std::size_t i = 0; i < count; ++i)
+      nats_.put(fmt::format("raytracer.result.part.{}.{}.{}", id, token, i), chunk(bytes, i));
+    is_first = nats_.replace(subject, fmt::format("{} {}", in_parts(count), token), 0).has_value();
+    if (!is_first)
+      nats_.purge("raytracer_results", fmt::format("raytracer.result.part.{}.{}.*", id, token));
+  }
+  nats_.signal(news, id);
+  return is_first;
+}
+
+std::set<int> ClusterStore::results(const std::string& id) {
+  std::set<int> tasks;
+  for (const std::string& subject :
+       nats_.subjects("raytracer_results", fmt::format("raytracer.result.of.{}.*", id)))
+    tasks.insert(last_number(subject));
+  return tasks;
+}
+
+std::optional<StoredMessage> ClusterStore::result(const std::string& id, int task) {
+  auto found = nats_.get("raytracer_results", fmt::format("raytracer.result.of.{}.{}", id, task));
+  if (!found || !found->data.starts_with("parts ")) return found;
+  const std::size_t space = found->data.rfind(' ');
+  const std::string token = found->data.substr(space + 1);
+  std::size_t count = 0;
+  std::from_chars(found->data.data() + std::string_view("parts ").size(),
+                  found->data.data() + space, count);
+  std::string bytes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto part =
+        nats_.get("raytracer_results", fmt::format("raytracer.result.part.{}.{}.{}", id, token, i));
+    if (!part) return {};
+    bytes += part->data;
+  }
+  found->data = std::move(bytes);
+  return found;
+}
+
+void ClusterStore::put_progress(const std::string& id, double fraction) {
+  nats_.put("raytracer.job.progress." + id, fmt::format("{}", fraction));
+}
+
+double ClusterStore::progress(const std::string& id) {
+  const auto found = nats_.get("raytracer_jobs", "raytracer.job.progress." + id);
+  return found ? std::strtod(found->data.c_str(), nullptr) : 0;
+}
+
+std::vector<TaskFailure> ClusterStore::failures(const std::string& id, int task) {
+  std::vector<TaskFailure> failures;
+  for (const std::string& subject :
+       nats_.subjects("raytracer_jobs", fmt::format("raytracer.job.failure.{}.{}.*", id, task)))
+    if (const auto found = nats_.get("raytracer_jobs", subject)) {
+      const std::size_t line = found->data.find('\n');
+      failures.push_back({found->data.substr(0, line), found->data.substr(line + 1)});
+    }
+  return failures;
+}
+
+void ClusterStore::add_failure(const std::string& id, int task, std::size_t number,
+                               const TaskFailure& failure) {
+  nats_.put(fmt::format("raytracer.job.failure.{}.{}.{}", id, task, number),
+            failure.worker + '\n' + failure.reason);
+}
+
+void ClusterStore::put_member(const Member& member) {
+  const nlohmann::json json{{"name", member.name},
+                            {"build", member.build},
+                            {"instruction_set", member.instruction_set},
+                            {"renderer", member.renderer},
+                            {"threads", member.threads},
+                            {"tasks_done", member.tasks_done},
+                            {"works", member.works}};
+  nats_.put("raytracer.worker." + member.name, json.dump());
+}
+
+void ClusterStore::remove_member(const std::string& name) {
+  nats_.purge("raytracer_workers", "raytracer.worker." + name);
+}
+
+std::vector<Member> ClusterStore::members() {
+  std::vector<Member> members;
+  for (const std::string& subject : nats_.subjects("raytracer_workers", "raytracer.worker.*")) {
+    const auto found = nats_.get("raytracer_workers", subject);
+    if (!found) continue;
+    const auto json = nlohmann::json::parse(found->data, nullptr, false);
+    if (json.is_discarded()) continue;
+    members.push_back(
+        {json.value("name", ""), json.value("build", ""), json.value("instruction_set", ""),
+         json.value("renderer", ""), json.value("threads", std::size_t{0}),
+         json.value("tasks_done", std::uint64_t{0}), json.value("works", false), found->time_ms});
+  }
+  return members;
+}
+
+void ClusterStore::note_redelivery(const std::string& id, int task) {
+  nats_.put(fmt::format("raytracer.redelivered.{}.{}", id, task), "");
+}
+
+std::uint64_t ClusterStore::redelivered() {
+  return nats_.fill_of("raytracer_redelivered").messages_ever;
+}
+
+std::shared_ptr<const void> ClusterStore::listen_for_news(std::function<void()> heard) {
+  return nats_.listen(news, [heard = std::move(heard)](const auto&, const auto&) { heard(); });
+}
+
+std::shared_ptr<const void> ClusterStore::listen_for_removals(
+    std::function<void(const std::string& id)> heard) {
+  return nats_.listen(removals,
+                      [heard = std::move(heard)](const auto&, const auto& id) { heard(id); });
+}
+
+}  // namespace raytracer

@@ -1,0 +1,140 @@
+// What a cluster keeps in JetStream, and under which subjects.
+//
+//   stream                  subjects                            what they hold
+//   raytracer_scenes        raytracer.scene.text.DIGEST         a scene's text: in how many chunks
+//                           raytracer.scene.chunk.DIGEST.K      each chunk; oldest out first
+//                           raytracer.scene.kept.ID             the digest of a posted scene
+//   raytracer_jobs          raytracer.job.record.ID             its JobRecord
+//                           raytracer.job.progress.ID           how far a job of one task is
+//                           raytracer.job.failure.ID.TASK.K     why a task failed the K-th time
+//   raytracer_tasks         raytracer.task.ID.TASK              the queue, a consumer for each job
+//   raytracer_results       raytracer.result.of.ID.TASK         a TaskResult, or its parts' number
+//                           raytracer.result.part.ID.TOKEN.K    such a part
+//   raytracer_workers       raytracer.worker.NAME               a sign of life
+//   raytracer_redelivered   raytracer.redelivered.ID.TASK       counts what was handed out again
+//
+// A task is queued only if it is not, and a result is stored only if there is none: whatever is
+// done twice, by whomever, counts once.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "server/cluster/nats.h"
+#include "server/cluster/record.h"
+
+namespace raytracer {
+
+/// A worker or a front, as it says itself.
+struct Member {
+  std::string name;
+  std::string build;
+  std::string instruction_set;
+  std::string renderer;  ///< see renderer_id_of()
+  std::size_t threads = 0;
+  std::uint64_t tasks_done = 0;
+  bool works = false;
+  std::int64_t heard_ms = 0;  ///< when it said so, since 1970
+};
+
+/// A task that failed, or that one who took it said nothing of any more.
+struct TaskFailure {
+  std::string worker;
+  std::string reason;
+};
+
+/// The tasks of one job, of all that are open.
+struct OpenJob {
+  std::string id;
+  std::string renderer;
+  std::string document;
+  std::uint64_t waiting = 0;
+  std::uint64_t running = 0;
+};
+
+struct StoreLimits {
+  std::chrono::milliseconds task_timeout{5000};  ///< from a worker's last sign of life
+  std::chrono::seconds longest_kept{24 * 3600};  ///< jobs, results and scenes
+  std::int64_t most_bytes = std::int64_t{4} << 30;
+};
+
+/// Every member function may be called from any thread, and throws as NatsConnection's do.
+class ClusterStore {
+ public:
+  ClusterStore(NatsConnection& nats, const StoreLimits& limits) : nats_(nats), limits_(limits) {}
+
+  const StoreLimits& limits() const { return limits_; }
+
+  /// Makes the streams that are missing.
+  void ensure_streams();
+
+  /// The digest under which a text is stored.
+  static std::string digest_of(std::string_view document);
+  /// Stores the text in chunks, unless it is stored.
+  void put_document(const std::string& digest, std::string_view document);
+  /// Throws NatsRefused if it is no longer there.
+  std::string document(const std::string& digest);
+  void keep_scene(const std::string& id, const std::string& digest);
+  /// The digest of a posted scene's text.
+  std::optional<std::string> kept_scene(const std::string& id);
+
+  /// Stores it in place of what it was read from or stored as; false if that was changed or
+  /// removed meanwhile.
+  bool put_job(JobRecord& record);
+  /// Has it fail, unless it is gone.
+  void fail_job(const std::string& id, const std::string& reason);
+  std::optional<JobRecord> job(const std::string& id);
+  std::vector<std::string> job_ids();
+  /// Removes all that belongs to it, and tells who works on it.
+  void remove_job(const std::string& id);
+  /// Takes what is queued of it back: it needs no more.
+  void close_job(const JobRecord& record);
+
+  /// Queues those of a job's tasks that are not queued.
+  void queue_tasks(const JobRecord& record, const std::vector<int>& tasks);
+  std::vector<OpenJob> open_jobs();
+  TaskSource tasks_of(const OpenJob& job);
+  /// "raytracer.task.ID.7" as the id and 7.
+  static std::pair<std::string, int> task_of(const std::string& subject);
+
+  /// Stores it and tells those who wait; false if there is one.
+  bool put_result(const std::string& id, int task, std::string_view bytes);
+  std::set<int> results(const std::string& id);
+  std::optional<StoredMessage> result(const std::string& id, int task);
+
+  void put_progress(const std::string& id, double fraction);
+  double progress(const std::string& id);
+
+  std::vector<TaskFailure> failures(const std::string& id, int task);
+  void add_failure(const std::string& id, int task, std::size_t number, const TaskFailure& failure);
+
+  void put_member(const Member& member);
+  void remove_member(const std::string& name);
+  std::vector<Member> members();
+
+  void note_redelivery(const std::string& id, int task);
+  std::uint64_t redelivered();
+
+  /// Bytes of results.
+  std::uint64_t result_bytes() { return nats_.fill_of("raytracer_results").bytes; }
+  std::int64_t most_result_bytes() const { return limits_.most_bytes / 2; }
+
+  /// Calls `heard` on another thread when a result was stored or tasks were queued.
+  std::shared_ptr<const void> listen_for_news(std::function<void()> heard);
+  /// Calls `heard` with the id of a job that was removed.
+  std::shared_ptr<const void> listen_for_removals(std::function<void(const std::string& id)> heard);
+
+ private:
+  NatsConnection& nats_;
+  const StoreLimits limits_;
+};
+
+}  // namespace raytracer

@@ -1,0 +1,289 @@
+#include "server/cluster/task_runner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "server/problem.h"
+#include "server/tradeoff.h"
+
+namespace raytracer {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr milliseconds between_searches{250};  // for tasks that come again
+constexpr milliseconds to_answer{100};
+constexpr milliseconds before_another_try{500};
+constexpr seconds longest_standstill{30};  // of a task that is still said to be in progress
+constexpr std::size_t most_failures = 3;
+/// Workers that a task may outlive: to die beside a task is not to die of it.
+constexpr std::size_t most_losses = 5;
+
+}  // namespace
+
+TaskRunner::TaskRunner(const Identity& self, ClusterStore& store, News& news,
+                       PreparedScenes& scenes, WorkerPool& pool, const Limits& limits,
+                       Metrics& metrics, RequestLog& log)
+    : self_(self),
+      store_(store),
+      news_(news),
+      scenes_(scenes),
+      pool_(pool),
+      limits_(limits),
+      metrics_(metrics),
+      log_(log),
+      removals_(store.listen_for_removals([this](const std::string& job) { stop(job); })) {
+  for (std::thread& thread : threads_) thread = std::thread([this] { take_and_work(); });
+  pulse_ = std::thread([this] { say_in_progress(); });
+}
+
+TaskRunner::~TaskRunner() { drain(milliseconds(0)); }
+
+void TaskRunner::drain(milliseconds longest) {
+  {
+    std::unique_lock lock(mutex_);
+    closing_ = true;
+    changed_.notify_all();
+    changed_.wait_for(lock, longest, [this] { return running_.empty(); });
+    is_handing_back_ = true;
+    for (Running& running : running_) running.progress.stop = true;
+  }
+  changed_.notify_all();
+  news_.tell();
+  for (std::thread& thread : threads_)
+    if (thread.joinable()) thread.join();
+  if (pulse_.joinable()) pulse_.join();
+}
+
+void TaskRunner::take_and_work() {
+  Sources sources;
+  std::uint64_t seen = 0;
+  while (true) {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (closing_) return;
+    }
+    try {
+      if (std::optional<TaskMessage> task = next_task(sources)) {
+        work_on(*std::move(task));
+        continue;
+      }
+    } catch (const NatsUnavailable&) {
+      sources.clear();
+    } catch (const std::exception& error) {
+      log_.note(fmt::format("tasks cannot be taken: {}", error.what()));
+      sources.clear();
+    }
+    news_.wait(seen, between_searches);
+    const std::scoped_lock lock(mutex_);
+    looked_ = {};  // whatever happened, it is to be looked at
+  }
+}
+
+std::vector<OpenJob> TaskRunner::jobs_in_order() {
+  constexpr seconds recently{1};
+  const std::scoped_lock lock(mutex_);
+  if (Clock::now() - looked_ > recently) {
+    open_ = store_.open_jobs();
+    std::erase_if(open_, [this](const OpenJob& job) { return job.renderer != self_.renderer; });
+    looked_ = Clock::now();
+    std::erase_if(served_, [this](const auto& entry) {
+      return std::none_of(open_.begin(), open_.end(),
+                          [&](const OpenJob& job) { return job.id == entry.first; });
+    });
+  }
+  std::vector<OpenJob> jobs = open_;
+  std::stable_sort(jobs.begin(), jobs.end(), [this](const OpenJob& a, const OpenJob& b) {
+    const auto rank = [this](const OpenJob& job) {
+      const auto served = served_.find(job.id);
+      return std::tuple(!scenes_.has(job.document),
+                        served == served_.end() ? Clock::time_point{} : served->second);
+    };
+    return rank(a) < rank(b);
+  });
+  return jobs;
+}
+
+std::optional<TaskMessage> TaskRunner::next_task(Sources& sources) {
+  const std::vector<OpenJob> jobs = jobs_in_order();
+  // One that is kept may hold a task that came when nobody waited any more.
+  std::erase_if(sources, [&](const auto& entry) {
+    return std::none_of(jobs.begin(), jobs.end(),
+                        [&](const OpenJob& job) { return job.id == entry.first; });
+  });
+  for (const OpenJob& job : jobs) {
+    if (job.waiting + job.running == 0) continue;
+    auto source = sources.find(job.id);
+    try {
+      if (source == sources.end()) source = sources.emplace(job.id, store_.tasks_of(job)).first;
+      std::optional<TaskMessage> task = source->second.take(to_answer);
+      const std::scoped_lock lock(mutex_);
+      if (!task) {
+        // Others had them; what they do not finish comes again.
+        for (OpenJob& known : open_)
+          if (known.id == job.id) known.waiting = known.running = 0;
+        continue;
+      }
+      served_[job.id] = Clock::now();
+      return task;
+    } catch (const NatsRefused&) {
+      sources.erase(job.id);  // it was removed
+      const std::scoped_lock lock(mutex_);
+      looked_ = {};
+    }
+  }
+  return {};
+}
+
+void TaskRunner::work_on(TaskMessage message) {
+  const auto [id, task] = ClusterStore::task_of(message.subject());
+  std::list<Running>::iterator running;
+  {
+    const std::scoped_lock lock(mutex_);
+    running = running_.emplace(running_.end(), std::move(message), id);
+    if (is_handing_back_) running->progress.stop = true;
+  }
+  const auto settle = [&](const auto& how) {
+    const std::scoped_lock lock(running->mutex);
+    how(running->message);
+  };
+  const auto acknowledge = [](TaskMessage& own) { own.acknowledge(); };
+  const auto hand_back = [](TaskMessage& own) { own.hand_back(milliseconds(0)); };
+  try {
+    const std::optional<JobRecord> record = store_.job(id);
+    if (!record || !record->failure.empty()) {
+      settle(acknowledge);  // nobody wants it any more
+    } else if (is_to_be_tried(*record, task, *running)) {
+      try {
+        const TaskResult result = make(*record, task, *running);
+        if (running->progress.stop) {
+          settle(running->is_removed ? +acknowledge : +hand_back);
+        } else {
+          store_.put_result(id, task, to_bytes(result));
+          settle(acknowledge);
+          ++tasks_done_;
+          metrics_.add("cluster_tasks_total");
+        }
+      } catch (const NatsUnavailable&) {
+        throw;
+      } catch (const std::exception& error) {
+        give_up(*record, task, *running, error.what());
+      }
+    }
+  } catch (const std::exception& error) {
+    // It comes again when its time is over.
+    log_.note(fmt::format("job {} task {} was left: {}", id, task, error.what()));
+  }
+  const std::scoped_lock lock(mutex_);
+  running_.erase(running);
+  changed_.notify_all();
+}
+
+bool TaskRunner::is_to_be_tried(const JobRecord& record, int task, Running& running) {
+  const std::uint64_t before = running.message.deliveries() - 1;
+  if (before == 0) {
+    const auto waited = static_cast<double>(now_ms() - running.message.queued_ms());
+    metrics_.observe("cluster_task_wait_seconds", std::max(waited, 0.0) / 1000);
+    return true;
+  }
+  store_.note_redelivery(record.id, task);
+  const std::vector<TaskFailure> failures = store_.failures(record.id, task);
+  if (before >= failures.size() + most_losses) {
+    store_.fail_job(record.id, fmt::format("Task {} was lost {} times with the worker that had "
+                                           "taken it",
+                                           task, before - failures.size()));
+    running.message.acknowledge();
+    return false;
+  }
+  // Another may do what failed here.
+  const bool failed_here = std::any_of(failures.begin(), failures.end(), [&](const auto& failure) {
+    return failure.worker == self_.name;
+  });
+  if (!failed_here) return true;
+  for (const Member& member : store_.members())
+    if (member.works && member.renderer == self_.renderer && member.name != self_.name &&
+        now_ms() - member.heard_ms < store_.limits().task_timeout.count() &&
+        std::none_of(failures.begin(), failures.end(),
+                     [&](const auto& failure) { return failure.worker == member.name; })) {
+      running.message.hand_back(before_another_try);
+      return false;
+    }
+  return true;
+}
+
+TaskResult TaskRunner::make(const JobRecord& record, int task, Running& running) {
+  if (record.task == JobTask::tradeoff) {
+    running.is_whole = true;
+    const SceneView view = scenes_.view_of(record);
+    CurveProgress progress{running.progress};
+    std::optional<Curve> curve = measure_curve(view.scene, limits_, most_curve_ms, pool_, progress);
+    return {self_.name, CurveText{curve ? to_json(*curve).dump() : ""}};
+  }
+  const std::shared_ptr<const PreparedView> scene = scenes_.prepare(record);
+  if (record.side_px == 0) {
+    running.is_whole = true;
+    return {self_.name, render(scene->prepared, limits_, pool_, running.progress)};
+  }
+  const std::vector<Tile> regions = regions_of(record.width, record.height, record.side_px);
+  const Tile& region = regions.at(static_cast<std::size_t>(task));
+  const auto made = [&]<typename Channel>(std::optional<RegionRendering<Channel>> part) {
+    return TaskResult{self_.name, part ? *std::move(part) : RegionRendering<Channel>{}};
+  };
+  if (record.is_8_bit)
+    return made(render_region<unsigned char>(scene->prepared, region, pool_, running.progress));
+  return made(render_region<float>(scene->prepared, region, pool_, running.progress));
+}
+
+void TaskRunner::give_up(const JobRecord& record, int task, Running& running,
+                         const std::string& reason) {
+  log_.note(fmt::format("job {} task {} failed: {}", record.id, task, reason));
+  metrics_.add("cluster_task_failures_total");
+  const std::vector<TaskFailure> before = store_.failures(record.id, task);
+  store_.add_failure(record.id, task, before.size(), {self_.name, reason});
+  if (before.size() + 1 >= most_failures) {
+    store_.fail_job(record.id, fmt::format("Task {} failed {} times, the last time so: {}", task,
+                                           before.size() + 1, reason));
+    running.message.acknowledge();
+    return;
+  }
+  running.message.hand_back(before_another_try);
+}
+
+void TaskRunner::say_in_progress() {
+  const auto period = store_.limits().task_timeout / 4;
+  std::unique_lock lock(mutex_);
+  while (!is_handing_back_) {
+    changed_.wait_for(lock, period, [this] { return is_handing_back_.load(); });
+    for (Running& running : running_) {
+      const double fraction = running.progress.fraction;
+      if (fraction != running.fraction_said) running.moved = Clock::now();
+      running.fraction_said = fraction;
+      if (Clock::now() - running.moved > longest_standstill) continue;
+      const std::scoped_lock message_lock(running.mutex);
+      running.message.say_in_progress();
+      if (!running.is_whole) continue;
+      try {
+        store_.put_progress(running.job, fraction);
+      } catch (const std::exception&) {  // NOLINT: it is said again
+      }
+    }
+    if (closing_ && running_.empty()) return;
+  }
+}
+
+void TaskRunner::stop(const std::string& job) {
+  const std::scoped_lock lock(mutex_);
+  for (Running& running : running_)
+    if (running.job == job) {
+      running.is_removed = true;
+      running.progress.stop = true;
+    }
+}
+
+}  // namespace raytracer

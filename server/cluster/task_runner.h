@@ -1,0 +1,103 @@
+// Takes tasks of jobs that this server's build may trace, and works on them.
+//
+// Jobs whose scene is here come first, and among these the one that was served longest ago, so that
+// a short job need not wait for a long one. Two tasks at once: one is traced while the other's
+// result travels.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "engine/engine.h"
+#include "server/cluster/news.h"
+#include "server/cluster/prepared_scenes.h"
+#include "server/cluster/result.h"
+#include "server/cluster/store.h"
+#include "server/metrics.h"
+#include "server/request_log.h"
+
+namespace raytracer {
+
+/// Who takes tasks, and for whom.
+struct Identity {
+  std::string name;      ///< in the cluster, nobody else's
+  std::string renderer;  ///< see renderer_id_of()
+};
+
+class TaskRunner {
+ public:
+  /// All must outlive it.
+  TaskRunner(const Identity& self, ClusterStore& store, News& news, PreparedScenes& scenes,
+             WorkerPool& pool, const Limits& limits, Metrics& metrics, RequestLog& log);
+  /// Hands back what runs.
+  ~TaskRunner();
+  TaskRunner(const TaskRunner&) = delete;
+  TaskRunner& operator=(const TaskRunner&) = delete;
+
+  std::uint64_t tasks_done() const { return tasks_done_; }
+
+  /// Takes no more tasks, and waits at most so long for those that run; the rest is handed back.
+  void drain(std::chrono::milliseconds longest);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  /// A task in work.
+  struct Running {
+    Running(TaskMessage task_message, std::string job_id)
+        : message(std::move(task_message)), job(std::move(job_id)) {}
+    std::mutex mutex;  ///< of the message
+    TaskMessage message;
+    const std::string job;
+    bool is_whole = false;
+    bool is_removed = false;
+    RenderProgress progress{};
+    double fraction_said = 0;
+    Clock::time_point moved = Clock::now();  ///< when progress was last seen
+  };
+  using Sources = std::map<std::string, TaskSource>;
+
+  void take_and_work();
+  std::optional<TaskMessage> next_task(Sources& sources);
+  std::vector<OpenJob> jobs_in_order();
+  void work_on(TaskMessage message);
+  /// Whether the task is to be tried here and now; settles it if not.
+  bool is_to_be_tried(const JobRecord& record, int task, Running& running);
+  TaskResult make(const JobRecord& record, int task, Running& running);
+  void give_up(const JobRecord& record, int task, Running& running, const std::string& reason);
+  void say_in_progress();
+  void stop(const std::string& job);
+
+  const Identity self_;
+  ClusterStore& store_;
+  News& news_;
+  PreparedScenes& scenes_;
+  WorkerPool& pool_;
+  const Limits& limits_;
+  Metrics& metrics_;
+  RequestLog& log_;
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool closing_ = false;
+  std::atomic<bool> is_handing_back_{false};
+  std::list<Running> running_;
+  std::vector<OpenJob> open_{};  ///< as far as is known
+  Clock::time_point looked_{};   ///< when that was
+  std::map<std::string, Clock::time_point> served_;
+  std::atomic<std::uint64_t> tasks_done_{0};
+  std::shared_ptr<const void> removals_;
+  std::array<std::thread, 2> threads_;
+  std::thread pulse_;
+};
+
+}  // namespace raytracer
