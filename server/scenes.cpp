@@ -96,8 +96,10 @@ std::shared_ptr<const KeptScene> Scenes::keep(std::shared_ptr<const KnownScene> 
 std::shared_ptr<const KeptScene> Scenes::kept_at(std::string_view id) {
   if (auto scene = kept_.find(id)) return scene;
   if (elsewhere_)
-    if (std::optional<std::string> document = elsewhere_(std::string(id)))
-      return keep(parse(*document, {}).known, *std::move(document));
+    if (std::optional<std::string> document = elsewhere_(std::string(id))) {
+      auto known = parse(*document, {}).known;
+      return keep(std::move(known), *std::move(document));
+    }
   refuse(404, fmt::format("There is no scene \"{}\": it was never posted, or was forgotten "
                           "because others needed the memory; POST it to /scenes again",
                           id));

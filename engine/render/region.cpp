@@ -32,6 +32,11 @@ void for_each_block_row(const Tile& region, int width, const Visit& visit) {
   }
 }
 
+bool is_inside(const Tile& region, int width_px, int height_px) {
+  return region.x_begin >= 0 && region.x_begin < region.x_end && region.x_end <= width_px &&
+         region.y_begin >= 0 && region.y_begin < region.y_end && region.y_end <= height_px;
+}
+
 std::size_t row_length(const Tile& region) {
   return 3 * static_cast<std::size_t>(region.x_end - region.x_begin);
 }
@@ -50,6 +55,8 @@ std::optional<RegionRendering<Channel>> render_region(const PreparedScene& scene
   if (built.plan.sampling.value == Sampling::contract)
     throw std::logic_error("a contract looks at the whole image");
   const Camera& camera = built.scene.camera;
+  if (!is_inside(region, camera.width, camera.height))
+    throw std::invalid_argument("the region is not one of this image");
   Tracing tracing{built, pool, progress};
   const SamplePattern pattern = sample_pattern(built.scene.render.samples.value_or(1));
   std::optional<SubtileErrors> errors;
@@ -95,10 +102,7 @@ void ImageOfRegions<Channel>::add(const RegionRendering<Channel>& part) {
   if (!subtile_error2_.empty())
     for_each_block_row(region, image.width,
                        [&](std::size_t, std::size_t count) { error_count += count; });
-  const bool is_inside = region.x_begin >= 0 && region.x_begin < region.x_end &&
-                         region.x_end <= image.width && region.y_begin >= 0 &&
-                         region.y_begin < region.y_end && region.y_end <= image.height;
-  if (!is_inside ||
+  if (!is_inside(region, image.width, image.height) ||
       part.values.size() !=
           row_length(region) * static_cast<std::size_t>(region.y_end - region.y_begin) ||
       part.subtile_error2.size() != error_count)

@@ -18,7 +18,7 @@ struct RegionRendering {
   Tile region{};
   std::vector<Channel> values{};         ///< of its pixels, row by row
   std::vector<double> subtile_error2{};  ///< of its blocks, row by row; empty if nothing tells them
-  double error_multiplier = 1;         ///< for the sum of these
+  double error_multiplier = 1;           ///< for the sum of these
   Precision precision = Precision::double_precision;
   BeyondRange beyond;
 };
@@ -28,7 +28,7 @@ std::vector<Tile> regions_of(int width_px, int height_px, int side_px);
 
 /// Traces one region with as many samples per pixel as the scene says, on the pool's threads;
 /// nothing if `progress.stop` ended it. Throws std::logic_error if the scene has a contract, which
-/// looks at the whole image.
+/// looks at the whole image, or no such region.
 template <typename Channel>
 std::optional<RegionRendering<Channel>> render_region(const PreparedScene& scene,
                                                       const Tile& region, WorkerPool& pool,
@@ -41,8 +41,7 @@ class ImageOfRegions {
   /// Of an image with so many samples per pixel; black before anything came.
   ImageOfRegions(int width_px, int height_px, int samples);
 
-  /// A region that came before changes nothing: it is the same. Throws std::invalid_argument if
-  /// there is no such region in the image.
+  /// Each region once. Throws std::invalid_argument if there is no such region in the image.
   void add(const RegionRendering<Channel>& part);
 
   const Raster<Channel>& so_far() const { return rendering_.image; }

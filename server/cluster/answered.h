@@ -6,6 +6,9 @@
 
 namespace raytracer {
 
+/// Seconds.
+inline constexpr const char* full_store_retry_after = "30";
+
 /// Does what it is given. Throws HttpError: 503 with Retry-After if NATS is away, or the store is
 /// full; what else NATS refuses is this server's fault and stays what it is.
 template <typename Work>
@@ -18,10 +21,7 @@ auto answered(const Work& work) {
                "); renders that are predicted to be short go on here, the rest has to wait",
            {{"Retry-After", "2"}});
   } catch (const StreamFull& error) {
-    refuse(503,
-           std::string("The cluster's store is full (--max-stored; ") + error.what() +
-               "); delete jobs, or wait until old ones are forgotten",
-           {{"Retry-After", "30"}});
+    refuse(503, error.what(), {{"Retry-After", full_store_retry_after}});
   }
 }
 

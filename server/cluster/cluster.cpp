@@ -136,6 +136,8 @@ BasicRendering<Channel> Cluster::render(const SceneView& view, const httplib::Pa
       looked = Clock::now();
       const auto stored = store_.job(record.id);
       if (!stored) throw std::runtime_error("the render's record was removed");
+      if (stored->lacked_room)
+        refuse(503, stored->failure, {{"Retry-After", full_store_retry_after}});
       if (!stored->failure.empty()) throw std::runtime_error(stored->failure);
     } catch (const NatsUnavailable&) {  // NOLINT: it comes back
     }

@@ -4,9 +4,10 @@
 #include <nats/nats.h>
 
 #include <condition_variable>
-#include <cstdlib>
 #include <mutex>
 #include <utility>
+
+#include "server/cluster/nats_options.h"
 
 namespace raytracer {
 namespace {
@@ -14,8 +15,6 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds longest_answer{2000};
-constexpr milliseconds between_connects{250};
-constexpr milliseconds between_pings{2000};
 
 template <typename Duration>
 std::int64_t nanoseconds(Duration duration) {
@@ -48,7 +47,10 @@ void require(natsStatus status, std::string_view what, jsErrCode error = jsErrCo
   if (is_passing(status, error)) throw NatsUnavailable(text);
   if (error == JSStreamStoreFailedErr || error == JSInsufficientResourcesErr ||
       error == JSStorageResourcesExceededErr || error == JSAccountResourcesExceededErr)
-    throw StreamFull(text);
+    throw StreamFull(
+        "the cluster's store is full (--max-stored): delete jobs, or wait until old ones "
+        "are forgotten; " +
+        text);
   throw NatsRefused(text);
 }
 
@@ -58,43 +60,10 @@ struct Destroy {
 };
 using MessagePointer = std::unique_ptr<natsMsg, Destroy<natsMsg, natsMsg_Destroy>>;
 
-/// Why the connection cannot be had, before it is tried: what the environment names.
-void set_credentials(natsOptions* options) {
-  const auto require_file = [](natsStatus status, const char* variable) {
-    if (status != NATS_OK)
-      throw std::invalid_argument(fmt::format("{} names a file that cannot be used: {}", variable,
-                                              nats_GetLastError(nullptr)));
-  };
-  if (const char* const file = std::getenv("NATS_CREDS"))
-    require_file(natsOptions_SetUserCredentialsFromFiles(options, file, nullptr), "NATS_CREDS");
-  if (const char* const file = std::getenv("NATS_CA"))
-    require_file(natsOptions_LoadCATrustedCertificates(options, file), "NATS_CA");
-  if (const char* const file = std::getenv("NATS_CERT"))
-    require_file(natsOptions_LoadCertificatesChain(options, file, std::getenv("NATS_KEY")),
-                 "NATS_CERT or NATS_KEY");
-}
-
 natsConnection* connect(const std::string& url) {
-  natsOptions* made = nullptr;
-  require(natsOptions_Create(&made), "making options");
-  const std::unique_ptr<natsOptions, Destroy<natsOptions, natsOptions_Destroy>> options(made);
-  if (natsOptions_SetURL(made, url.c_str()) != NATS_OK)
-    throw std::invalid_argument(
-        fmt::format("\"{}\" is no URL of NATS, such as nats://127.0.0.1:4222", url));
-  set_credentials(made);
-  if (url.find("tls://") != std::string::npos)
-    require(natsOptions_SetSecure(made, true), "asking for TLS");
-  natsOptions_SetName(made, "raytracer");
-  natsOptions_SetTimeout(made, longest_answer.count());
-  natsOptions_SetPingInterval(made, between_pings.count());
-  natsOptions_SetMaxPingsOut(made, 2);
-  natsOptions_SetAllowReconnect(made, true);
-  natsOptions_SetMaxReconnect(made, -1);  // endless
-  natsOptions_SetReconnectWait(made, between_connects.count());
-  natsOptions_SetReconnectJitter(made, between_connects.count(), between_connects.count());
-  natsOptions_SetRetryOnFailedConnect(made, true, nullptr, nullptr);
+  const OptionsPointer options = nats_options(url);
   natsConnection* connection = nullptr;
-  const natsStatus status = natsConnection_Connect(&connection, made);
+  const natsStatus status = natsConnection_Connect(&connection, options.get());
   if (status != NATS_OK && status != NATS_NOT_YET_CONNECTED)
     throw std::invalid_argument(
         fmt::format("cannot connect to NATS at {}: {}", url, nats_GetLastError(nullptr)));

@@ -24,9 +24,11 @@ std::string to_text(const JobRecord& record) {
                       {"accepted_ms", record.accepted_ms},
                       {"side_px", record.side_px},
                       {"task_count", record.task_count},
-                      {"failure", record.failure}};
+                      {"failure", record.failure},
+                      {"lacked_room", record.lacked_room}};
   if (record.picture_digest) json["picture_digest"] = *record.picture_digest;
-  return json.dump();
+  // A reason may quote bytes that are no text.
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 JobRecord read_record(std::string_view text) try {
@@ -48,7 +50,8 @@ JobRecord read_record(std::string_view text) try {
       .accepted_ms = json.at("accepted_ms"),
       .side_px = json.at("side_px"),
       .task_count = json.at("task_count"),
-      .failure = json.at("failure")};
+      .failure = json.at("failure"),
+      .lacked_room = json.at("lacked_room")};
   if (json.contains("picture_digest")) record.picture_digest = json["picture_digest"];
   return record;
 } catch (const nlohmann::json::exception& error) {

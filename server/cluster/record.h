@@ -30,6 +30,7 @@ struct JobRecord {
   int side_px = 0;               ///< of its regions; 0: one task makes the whole
   int task_count = 0;            ///< 0: not cut yet
   std::string failure{};         ///< why it failed, if it did
+  bool lacked_room = false;      ///< it failed because the store was full
   std::uint64_t sequence = 0;    ///< of what is stored; 0: nothing yet
 };
 

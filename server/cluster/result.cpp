@@ -21,11 +21,16 @@ void append(std::string& bytes, const Values& values) {
                values.size() * sizeof(values.front()));
 }
 
-/// Takes as many values as it has room for off the front of `bytes`.
+void require_length(bool is_right) {
+  if (!is_right) throw NatsRefused("a task's result is not as long as it says");
+}
+
+/// Takes `count` values off the front of `bytes`, which holds them.
 template <typename Values>
-void take(std::string_view& bytes, Values& values) {
-  const std::size_t size = values.size() * sizeof(values.front());
-  if (bytes.size() < size) throw NatsRefused("a task's result is too short");
+void take(std::string_view& bytes, Values& values, std::size_t count) {
+  require_length(count <= bytes.size() / sizeof(values.front()));
+  values.resize(count);
+  const std::size_t size = count * sizeof(values.front());
   if (size > 0) std::memcpy(values.data(), bytes.data(), size);
   bytes.remove_prefix(size);
 }
@@ -72,21 +77,18 @@ RegionRendering<Channel> region_in(const Json& header, std::string_view bytes) {
                                 .error_multiplier = header.at("error_multiplier"),
                                 .precision = precision_in(header),
                                 .beyond = beyond_in(header.at("beyond"))};
-  const std::size_t values = header.at("values");
-  const std::size_t errors = header.at("errors");
-  if (bytes.size() != values * sizeof(Channel) + errors * sizeof(double))
-    throw NatsRefused("a task's result is not as long as it says");
-  part.values.resize(values);
-  part.subtile_error2.resize(errors);
-  take(bytes, part.values);
-  take(bytes, part.subtile_error2);
+  take(bytes, part.values, header.at("values"));
+  take(bytes, part.subtile_error2, header.at("errors"));
+  require_length(bytes.empty());
   return part;
 }
 
 Rendering whole_in(const Json& header, std::string_view bytes) {
   Rendering rendering;
-  rendering.image = Image(header.at("width"), header.at("height"));
-  rendering.pixel_count = rendering.image.values.size() / 3;
+  rendering.image.width = header.at("width");
+  rendering.image.height = header.at("height");
+  rendering.pixel_count = static_cast<std::size_t>(rendering.image.width) *
+                          static_cast<std::size_t>(rendering.image.height);
   rendering.samples_per_pixel = header.at("samples");
   rendering.precision = precision_in(header);
   rendering.beyond = beyond_in(header.at("beyond"));
@@ -95,7 +97,9 @@ Rendering whole_in(const Json& header, std::string_view bytes) {
   rendering.build_ms = header.at("build_ms");
   rendering.trace_ms = header.at("trace_ms");
   if (header.contains("error")) rendering.estimated_error = header["error"].get<double>();
-  take(bytes, rendering.image.values);
+  require_length(rendering.image.width >= 0 && rendering.image.height >= 0);
+  take(bytes, rendering.image.values, 3 * rendering.pixel_count);
+  require_length(bytes.empty());
   return rendering;
 }
 
@@ -134,7 +138,8 @@ TaskResult read_result(std::string_view bytes) try {
   if (kind == "bytes") return {worker, region_in<unsigned char>(header, rest)};
   if (kind == "floats") return {worker, region_in<float>(header, rest)};
   if (kind == "whole") return {worker, whole_in(header, rest)};
-  return {worker, CurveText{std::string(rest)}};
+  if (kind == "curve") return {worker, CurveText{std::string(rest)}};
+  throw NatsRefused("a task's result is of no known kind: " + kind);
 } catch (const nlohmann::json::exception& error) {
   throw NatsRefused(std::string("a task's result cannot be read: ") + error.what());
 }

@@ -300,12 +300,12 @@ void SharedJobs::look_after(const std::string& id, const std::vector<Member>& me
     lacking_.erase(id);
   };
   if (!record->failure.empty()) return has_ended_now();
-  const bool front_lives =
-      record->front == parts_.self.name || lives(members, record->front, parts_.store.limits());
+  const bool is_of_this = record->front == parts_.self.name;
+  const bool front_lives = is_of_this || lives(members, record->front, parts_.store.limits());
   if (record->has_client && !front_lives) return parts_.store.remove_job(id);
   if (record->task_count == 0) {
-    // Its own front has it in work, unless it was begun by an earlier process of that name.
-    if (!front_lives && !is_own(id)) take_over(*record);
+    // Its front has it in work, but for what it was told was not stored when NATS went away.
+    if ((is_of_this || !front_lives) && !is_own(id)) take_over(*record);
     return;
   }
   const std::set<int> done = parts_.store.results(id);

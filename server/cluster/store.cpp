@@ -137,11 +137,14 @@ bool ClusterStore::put_job(JobRecord& record) {
   return true;
 }
 
-void ClusterStore::fail_job(const std::string& id, const std::string& reason) {
+void ClusterStore::fail_job(const std::string& id, const std::string& reason, bool lacked_room) {
   std::optional<JobRecord> record = job(id);
   if (!record || !record->failure.empty()) return;
   record->failure = reason;
-  if (put_job(*record)) close_job(*record);
+  record->lacked_room = lacked_room;
+  if (!put_job(*record)) return;
+  close_job(*record);
+  nats_.purge("raytracer_results", fmt::format("raytracer.result.*.{}.>", id));
 }
 
 std::optional<JobRecord> ClusterStore::job(const std::string& id) {
@@ -251,6 +254,15 @@ std::optional<StoredMessage> ClusterStore::result(const std::string& id, int tas
   }
   found->data = std::move(bytes);
   return found;
+}
+
+void ClusterStore::note_hand_back(const std::string& id, int task, std::uint64_t delivery) {
+  nats_.put(fmt::format("raytracer.job.back.{}.{}.{}", id, task, delivery), "");
+}
+
+std::size_t ClusterStore::hand_backs(const std::string& id, int task) {
+  return nats_.subjects("raytracer_jobs", fmt::format("raytracer.job.back.{}.{}.*", id, task))
+      .size();
 }
 
 void ClusterStore::put_progress(const std::string& id, double fraction) {

@@ -7,6 +7,7 @@
 //   raytracer_jobs          raytracer.job.record.ID             its JobRecord
 //                           raytracer.job.progress.ID           how far a job of one task is
 //                           raytracer.job.failure.ID.TASK.K     why a task failed the K-th time
+//                           raytracer.job.back.ID.TASK.K        its K-th delivery was handed back
 //   raytracer_tasks         raytracer.task.ID.TASK              the queue, a consumer for each job
 //   raytracer_results       raytracer.result.of.ID.TASK         a TaskResult, or its parts' number
 //                           raytracer.result.part.ID.TOKEN.K    such a part
@@ -89,8 +90,8 @@ class ClusterStore {
   /// Stores it in place of what it was read from or stored as; false if that was changed or
   /// removed meanwhile.
   bool put_job(JobRecord& record);
-  /// Has it fail, unless it is gone.
-  void fail_job(const std::string& id, const std::string& reason);
+  /// Has it fail, unless it is gone; what was made of it goes.
+  void fail_job(const std::string& id, const std::string& reason, bool lacked_room = false);
   std::optional<JobRecord> job(const std::string& id);
   std::vector<std::string> job_ids();
   /// Removes all that belongs to it, and tells who works on it.
@@ -109,6 +110,11 @@ class ClusterStore {
   bool put_result(const std::string& id, int task, std::string_view bytes);
   std::set<int> results(const std::string& id);
   std::optional<StoredMessage> result(const std::string& id, int task);
+
+  /// A task's delivery of that number was handed back untried or unfinished, so nothing is to be
+  /// concluded from it.
+  void note_hand_back(const std::string& id, int task, std::uint64_t delivery);
+  std::size_t hand_backs(const std::string& id, int task);
 
   void put_progress(const std::string& id, double fraction);
   double progress(const std::string& id);

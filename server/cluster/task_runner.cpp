@@ -20,7 +20,8 @@ using std::chrono::seconds;
 constexpr milliseconds between_searches{250};  // for tasks that come again
 constexpr milliseconds to_answer{100};
 constexpr milliseconds before_another_try{500};
-constexpr seconds longest_standstill{30};  // of a task that is still said to be in progress
+constexpr milliseconds to_fetch_scene{500};  // that others have: a task or two
+constexpr seconds longest_standstill{30};    // of a task that is still said to be in progress
 constexpr std::size_t most_failures = 3;
 /// Workers that a task may outlive: to die beside a task is not to die of it.
 constexpr std::size_t most_losses = 5;
@@ -100,12 +101,11 @@ std::vector<OpenJob> TaskRunner::jobs_in_order() {
   }
   std::vector<OpenJob> jobs = open_;
   std::stable_sort(jobs.begin(), jobs.end(), [this](const OpenJob& a, const OpenJob& b) {
-    const auto rank = [this](const OpenJob& job) {
-      const auto served = served_.find(job.id);
-      return std::tuple(!scenes_.has(job.document),
-                        served == served_.end() ? Clock::time_point{} : served->second);
+    const auto due = [this](const OpenJob& job) {
+      const auto served = served_.try_emplace(job.id, Clock::now()).first->second;
+      return scenes_.has(job.document) ? served : served + to_fetch_scene;
     };
-    return rank(a) < rank(b);
+    return due(a) < due(b);
   });
   return jobs;
 }
@@ -154,7 +154,6 @@ void TaskRunner::work_on(TaskMessage message) {
     how(running->message);
   };
   const auto acknowledge = [](TaskMessage& own) { own.acknowledge(); };
-  const auto hand_back = [](TaskMessage& own) { own.hand_back(milliseconds(0)); };
   try {
     const std::optional<JobRecord> record = store_.job(id);
     if (!record || !record->failure.empty()) {
@@ -163,7 +162,7 @@ void TaskRunner::work_on(TaskMessage message) {
       try {
         const TaskResult result = make(*record, task, *running);
         if (running->progress.stop) {
-          settle(running->is_removed ? +acknowledge : +hand_back);
+          running->is_removed ? settle(acknowledge) : hand_back(task, *running, milliseconds(0));
         } else {
           store_.put_result(id, task, to_bytes(result));
           settle(acknowledge);
@@ -172,6 +171,9 @@ void TaskRunner::work_on(TaskMessage message) {
         }
       } catch (const NatsUnavailable&) {
         throw;
+      } catch (const StreamFull& error) {
+        store_.fail_job(id, error.what(), true);  // so it is for others
+        settle(acknowledge);
       } catch (const std::exception& error) {
         give_up(*record, task, *running, error.what());
       }
@@ -194,10 +196,11 @@ bool TaskRunner::is_to_be_tried(const JobRecord& record, int task, Running& runn
   }
   store_.note_redelivery(record.id, task);
   const std::vector<TaskFailure> failures = store_.failures(record.id, task);
-  if (before >= failures.size() + most_losses) {
+  const std::size_t told = failures.size() + store_.hand_backs(record.id, task);
+  if (before >= told + most_losses) {
     store_.fail_job(record.id, fmt::format("Task {} was lost {} times with the worker that had "
                                            "taken it",
-                                           task, before - failures.size()));
+                                           task, before - told));
     running.message.acknowledge();
     return false;
   }
@@ -211,10 +214,16 @@ bool TaskRunner::is_to_be_tried(const JobRecord& record, int task, Running& runn
         now_ms() - member.heard_ms < store_.limits().task_timeout.count() &&
         std::none_of(failures.begin(), failures.end(),
                      [&](const auto& failure) { return failure.worker == member.name; })) {
-      running.message.hand_back(before_another_try);
+      hand_back(task, running, before_another_try);
       return false;
     }
   return true;
+}
+
+void TaskRunner::hand_back(int task, Running& running, milliseconds delay) {
+  store_.note_hand_back(running.job, task, running.message.deliveries());
+  const std::scoped_lock lock(running.mutex);
+  running.message.hand_back(delay);
 }
 
 TaskResult TaskRunner::make(const JobRecord& record, int task, Running& running) {

@@ -1,8 +1,8 @@
 // Takes tasks of jobs that this server's build may trace, and works on them.
 //
-// Jobs whose scene is here come first, and among these the one that was served longest ago, so that
-// a short job need not wait for a long one. Two tasks at once: one is traced while the other's
-// result travels.
+// The job that was served longest ago comes first, so that a short one need not wait for a long
+// one; those whose scene has to be fetched come a little later, so that others who have it may take
+// them. Two tasks at once: one is traced while the other's result travels.
 #pragma once
 
 #include <array>
@@ -73,6 +73,8 @@ class TaskRunner {
   /// Whether the task is to be tried here and now; settles it if not.
   bool is_to_be_tried(const JobRecord& record, int task, Running& running);
   TaskResult make(const JobRecord& record, int task, Running& running);
+  /// Leaves it to others, at no fault of the task.
+  void hand_back(int task, Running& running, std::chrono::milliseconds delay);
   void give_up(const JobRecord& record, int task, Running& running, const std::string& reason);
   void say_in_progress();
   void stop(const std::string& job);
@@ -91,9 +93,9 @@ class TaskRunner {
   bool closing_ = false;
   std::atomic<bool> is_handing_back_{false};
   std::list<Running> running_;
-  std::vector<OpenJob> open_{};  ///< as far as is known
-  Clock::time_point looked_{};   ///< when that was
-  std::map<std::string, Clock::time_point> served_;
+  std::vector<OpenJob> open_{};                      ///< as far as is known
+  Clock::time_point looked_{};                       ///< when that was
+  std::map<std::string, Clock::time_point> served_;  ///< or seen first
   std::atomic<std::uint64_t> tasks_done_{0};
   std::shared_ptr<const void> removals_;
   std::array<std::thread, 2> threads_;

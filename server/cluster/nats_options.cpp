@@ -1,0 +1,93 @@
+#include "server/cluster/nats_options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+
+#include "server/request_text.h"
+
+namespace raytracer {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds longest_connect{2000};
+constexpr milliseconds between_connects{250};
+constexpr milliseconds between_pings{2000};
+
+/// libnats takes whatever it is given, and then tries for ever to connect to it.
+bool is_nats_url(std::string_view url) {
+  for (const std::string_view scheme : {"nats://", "tls://"}) {
+    if (!url.starts_with(scheme)) continue;
+    std::string_view host = url.substr(scheme.size());
+    host.remove_prefix(host.find('@') + 1);  // 0 if there is none
+    const std::size_t colon = host.find(':', host.starts_with('[') ? host.find(']') : 0);
+    if (colon == host.npos) return !host.empty();
+    const std::string_view port = host.substr(colon + 1);
+    unsigned number = 0;
+    const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), number);
+    return colon > 0 && error == std::errc{} && end == port.data() + port.size() && number > 0 &&
+           number <= 65'535;
+  }
+  return false;
+}
+
+/// Nothing if the variable names none.
+const char* named_file(const char* variable) {
+  const char* const file = std::getenv(variable);
+  if (file != nullptr && !std::ifstream(file).is_open())
+    throw std::invalid_argument(
+        fmt::format("{} names a file that cannot be read: {}", variable, file));
+  return file;
+}
+
+void set_credentials(natsOptions* options) {
+  const auto require_use = [](natsStatus status, const char* variable) {
+    if (status != NATS_OK)
+      throw std::invalid_argument(fmt::format("{} names a file that cannot be used: {}", variable,
+                                              nats_GetLastError(nullptr)));
+  };
+  if (const char* const file = named_file("NATS_CREDS"))
+    require_use(natsOptions_SetUserCredentialsFromFiles(options, file, nullptr), "NATS_CREDS");
+  if (const char* const file = named_file("NATS_CA"))
+    require_use(natsOptions_LoadCATrustedCertificates(options, file), "NATS_CA");
+  if (const char* const file = named_file("NATS_CERT"))
+    require_use(natsOptions_LoadCertificatesChain(options, file, named_file("NATS_KEY")),
+                "NATS_CERT or NATS_KEY");
+}
+
+}  // namespace
+
+OptionsPointer nats_options(const std::string& url) {
+  natsOptions* made = nullptr;
+  if (natsOptions_Create(&made) != NATS_OK) throw std::bad_alloc();
+  OptionsPointer options(made);
+  for (const std::string_view part : parts_of(url, ','))
+    if (!is_nats_url(part))
+      throw std::invalid_argument(fmt::format(
+          "--nats \"{}\" is no URL of NATS, such as nats://127.0.0.1:4222 or tls://host", part));
+  if (natsOptions_SetURL(made, url.c_str()) != NATS_OK)
+    throw std::invalid_argument(
+        fmt::format("--nats \"{}\" cannot be used: {}", url, nats_GetLastError(nullptr)));
+  set_credentials(made);
+  if (url.find("tls://") != std::string::npos) natsOptions_SetSecure(made, true);
+  natsOptions_SetName(made, "raytracer");
+  natsOptions_SetTimeout(made, longest_connect.count());
+  natsOptions_SetPingInterval(made, between_pings.count());
+  natsOptions_SetMaxPingsOut(made, 2);
+  natsOptions_SetAllowReconnect(made, true);
+  natsOptions_SetMaxReconnect(made, -1);  // endless
+  natsOptions_SetReconnectWait(made, between_connects.count());
+  natsOptions_SetReconnectJitter(made, between_connects.count(), between_connects.count());
+  // With a handler, or the first connect would wait until it succeeds.
+  natsOptions_SetRetryOnFailedConnect(
+      made, true, [](natsConnection*, void*) {}, nullptr);
+  return options;
+}
+
+}  // namespace raytracer
