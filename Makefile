@@ -26,7 +26,7 @@ define test_in
 	$(3) ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
 endef
 
-.PHONY: all test check sanitize tsan bench tradeoff extremes contracts fuzz load soak install clean help
+.PHONY: all test check sanitize tsan bench tradeoff extremes contracts fuzz cluster-simulation load soak install clean help
 
 all:
 	$(call configure,build)
@@ -108,6 +108,18 @@ fuzz:
 	  -dict=../tests/fuzz/scene.dict -max_len=4096 documents ../server/scenes ../tests/extremes/scenes
 	cd build-fuzz && ./fuzz_render -max_total_time=$(fuzz_seconds) -timeout=20 -max_len=600 scenes
 
+# Measures what tasks cost here, and from that how far a cluster goes.
+cluster_runs = tests/measure/cluster/runs
+cluster-simulation:
+	.ci/install build test cluster
+	$(call configure,build,-DRAYTRACER_TESTS=ON)
+	@cmake --build build --parallel $(JOBS) --target raytracer_cluster_costs raytracer_cluster_simulation
+	build/raytracer_cluster_costs >$(cluster_runs)/few-samples.json
+	build/raytracer_cluster_costs --tasks 1000 --width 640 --height 360 --samples 4096 \
+	  >$(cluster_runs)/many-samples.json
+	build/raytracer_cluster_simulation $(cluster_runs)/few-samples.json $(cluster_runs)/many-samples.json \
+	  --svg $(cluster_runs)/efficiency.svg
+
 load: all
 	.ci/install build load
 	@tests/measure/load/run build
@@ -138,6 +150,7 @@ help:
 	@echo "make bench     times beside other renderers; SCENE=FILE for any document"
 	@echo "make extremes  scenes at the extremes against exact pictures, other renderers beside it"
 	@echo "make fuzz      a minute each of random documents and of random scenes, with libFuzzer"
+	@echo "make cluster-simulation  how far many machines go, from what tasks cost here"
 	@echo "make load      small pictures a second against /healthz, with wrk"
 	@echo "make soak      ten minutes of mixed traffic: no memory, thread or descriptor is lost"
 	@echo "make install   programs, library, man pages, completions to PREFIX ($(PREFIX)), below DESTDIR"

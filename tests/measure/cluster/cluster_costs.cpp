@@ -1,0 +1,178 @@
+// What a shared job costs, measured here: how long the tasks of a real job trace, and how much of
+// its time a NATS server of the program's own takes for each task. For
+// raytracer_cluster_simulation.
+//
+// The clock of the tasks is this machine's; of NATS the processor's time counts, so that others who
+// run here disturb it little.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "engine/measure/stopwatch.h"
+#include "server/cluster/cut.h"
+#include "server/cluster/store.h"
+#include "tests/measure/scenes/named_scene.h"
+#include "tests/process/patience.h"
+#include "tests/process/program.h"
+#include "tests/process/temporary_folder.h"
+
+namespace {
+
+using namespace raytracer;
+
+struct Options {
+  std::string scene = "square-500";
+  std::string shipped = "server/scenes";
+  int width = 1920, height = 1080, samples = 64;
+  int tasks = 300;
+  std::vector<int> listeners{1, 51};
+};
+
+struct RealJob {
+  std::vector<double> task_ms{};
+  std::size_t result_bytes = 0;  ///< the mean's
+};
+
+/// One thread traces all regions, after the other.
+RealJob trace(const Options& options) {
+  const auto named = measure::find_scene(options.scene, options.shipped);
+  Scene scene = measure::read_document(named.document(), {});
+  scene.camera.width = options.width;
+  scene.camera.height = options.height;
+  scene.render.samples = options.samples;
+  scene.render.target_rmse.reset();
+  scene.render.budget_ms.reset();
+  WorkerPool pool(1);
+  const PreparedScene prepared(scene, pool);
+  RenderProgress progress;
+  const auto prediction = predict(prepared, Limits{}, measure_machine_costs(pool), pool, progress);
+  const Cut cut = cut_into_tasks(prepared, prediction.value(), false);
+  RealJob job;
+  for (const Tile& region : regions_of(options.width, options.height, cut.side_px)) {
+    const Stopwatch stopwatch;
+    const auto part = render_region<float>(prepared, region, pool, progress);
+    job.task_ms.push_back(stopwatch.elapsed_ms());
+    job.result_bytes +=
+        part->values.size() * sizeof(float) + part->subtile_error2.size() * sizeof(double);
+  }
+  job.result_bytes /= job.task_ms.size();
+  return job;
+}
+
+/// A NATS server on a port and in a folder of its own.
+class Nats {
+ public:
+  Nats()
+      : process_({"nats-server",
+                  {"-js", "-sd", folder_.path().string(), "-a", "127.0.0.1", "-p", "-1"}}) {
+    static const std::regex greeting(R"(client connections on 127.0.0.1:(\d+))");
+    test::eventually([this] {
+      std::smatch match;
+      const std::string said = process_.err();
+      if (std::regex_search(said, match, greeting)) url_ = "nats://127.0.0.1:" + match.str(1);
+      return !url_.empty() || process_.wait({}).has_value();
+    });
+    if (url_.empty())
+      throw std::runtime_error("nats-server does not start (.ci/install cluster): " +
+                               process_.err());
+  }
+  const std::string& url() const { return url_; }
+
+  /// Of the processor, so far.
+  double cpu_ms() const {
+    std::ifstream file(fmt::format("/proc/{}/stat", process_.id()));
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    std::istringstream fields(text.substr(text.rfind(')') + 1));
+    std::string skipped;
+    for (int i = 0; i < 11; ++i) fields >> skipped;
+    double user = 0, system = 0;
+    fields >> user >> system;
+    return (user + system) * 1000 / static_cast<double>(sysconf(_SC_CLK_TCK));
+  }
+
+ private:
+  const test::TemporaryFolder folder_;
+  test::Process process_;
+  std::string url_;
+};
+
+/// Milliseconds of NATS's processor for each task: queued, taken, looked up, its result stored and
+/// told to so many listeners, acknowledged, and fetched.
+double nats_ms(const Options& options, std::size_t result_bytes, int listener_count) {
+  const Nats nats;
+  NatsConnection connection(nats.url());
+  test::eventually([&] { return connection.is_connected(); });
+  ClusterStore store(connection, StoreLimits{});
+  store.ensure_streams();
+  NatsConnection others(nats.url());
+  test::eventually([&] { return others.is_connected(); });
+  std::vector<std::shared_ptr<const void>> listeners;
+  ClusterStore of_others(others, StoreLimits{});
+  for (int i = 0; i < listener_count; ++i) listeners.push_back(of_others.listen_for_news([] {}));
+
+  const std::string result(result_bytes, 'x');
+  const double before_ms = nats.cpu_ms();
+  JobRecord record;
+  record.id = "measured";
+  record.renderer = "here";
+  record.document = "scene";
+  record.task_count = options.tasks;
+  store.put_job(record);
+  std::vector<int> tasks(static_cast<std::size_t>(options.tasks));
+  for (int i = 0; i < options.tasks; ++i) tasks[static_cast<std::size_t>(i)] = i;
+  store.queue_tasks(record, tasks);
+  TaskSource source = store.tasks_of({record.id, record.renderer, record.document});
+  for (int i = 0; i < options.tasks; ++i) {
+    auto task = source.take(std::chrono::seconds(5));
+    const int number = ClusterStore::task_of(task.value().subject()).second;
+    store.job(record.id);
+    store.put_result(record.id, number, result);
+    task->acknowledge();
+    store.result(record.id, number);
+  }
+  return (nats.cpu_ms() - before_ms) / options.tasks;
+}
+
+void measure_all(const Options& options) {
+  const RealJob job = trace(options);
+  const double few = nats_ms(options, job.result_bytes, options.listeners.at(0));
+  const double many = nats_ms(options, job.result_bytes, options.listeners.at(1));
+  const double listener_ms =
+      std::max(0.0, (many - few) / (options.listeners[1] - options.listeners[0]));
+  const nlohmann::ordered_json figures{
+      {"scene", fmt::format("{} {} x {} x {}", options.scene, options.width, options.height,
+                            options.samples)},
+      {"result_bytes", job.result_bytes},
+      {"nats_ms", few - listener_ms * options.listeners[0]},
+      {"nats_listener_ms", listener_ms},
+      {"task_ms", job.task_ms}};
+  std::cout << figures.dump() << '\n';
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  Options options;
+  CLI::App app{"Measures what a shared job costs: JSON for raytracer_cluster_simulation."};
+  app.add_option("--scene", options.scene, "Name of a shipped scene, or a file");
+  app.add_option("--shipped", options.shipped, "Folder of the shipped scenes");
+  app.add_option("--width", options.width, "Pixels");
+  app.add_option("--height", options.height, "Pixels");
+  app.add_option("--samples", options.samples, "Samples per pixel");
+  app.add_option("--tasks", options.tasks, "Tasks that go through NATS")
+      ->check(CLI::Range(1, 100'000));
+  CLI11_PARSE(app, argc, argv);
+  measure_all(options);
+} catch (const std::exception& error) {
+  std::cerr << "raytracer_cluster_costs: " << error.what() << '\n';
+  return 1;
+}
