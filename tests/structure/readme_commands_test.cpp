@@ -1,4 +1,4 @@
-// Every command in README.md is run, so that none of them is wrong.
+// Every command in the READMEs for users is run, so that none of them is wrong.
 //
 // What counts are the ```sh blocks. A block that has <!-- not run: REASON --> on the line before it
 // is left out. The commands of all other blocks are run one after the other by sh, in a folder that
@@ -63,8 +63,8 @@ std::vector<std::string> commands_in(const std::string& block) {
 }
 
 /// The commands of all blocks that are to be run.
-std::vector<std::string> commands_of_readme() {
-  const std::string readme = read_file(source_dir / "README.md");
+std::vector<std::string> commands_of(const fs::path& file) {
+  const std::string readme = read_file(source_dir / file);
   static const std::regex block(R"((<!-- not run: \S[^\n]* -->\n+)?```sh\n([^`]*)```)");
   std::vector<std::string> commands;
   for (std::sregex_iterator match(readme.begin(), readme.end(), block), end; match != end;
@@ -152,19 +152,28 @@ class Reader {
 
 TEST(Readme, every_command_works) {
   ASSERT_TRUE(fs::exists(source_dir / "README.md")) << "there is no README.md";
-  const std::vector<std::string> commands = commands_of_readme();
+  const std::vector<std::string> commands = commands_of("README.md");
   EXPECT_GE(commands.size(), 3U) << "README.md has no ```sh blocks to speak of";
   Reader reader;
   for (const std::string& command : commands) reader.obey(command);
   EXPECT_EQ(reader.mistakes(), 1);
 }
 
+TEST(Readme, every_command_of_several_machines_works) {
+  const std::vector<std::string> commands = commands_of("server/deploy/README.md");
+  EXPECT_GE(commands.size(), 2U);
+  Reader reader;
+  for (const std::string& command : commands) reader.obey(command);
+}
+
 TEST(Readme, every_file_that_it_links_to_is_there) {
-  ASSERT_TRUE(fs::exists(source_dir / "README.md")) << "there is no README.md";
-  const std::string readme = read_file(source_dir / "README.md");
   static const std::regex link(R"(\]\(([^)#:\s]+)(#[^)]*)?\))");
-  for (std::sregex_iterator match(readme.begin(), readme.end(), link), end; match != end; ++match)
-    EXPECT_TRUE(fs::exists(source_dir / match->str(1))) << match->str(1);
+  for (const char* const file : {"README.md", "server/deploy/README.md"}) {
+    const std::string readme = read_file(source_dir / file);
+    const fs::path folder = (source_dir / file).parent_path();
+    for (std::sregex_iterator match(readme.begin(), readme.end(), link), end; match != end; ++match)
+      EXPECT_TRUE(fs::exists(folder / match->str(1))) << file << ": " << match->str(1);
+  }
 }
 
 TEST(Readme, says_the_choices_that_the_specification_left_open) {
