@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 using Words = std::vector<std::string>;
 
 const fs::path manual_dir = RAYTRACER_MANUAL_DIR;
-const Words commands{"render", "plan", "tradeoff", "validate", "scenes"};
+const Words commands{"render", "plan", "tradeoff", "validate", "convert", "scenes"};
 
 /// The long flags that --help lists.
 std::set<std::string> flags_of(const std::string& program, const Words& arguments) {
