@@ -141,6 +141,7 @@ TEST(BashCompletion, completes_shipped_scenes_and_files) {
   EXPECT_EQ(offers({"raytracer", "plan", "my"}, folder.path()), Words{"my scene.json"});
   EXPECT_EQ(offers({"raytracer", "render", "demo", "-o", "my"}, folder.path()),
             Words{"my scene.json"});
+  EXPECT_EQ(offers({"raytracer", "convert", ""}, folder.path()), Words{"my scene.json"});
   EXPECT_EQ(offers({"raytracer", "scenes", ""}, folder.path()), Words{});
 }
 
@@ -187,6 +188,7 @@ TEST_F(ZshCompletion, completes_options_with_what_help_says_and_their_values) {
 TEST_F(ZshCompletion, completes_shipped_scenes_and_files) {
   expect_completion("raytracer validate dem", "raytracer validate demo ");
   expect_completion("raytracer render my", "raytracer render my\\ scene.json ");
+  expect_completion("raytracer convert my", "raytracer convert my\\ scene.json ");
   expect_completion("raytracer render demo -o my", "raytracer render demo -o my\\ scene.json ");
 }
 
