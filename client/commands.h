@@ -24,9 +24,7 @@ AddCommand add_scenes;
 AddCommand add_cluster;
 
 /// In the order of --help.
-inline constexpr std::array all_commands{add_render,   add_plan,   add_tradeoff,
-                                         add_validate, add_scenes, add_cluster};
-inline constexpr std::array all_commands{add_render,   add_plan,    add_tradeoff,
-                                         add_validate, add_convert, add_scenes};
+inline constexpr std::array all_commands{add_render,  add_plan,   add_tradeoff, add_validate,
+                                         add_convert, add_scenes, add_cluster};
 
 }  // namespace raytracer::client
