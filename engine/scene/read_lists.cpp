@@ -89,6 +89,22 @@ std::optional<std::vector<double>> read(const Field& field, const NumberPerItemR
   return numbers;
 }
 
+std::optional<std::vector<double>> read(const Field& field, const NotBothZeroPerItemRule& rule) {
+  const NumberPerItemRule each{not_negative, rule.items};
+  auto numbers = read(field, each);
+  const auto others = read_sibling(field, rule.other, each);
+  if (!numbers || !others || numbers->empty() || others->empty()) return numbers;
+  const auto is_zero = [](const std::vector<double>& values, std::size_t i) {
+    return values[values.size() == 1 ? 0 : std::min(i, values.size() - 1)] == 0;
+  };
+  for (std::size_t i = 0; i < std::max(numbers->size(), others->size()); ++i)
+    if (is_zero(*numbers, i) && is_zero(*others, i))
+      field.errors.add(ErrorKind::invalid,
+                       field.value.is_array() ? field.path.child(i) : field.path,
+                       [&] { return NotBothZeroRule{rule.other}.complaint(0, 0); });
+  return numbers;
+}
+
 std::optional<std::vector<std::array<std::uint32_t, 3>>> read(const Field& field,
                                                               const TriplesRule& rule) {
   const auto array = read_array(field);

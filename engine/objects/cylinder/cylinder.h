@@ -110,7 +110,7 @@ void pack(const Cylinders& cylinders, Packing<PackedCylinder>& to);
 Box bounds(const PackedCylinder& cylinder);
 
 inline PixelRectangle footprint(const Projection& projection, const PackedCylinder& c) {
-  return projection.of_discs(c.end(false), c.end(true), c.axis, c.radius);
+  return projection.of_discs(c.end(false), c.radius, c.end(true), c.radius, c.axis);
 }
 
 /// From the origin to the surface, from outside of it; negative inside a closed cylinder.
@@ -143,7 +143,7 @@ void for_each_subpixel_piece(const PackedCylinder& c, const Projection& projecti
     const auto at = [&](double share) { return c.low + (c.high - c.low) * share / pieces; };
     const Vec3 one = c.foot + at(i) * c.axis;
     const Vec3 other = c.foot + at(i + 1) * c.axis;
-    const PixelRectangle seen = projection.of_discs(one, other, c.axis, c.radius);
+    const PixelRectangle seen = projection.of_discs(one, c.radius, other, c.radius, c.axis);
     const PixelRectangle across = projection.of_sphere(0.5 * (one + other), c.radius);
     const double piece_width = seen.x_end - seen.x_begin;
     const double piece_height = seen.y_end - seen.y_begin;
