@@ -153,50 +153,60 @@ class Oracle::Search {
     if (left || right) intersect_plane(corners[0], normal, part);
   }
 
-  void show(const Cylinder& c) { intersect_cylinder(c.from, c.to, c.radius, c.caps, 0); }
+  void show(const Cylinder& c) { intersect_cone({c.from, c.to, c.radius, c.radius, c.caps}, 0); }
 
   void show(const Cylinders& c) {
     for (std::size_t i = 0; i < c.from.size(); ++i)
-      intersect_cylinder(c.from[i], c.to[i], c.radius(i), c.caps, i);
+      intersect_cone({c.from[i], c.to[i], c.radius(i), c.radius(i), c.caps}, i);
+  }
+
+  void show(const Cone& c) { intersect_cone(c, 0); }
+
+  void show(const Cones& c) {
+    for (std::size_t i = 0; i < c.from.size(); ++i)
+      intersect_cone({c.from[i], c.to[i], c.radius_from(i), c.radius_to(i), c.caps}, i);
   }
 
   /// Side and caps, each root on its own; what leaves the outside does not meet it again.
-  void intersect_cylinder(const Vec3& from, const Vec3& to, Quad radius, bool caps,
-                          std::size_t part) {
+  void intersect_cone(const Cone& cone, std::size_t part) {
     if (leaves(part) && from_.kind != Kind::sphere_inside) return;
-    const QuadVec along = QuadVec(to) - QuadVec(from);
+    const QuadVec along = QuadVec(cone.to) - QuadVec(cone.from);
     const Quad size = length(along);
     const QuadVec axis = unit(along);
-    const QuadVec f = from_.point - relative(from, eye());
+    const Quad widening = (Quad(cone.radius_to) - Quad(cone.radius_from)) / size;
+    const QuadVec f = from_.point - relative(cone.from, eye());
     const Quad f_along = dot(f, axis);
     const Quad d_along = dot(direction_, axis);
     const QuadVec across = f - axis * f_along;
     const QuadVec slope = direction_ - axis * d_along;
-    const Quad a = dot(slope, slope);
-    const Quad b = -dot(across, slope);
+    const Quad radius = cone.radius_from + widening * f_along;
+    const Quad growth = widening * d_along;
+    const Quad a = dot(slope, slope) - growth * growth;
+    const Quad b = radius * growth - dot(across, slope);
     const Quad c = dot(across, across) - radius * radius;
     const Quad room = b * b - a * c;
-    if (a > 0 && room >= 0) {
-      const Quad s = square_root(room);
-      const Quad q = b >= 0 ? b + s : b - s;
-      const std::array<Quad, 2> roots{b >= 0 ? c / q : q / a, b >= 0 ? q / a : c / q};
+    const Quad s = square_root(room);
+    const Quad q = b >= 0 ? b + s : b - s;
+    if (room >= 0 && q != 0) {
+      const std::array<Quad, 2> roots{c / q, a != 0 ? q / a : c / q};
       for (const Quad t : roots) {
         const Quad place = f_along + t * d_along;
         if (!(place >= 0 && place <= size) || !counts(t)) continue;
-        const QuadVec outward = unit(across + slope * t);
+        const QuadVec outward = unit(unit(across + slope * t) - axis * widening);
         const bool inside = dot(outward, direction_) > 0;
         take(inside ? Kind::sphere_inside : Kind::sphere_outside, part, t,
-             inside ? outward * Quad(-1) : outward, radius);
+             inside ? outward * Quad(-1) : outward, 0);
       }
     }
-    if (!caps || d_along == 0) return;
-    for (const Quad end : {Quad(0), size}) {
-      const Quad t = (end - f_along) / d_along;
+    if (!cone.caps || d_along == 0) return;
+    for (const bool is_to : {false, true}) {
+      const Quad t = ((is_to ? size : Quad(0)) - f_along) / d_along;
       const QuadVec at = across + slope * t;
-      if (dot(at, at) > radius * radius || !counts(t)) continue;
-      const bool inside = (end > 0) == (d_along > 0);
+      const Quad rim = is_to ? cone.radius_to : cone.radius_from;
+      if (!(dot(at, at) < rim * rim) || !counts(t)) continue;
+      const bool inside = is_to == (d_along > 0);
       take(inside ? Kind::sphere_inside : Kind::sphere_outside, part, t,
-           d_along > 0 ? axis * Quad(-1) : axis, radius);
+           d_along > 0 ? axis * Quad(-1) : axis, 0);
     }
   }
 

@@ -31,7 +31,11 @@ inline json full_document() {
       {"type": "cylinder", "from": [0, 0, 0], "to": [0, 3, 0], "radius": 0.5, "caps": true,
        "material": {}},
       {"type": "cylinders", "from": [[0, 0, 0], [1, 0, 0]], "to": [[0, 1, 0], [1, 2, 0]],
-       "radius": [0.1, 0.2], "caps": false, "colors": ["#102030", [0, 1, 0.5]]}],
+       "radius": [0.1, 0.2], "caps": false, "colors": ["#102030", [0, 1, 0.5]]},
+      {"type": "cone", "from": [0, 0, 0], "to": [0, 3, 0], "radius_from": 0.5, "radius_to": 0,
+       "caps": true, "material": {}},
+      {"type": "cones", "from": [[0, 0, 0], [1, 0, 0]], "to": [[0, 1, 0], [1, 2, 0]],
+       "radius_from": [0, 0.2], "radius_to": 0.3, "caps": false, "colors": ["#102030", [0, 1, 0.5]]}],
     "render": {"samples": 4, "max_depth": 5, "precision": "auto", "transfer": "linear"}
   })");
 }

@@ -28,7 +28,12 @@ inline const nlohmann::json full_scene = nlohmann::json::parse(R"({
               {"type": "cylinder", "from": [0, 0, 0], "to": [0, 3, 0], "radius": 0.5,
                "caps": true},
               {"type": "cylinders", "from": [[0, 0, 0], [1, 0, 0]], "to": [[0, 1, 0], [1, 2, 0]],
-               "radius": [0.1, 0.2], "caps": false, "colors": ["#102030", [0, 1, 0.5]]}],
+               "radius": [0.1, 0.2], "caps": false, "colors": ["#102030", [0, 1, 0.5]]},
+              {"type": "cone", "from": [0, 0, 0], "to": [0, 3, 0], "radius_from": 0.5,
+               "radius_to": 0, "caps": true},
+              {"type": "cones", "from": [[0, 0, 0], [1, 0, 0]], "to": [[0, 1, 0], [1, 2, 0]],
+               "radius_from": [0, 0.2], "radius_to": 0.3, "caps": false,
+               "colors": ["#102030", [0, 1, 0.5]]}],
   "render": {"samples": 4, "max_depth": 5, "precision": "auto", "transfer": "linear"}
 })");
 
@@ -83,6 +88,8 @@ inline const std::vector<Change> right_changes{
     without("/objects/6/caps"),
     without("/objects/6/colors"),
     set("/objects/6/radius", "1e9"),
+    set("/objects/7/radius_to", "0.25"),
+    set("/objects/8/radius_from", "0"),
     set("/materials/red", "{}"),
     set("/materials/red/shininess", "0"),
     set("/render", "{}"),
@@ -200,6 +207,13 @@ inline const std::vector<Change> wrong_changes{
     set("/objects/6/caps", "[true, false]"),
     set("/objects/6/colors", "[[0, 1, 1.5], [0, 1, 0.5]]"),
     set("/objects/6/centers", "[[0, 0, 0], [1, 0, 0]]"),
+    without("/objects/7/radius_from"),
+    without("/objects/7/radius_to"),
+    set("/objects/7/radius_from", "-1"),
+    set("/objects/7/radius_to", "[0.5]"),
+    set("/objects/7/radius", "1"),
+    set("/objects/8/radius_from", "[0.1, -0.2]"),
+    without("/objects/8/radius_to"),
     set("/render", "[]"),
     set("/render/samples", "0"),
     set("/render/samples", "1.5"),
@@ -227,6 +241,8 @@ inline const std::vector<Change> wrong_beyond_schema{
     set("/objects/6/to", "[[0, 1, 0]]"),             // as many as `from`
     set("/objects/6/radius", "[0.1]"),
     set("/objects/6/colors", "[\"#102030\"]"),
+    set("/objects/7/radius_from", "0"),  // not 0 at both ends
+    set("/objects/8/radius_to", "[0, 1]"),
     set("/objects/4/triangles", "[[0, 1, 3]]"),  // indices below the vertices' number
 };
 
