@@ -63,6 +63,13 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
     return input;
   }
 
+  function choice(label, pointer, words) {
+    const select = element("select", { ariaLabel: label }, ...words.map((word) => element("option", { value: word }, word.replace("_", " "))));
+    select.addEventListener("change", () => onEdit(pointer, select.value));
+    fields.push({ pointer, read(value) { select.value = value ?? words[0]; } });
+    return select;
+  }
+
   const point = (label, pointer) => ["x", "y", "z"].map((axis, index) => labelled(axis, number(`${label}, ${axis}`, `${pointer}/${index}`)));
 
   function make(scene) {
@@ -102,7 +109,8 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
       const name = `Light ${index + 1}`;
       return row(name, `${light?.type}, ${where}`, [
         colour(`${name}, colour`, `${pointer}/color`), ...point(`${name}, ${where}`, `${pointer}/${where}`),
-        labelled("intensity", number(`${name}, intensity`, `${pointer}/intensity`, { min: 0 }))]);
+        labelled("intensity", number(`${name}, intensity`, `${pointer}/intensity`, { min: 0 })),
+        ...(where === "position" ? [labelled("falloff", choice(`${name}, falloff`, `${pointer}/falloff`, ["inverse_square", "none"]))] : [])]);
     });
     if (lights.length > 0) groups.push(group("Lights", lights));
     groups.push(group("Surroundings", [

@@ -104,8 +104,8 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
   });
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const PackedLight& light = scene.lights[i];
-    packed.lights.push_back(
-        {light.kind, light.rays, narrowed<T>(light.place), saturated<T>(light.emission), i});
+    packed.lights.push_back({light.kind, light.rays, narrowed<T>(light.place),
+                             saturated<T>(light.emission), light.fades, i});
   }
   packed.fetches_light_cells = exceed_caches(packed.geometry);
   packed.background = narrowed<T>(scene.background);

@@ -315,7 +315,8 @@ QuadVec Oracle::shade(const Place& place, const QuadVec& view) const {
       distance = length(path);
       if (distance == 0) continue;
       towards = unit(path);
-      share = share / (4 * pi() * distance * distance);
+      if (point.falloff == Falloff::inverse_square)
+        share = share / (4 * pi() * distance * distance);
     }
     const Quad incidence = dot(place.normal, towards);
     if (!(incidence > 0) || is_hidden(place, towards, distance)) continue;

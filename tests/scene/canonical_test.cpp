@@ -64,6 +64,10 @@ TEST(CanonicalBytes, differ_for_every_value_that_can_change_a_pixel) {
   expect_new("/lights/0/direction", {0, -1, 1e-9});
   expect_new("/lights/0/color", {1, 1, 0.5});
   expect_new("/lights/0/intensity", 2);
+  json lamp{{"type", "point"}, {"position", {0, 0, 0}}};
+  expect_new("/lights/0", lamp);
+  lamp["falloff"] = "none";
+  expect_new("/lights/0", lamp);
   expect_new("/lights/0", {{"type", "point"}, {"position", {0, -1, 0}}});
   expect_new("/materials/red/color", "#fe0000");
   expect_new("/materials/red/ka", 0.5);

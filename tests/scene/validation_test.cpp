@@ -142,6 +142,7 @@ const std::vector<Wrong> wrong_lights{
     {"LightColorTooBright", "/lights/1/color", {2, 0, 0}, {{"/lights/1/color/0", range}}},
     at("IntensityNegative", "/lights/0/intensity", -1, range),
     at("IntensityText", "/lights/1/intensity", "bright", number),
+    at("FalloffOther", "/lights/1/falloff", "linear", "\"inverse_square\", \"none\""),
 };
 
 const std::vector<Wrong> wrong_materials{

@@ -15,7 +15,8 @@ inline const nlohmann::json full_scene = nlohmann::json::parse(R"({
   "background": "#87ccEB", "ambient": 0.2, "shadows": "ambient",
   "lights": [{"type": "distant", "direction": [-0.6, -1, 0.7], "color": [1, 1, 1],
               "intensity": 0.9},
-             {"type": "point", "position": [0, 10, 0], "color": "#ffeedd", "intensity": 1500}],
+             {"type": "point", "position": [0, 10, 0], "color": "#ffeedd", "intensity": 1500,
+              "falloff": "inverse_square"}],
   "materials": {"red": {"color": [0.9, 0.2, 0.2], "ka": 1, "kd": 0.7, "ks": 0.3, "shininess": 50,
                         "reflectivity": 0}},
   "objects": [{"type": "sphere", "center": [-2.5, 0, 0], "radius": 2, "material": "red"},
@@ -97,6 +98,7 @@ inline const std::vector<Change> right_changes{
     set("/render", "{\"target_rmse\": 0.5, \"budget_ms\": 1e9}"),
     set("/render/max_depth", "0"),
     set("/lights/0/intensity", "0"),
+    set("/lights/1/falloff", "\"none\""),
 };
 
 /// Wrong, and the schema can say so.
@@ -144,6 +146,8 @@ inline const std::vector<Change> wrong_changes{
     set("/lights/0/intensity", "-1"),
     set("/lights/0/color", "[2, 0, 0]"),
     without("/lights/1/position"),
+    set("/lights/1/falloff", "\"linear\""),
+    set("/lights/0/falloff", "\"none\""),
     set("/lights/1/direction", "[0, 0, 1]"),
     set("/materials", "[]"),
     set("/materials/red", "1"),
