@@ -106,6 +106,10 @@ struct PointsRule {};
 struct OtherPointPerItemRule {
   std::string_view items;
 };
+/// One direction for each item of the list under another key.
+struct DirectionPerItemRule {
+  std::string_view items;
+};
 /// One number for all, or one for each item of the list under another key.
 struct NumberPerItemRule {
   ValueRange range;

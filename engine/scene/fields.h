@@ -115,6 +115,7 @@ std::optional<Vec3> read(const Field& field, const DirectionRule& rule);
 std::optional<Rgb> read(const Field& field, const ColorRule& rule);
 std::optional<std::vector<Vec3>> read(const Field& field, const PointsRule& rule);
 std::optional<std::vector<Vec3>> read(const Field& field, const OtherPointPerItemRule& rule);
+std::optional<std::vector<Vec3>> read(const Field& field, const DirectionPerItemRule& rule);
 std::optional<std::vector<double>> read(const Field& field, const NumberPerItemRule& rule);
 std::optional<std::vector<double>> read(const Field& field, const NotBothZeroPerItemRule& rule);
 std::optional<std::vector<Rgb>> read(const Field& field, const ColorPerItemRule& rule);

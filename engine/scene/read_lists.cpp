@@ -64,6 +64,12 @@ std::optional<std::vector<Vec3>> read(const Field& field, const OtherPointPerIte
   return points;
 }
 
+std::optional<std::vector<Vec3>> read(const Field& field, const DirectionPerItemRule& rule) {
+  auto directions = read_list(field, DirectionRule{}, Vec3{});
+  if (directions && !has_one_for_each(field, directions->size(), "vector", rule.items)) return {};
+  return directions;
+}
+
 std::optional<std::vector<Rgb>> read(const Field& field, const ColorPerItemRule& rule) {
   auto colors = read_list(field, ColorRule{}, Rgb{});
   if (colors && !has_one_for_each(field, colors->size(), "color", rule.items)) return {};

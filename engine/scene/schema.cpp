@@ -52,6 +52,7 @@ struct SchemaOf {
   }
   Json operator()(const PointsRule&) const { return list_of(reference("point")); }
   Json operator()(const OtherPointPerItemRule&) const { return list_of(reference("point")); }
+  Json operator()(const DirectionPerItemRule&) const { return list_of(reference("direction")); }
   Json operator()(const NumberPerItemRule& rule) const {
     const Json one = (*this)(NumberRule{rule.range});
     return {{"oneOf", {one, list_of(one)}}};

@@ -77,7 +77,8 @@ class Oracle::Search {
   }
 
   void take(Kind kind, std::size_t part, Quad t, const QuadVec& normal, Quad radius) {
-    best_ = {kind, object_, part, from_.point + direction_ * t, normal, radius, t};
+    best_ = {kind, object_, part, from_.point + direction_ * t, normal, {}, {}, false, radius, t};
+    ++best_count_;
   }
 
   void intersect_sphere(const QuadVec& center, Quad radius, std::size_t part) {
@@ -133,8 +134,28 @@ class Oracle::Search {
       std::array<QuadVec, 3> corners;
       for (std::size_t k = 0; k < 3; ++k)
         corners[k] = relative(m.vertices[m.triangles[i][k]], eye());
+      const std::size_t before = best_count_;
       intersect_triangle(corners, i);
+      if (best_count_ > before) take_corner_values(m, corners, i);
     }
+  }
+
+  /// What the corners of the nearest, triangle i of a mesh, tell where it is met.
+  void take_corner_values(const Mesh& m, const std::array<QuadVec, 3>& corners, std::size_t i) {
+    const QuadVec across = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const Quad area = dot(across, across);
+    QuadVec normal;
+    QuadVec tint;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const QuadVec side = corners[(k + 2) % 3] - corners[(k + 1) % 3];
+      const Quad weight = dot(across, cross(side, best_.point - corners[(k + 1) % 3])) / area;
+      const std::size_t corner = m.triangles[i][k];
+      if (!m.normals.empty()) normal = normal + unit(QuadVec(m.normals[corner])) * weight;
+      if (!m.vertex_colors.empty()) tint = tint + QuadVec(m.vertex_colors[corner]) * weight;
+    }
+    best_.shading = unit(normal) * (dot(across, best_.normal) < 0 ? -1 : 1);
+    best_.tint = tint;
+    best_.is_tinted = !m.vertex_colors.empty();
   }
 
   void intersect_triangle(const std::array<QuadVec, 3>& corners, std::size_t part) {
@@ -288,6 +309,7 @@ class Oracle::Search {
   const QuadVec direction_;
   std::size_t object_ = 0;
   Place best_;
+  std::size_t best_count_ = 0;  ///< how often it has changed
 };
 
 bool Oracle::is_hidden(const Place& place, const QuadVec& towards, Quad distance) const {
@@ -301,7 +323,9 @@ QuadVec Oracle::shade(const Place& place, const QuadVec& view) const {
   const Quad ambient = static_cast<Quad>(m.ka) * scene_.ambient;
   const bool brings_ambient = scene_.shadows == Shadows::black;
   std::array<Quad, 3> sum{};
-  const std::array<double, 3> color{m.color.x, m.color.y, m.color.z};
+  const QuadVec tint = place.is_tinted ? place.tint : QuadVec(m.color);
+  const std::array<Quad, 3> color{tint.x, tint.y, tint.z};
+  const QuadVec& normal = shading_normal(place);
   if (!brings_ambient) sum = {ambient * color[0], ambient * color[1], ambient * color[2]};
   for (const Light& light : scene_.lights) {
     QuadVec towards;
@@ -318,11 +342,12 @@ QuadVec Oracle::shade(const Place& place, const QuadVec& view) const {
       if (point.falloff == Falloff::inverse_square)
         share = share / (4 * pi() * distance * distance);
     }
-    const Quad incidence = dot(place.normal, towards);
-    if (!(incidence > 0) || is_hidden(place, towards, distance)) continue;
+    const Quad incidence = dot(normal, towards);
+    if (!(incidence > 0 && dot(place.normal, towards) > 0) || is_hidden(place, towards, distance))
+      continue;
     const QuadVec half = unit(towards + view);
     const Quad direct =
-        (m.kd * incidence + m.ks * static_cast<Quad>(power(dot(half, place.normal), m.shininess))) *
+        (m.kd * incidence + m.ks * static_cast<Quad>(power(dot(half, normal), m.shininess))) *
         share;
     const std::array<double, 3> light_color{light.color.x, light.color.y, light.color.z};
     for (std::size_t c = 0; c < 3; ++c)
@@ -341,7 +366,11 @@ QuadVec Oracle::radiance(QuadVec direction) const {
     sum = sum + shade(met, direction * Quad(-1)) * weight;
     weight *= scene_.materials[scene_.objects[met.object].material].reflectivity;
     if (!(weight > 0) || depth == scene_.render.max_depth) return sum;
-    direction = unit(direction - met.normal * (2 * dot(direction, met.normal)));
+    const auto mirrored = [&](const QuadVec& normal) {
+      return unit(direction - normal * (2 * dot(direction, normal)));
+    };
+    const QuadVec above = mirrored(shading_normal(met));
+    direction = dot(above, met.normal) > 0 ? above : mirrored(met.normal);
     place = met;
   }
 }

@@ -25,7 +25,8 @@ inline const nlohmann::json full_scene = nlohmann::json::parse(R"({
               {"type": "spheres", "centers": [[0, 0, 0], [1, 0, 0]], "radius": [0.1, 0.2]},
               {"type": "plane", "point": [0, -4, 0], "normal": [0, 1, 0]},
               {"type": "mesh", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]],
-               "triangles": [[0, 1, 2]]},
+               "triangles": [[0, 1, 2]], "normals": [[0, 0, 1], [0.5, 0, 2], [0, 0, 3]],
+               "colors": ["#102030", [0, 1, 0.5], [1, 1, 1]]},
               {"type": "cylinder", "from": [0, 0, 0], "to": [0, 3, 0], "radius": 0.5,
                "caps": true},
               {"type": "cylinders", "from": [[0, 0, 0], [1, 0, 0]], "to": [[0, 1, 0], [1, 2, 0]],
@@ -83,6 +84,8 @@ inline const std::vector<Change> right_changes{
     set("/objects/2/centers", "[[0, 0, 0], [0, 0, 0]]"),
     set("/objects/3/normal", "[0, -3e-5, 0]"),
     set("/objects/4/triangles", "[]"),
+    without("/objects/4/normals"),
+    without("/objects/4/colors"),
     set("/objects/2/colors", "[\"#102030\", [0, 0, 1]]"),
     without("/objects/5/caps"),
     set("/objects/5/caps", "false"),
@@ -189,6 +192,9 @@ inline const std::vector<Change> wrong_changes{
     set("/objects/4/triangles", "[[0, 1, -1]]"),
     set("/objects/4/triangles", "[[0, 1, 0.5]]"),
     set("/objects/4/vertices", "[[0, 0, 0], 1]"),
+    set("/objects/4/normals", "[[0, 0, 1], [0, 0, 0], [0, 0, 1]]"),
+    set("/objects/4/normals", "[0, 0, 1]"),
+    set("/objects/4/colors", "[\"#102030\", \"red\", \"#102030\"]"),
     set("/objects/2/colors", "\"#102030\""),
     set("/objects/2/colors", "[\"red\", \"#102030\"]"),
     without("/objects/5/from"),
@@ -247,6 +253,8 @@ inline const std::vector<Change> wrong_beyond_schema{
     set("/objects/6/colors", "[\"#102030\"]"),
     set("/objects/7/radius_from", "0"),  // not 0 at both ends
     set("/objects/8/radius_to", "[0, 1]"),
+    set("/objects/4/normals", "[[0, 0, 1]]"),  // as many as vertices
+    set("/objects/4/colors", "[\"#102030\"]"),
     set("/objects/4/triangles", "[[0, 1, 3]]"),  // indices below the vertices' number
 };
 

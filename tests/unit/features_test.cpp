@@ -1,8 +1,9 @@
 // What of shading and geometry a scene needs: what no pixel can show does not count.
 #include "engine/scene/features.h"
-#include "engine/scene/scene.h"
 
 #include <gtest/gtest.h>
+
+#include "engine/scene/scene.h"
 
 namespace raytracer::test {
 namespace {
@@ -26,7 +27,8 @@ TEST(Features, count_primitives_by_kind) {
   scene.objects.push_back({Spheres{{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {0.1}, {}}, 0});
   scene.objects.push_back({SphereSquare{{0, -3, 0}, 1, 1000, Axes::xz}, 0});
   scene.objects.push_back({Plane{{0, -9, 0}, {0, 1, 0}}, 0});
-  scene.objects.push_back({Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, 0});
+  scene.objects.push_back(
+      {Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}, {}, {}}, 0});
   const Features features = find_features(scene);
   EXPECT_EQ(features.primitives[kind_index<SphereKind>], 4U);
   EXPECT_EQ(features.primitives[kind_index<LatticeKind>], 1U);

@@ -114,6 +114,25 @@ std::string rough_sheet(int side, const std::string& material) {
                      vertices, triangles, material);
 }
 
+std::string smooth_sheet(int side, const std::string& material) {
+  std::string sheet = rough_sheet(side, material);
+  std::mt19937_64 random(static_cast<std::uint64_t>(side));
+  std::uniform_real_distribution<double> turn(-0.8, 0.8);
+  std::uniform_real_distribution<double> channel(0, 1);
+  std::string normals;
+  std::string colors;
+  for (int i = 0; i < (side + 1) * (side + 1); ++i) {
+    const char* const comma = i == 0 ? "" : ",";
+    normals += fmt::format("{}[{}, {}, {}]", comma, turn(random), -1, turn(random));
+    colors +=
+        fmt::format("{}[{}, {}, {}]", comma, channel(random), channel(random), channel(random));
+  }
+  sheet.pop_back();
+  const bool is_colored = side % 2 == 0;
+  return sheet + fmt::format(R"(, "normals": [{}]{}}})", normals,
+                             is_colored ? fmt::format(R"(, "colors": [{}])", colors) : "");
+}
+
 std::string random_triangles(int count, const std::string& material) {
   std::mt19937_64 random(static_cast<std::uint64_t>(count));
   std::uniform_real_distribution<double> place(-16, 16);

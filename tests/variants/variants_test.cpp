@@ -113,6 +113,14 @@ std::vector<NamedScene> scenes() {
     const std::string under =
         " under " + std::to_string(std::count(lights.begin(), lights.end(), '{')) + " lights";
     scenes.push_back({"sheet" + under, with_objects(rough_sheet(70, matt) + "," + floor, lights)});
+    for (const int side : {12, 41})
+      scenes.push_back(
+          {"smooth sheet" + under, with_objects(smooth_sheet(side, matt) + "," + floor + "," +
+                                                    random_spheres(20, 0.3, mirror),
+                                                lights)});
+    scenes.push_back(
+        {"smooth mirror" + under,
+         with_objects(smooth_sheet(8, mirror) + "," + random_spheres(20, 0.3, matt), lights)});
     scenes.push_back(
         {"mirroring sheet" + under,
          with_objects(rough_sheet(9, mirror) + "," + random_spheres(200, 0.3, mirror), lights)});
