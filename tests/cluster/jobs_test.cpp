@@ -48,6 +48,22 @@ TEST_F(ClusterJobs, another_front_answers_for_a_job) {
     expect_problem(get(*front, job), 404, "job");
 }
 
+TEST_F(ClusterJobs, no_front_says_less_than_another_did) {
+  const ServerProcess& one = start_front();
+  const ServerProcess& other = start_front();
+  start_worker();
+  ASSERT_TRUE(has_workers(other, 1));
+  for (int i = 0; i < 10; ++i) {
+    const std::string job = post_job(one, "", as_another_picture(square_scene(64, 1), i));
+    ASSERT_TRUE(eventually([&] {
+      EXPECT_NE(status_of(other, job), "failed");
+      return status_of(one, job) == "done";
+    }));
+    EXPECT_TRUE(get(other, job + "/image").has_header("ETag")) << "it is a preview";
+    EXPECT_EQ(status_of(other, job), "done");
+  }
+}
+
 TEST_F(ClusterJobs, curve_is_measured_by_a_worker) {
   const ServerProcess& one = start_front();
   const ServerProcess& other = start_front();
