@@ -26,7 +26,7 @@ define test_in
 	$(3) ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
 endef
 
-.PHONY: all test check sanitize tsan bench tradeoff extremes contracts fuzz load soak install clean help
+.PHONY: all test check sanitize tsan bench tradeoff extremes contracts fuzz load soak chaos install clean help
 
 all:
 	$(call configure,build)
@@ -122,6 +122,14 @@ soak:
 	@cmake --build build --parallel $(JOBS) --target raytracer_soak
 	@build/raytracer_soak $(soak_seconds)
 
+# Kills workers, fronts and NATS with -9 while jobs run; fails if one job suffers.
+ROUNDS ?= 200
+chaos:
+	.ci/install build test
+	$(call configure,build,-DRAYTRACER_TESTS=ON)
+	@cmake --build build --parallel $(JOBS) --target raytracer_cluster_chaos
+	@build/raytracer_cluster_chaos --rounds $(ROUNDS) --seed $(SEED)
+
 # DESTDIR, as packagers use it, is read by cmake itself.
 install: all
 	cmake --install build --prefix $(PREFIX)
@@ -142,6 +150,7 @@ help:
 	@echo "make fuzz      a minute each of random documents, scenes and NFF files, with libFuzzer"
 	@echo "make load      small pictures a second against /healthz, with wrk"
 	@echo "make soak      ten minutes of mixed traffic: no memory, thread or descriptor is lost"
+	@echo "make chaos     a cluster whose parts are killed (ROUNDS=$(ROUNDS) SEED=$(SEED)): is every job done, and right?"
 	@echo "make install   programs, library, man pages, completions to PREFIX ($(PREFIX)), below DESTDIR"
 	@echo "make clean     remove what was built"
 

@@ -139,7 +139,10 @@ std::shared_ptr<const Job> SharedJobs::at(const std::string& id) {
     const auto record = parts_.store.job(id);
     if (!record || record->has_client) refuse_unknown_job(id);
     std::shared_ptr<const SharedJob> job = watched_.find(id);
-    if (job) return std::shared_ptr<const Job>(job);
+    if (job) {
+      job->look_again();
+      return std::shared_ptr<const Job>(job);
+    }
     job = std::make_shared<const SharedJob>(*record, parts_.store, parts_.news);
     watched_.keep(id, job, bytes_of(*record));
     return std::shared_ptr<const Job>(job);
