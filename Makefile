@@ -26,7 +26,8 @@ define test_in
 	$(3) ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
 endef
 
-.PHONY: all test check sanitize tsan bench tradeoff extremes contracts fuzz cluster-simulation load soak install clean help
+.PHONY: all test check sanitize tsan bench tradeoff extremes contracts fuzz cluster-simulation load soak chaos install \
+  clean help
 
 all:
 	$(call configure,build)
@@ -95,18 +96,20 @@ contracts:
 	build/raytracer_random_contracts --seed $(SEED) --scenes $(SCENES) \
 	  --commit "$(commit)"
 
-# Both start from the shipped scenes and the extremes. A finding is left in build-fuzz.
+# They start from the shipped scenes, the extremes and the tests' files. A finding is left in build-fuzz.
 fuzz_sanitizers = address$(comma)undefined$(comma)fuzzer-no-link
 fuzz_seconds ?= 60
 fuzz:
 	.ci/install build test fuzz
 	$(call configure,build-fuzz,-DRAYTRACER_TESTS=ON -DRAYTRACER_FUZZ=ON \
 	  -DCMAKE_CXX_COMPILER=clang++ -DRAYTRACER_SANITIZE=$(fuzz_sanitizers))
-	@cmake --build build-fuzz --parallel $(JOBS) --target fuzz_read_scene fuzz_render
-	@mkdir -p build-fuzz/documents build-fuzz/scenes
+	@cmake --build build-fuzz --parallel $(JOBS) --target fuzz_read_scene fuzz_render fuzz_read_nff
+	@mkdir -p build-fuzz/documents build-fuzz/scenes build-fuzz/nff
 	cd build-fuzz && ./fuzz_read_scene -max_total_time=$(fuzz_seconds) -timeout=10 \
 	  -dict=../tests/fuzz/scene.dict -max_len=4096 documents ../server/scenes ../tests/extremes/scenes
 	cd build-fuzz && ./fuzz_render -max_total_time=$(fuzz_seconds) -timeout=20 -max_len=600 scenes
+	cd build-fuzz && ./fuzz_read_nff -max_total_time=$(fuzz_seconds) -timeout=10 \
+	  -dict=../tests/fuzz/nff.dict -max_len=4096 nff ../tests/formats/files
 
 # Measures what tasks cost here, and from that how far a cluster goes.
 cluster_runs = tests/measure/cluster/runs
@@ -132,6 +135,14 @@ soak:
 	@cmake --build build --parallel $(JOBS) --target raytracer_soak
 	@build/raytracer_soak $(soak_seconds)
 
+# Kills workers, fronts and NATS with -9 while jobs run; fails if one job suffers.
+ROUNDS ?= 200
+chaos:
+	.ci/install build test
+	$(call configure,build,-DRAYTRACER_TESTS=ON)
+	@cmake --build build --parallel $(JOBS) --target raytracer_cluster_chaos
+	@build/raytracer_cluster_chaos --rounds $(ROUNDS) --seed $(SEED)
+
 # DESTDIR, as packagers use it, is read by cmake itself.
 install: all
 	cmake --install build --prefix $(PREFIX)
@@ -149,10 +160,11 @@ help:
 	@echo "make contracts targets on random scenes (SEED=$(SEED) SCENES=$(SCENES)): are they kept, and told truly?"
 	@echo "make bench     times beside other renderers; SCENE=FILE for any document"
 	@echo "make extremes  scenes at the extremes against exact pictures, other renderers beside it"
-	@echo "make fuzz      a minute each of random documents and of random scenes, with libFuzzer"
+	@echo "make fuzz      a minute each of random documents, scenes and NFF files, with libFuzzer"
 	@echo "make cluster-simulation  how far many machines go, from what tasks cost here"
 	@echo "make load      small pictures a second against /healthz, with wrk"
 	@echo "make soak      ten minutes of mixed traffic: no memory, thread or descriptor is lost"
+	@echo "make chaos     a cluster whose parts are killed (ROUNDS=$(ROUNDS) SEED=$(SEED)): is every job done, and right?"
 	@echo "make install   programs, library, man pages, completions to PREFIX ($(PREFIX)), below DESTDIR"
 	@echo "make clean     remove what was built"
 

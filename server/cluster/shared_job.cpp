@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "server/cluster/answered.h"
 #include "server/cluster/members.h"
 
 namespace raytracer {
@@ -28,22 +29,32 @@ SharedJob::SharedJob(const JobRecord& record, ClusterStore& store, News& news)
       collector_(store) {}
 
 void SharedJob::look() const {
-  if (result_ || is_removed_ || Clock::now() - looked_ < between_looks) return;
+  if (Clock::now() - looked_ < between_looks) return;
   try {
-    std::optional<JobRecord> record = store_.job(request.id);
-    if (!record) {
-      is_removed_ = true;
-      return;
-    }
-    record_ = *std::move(record);
-    collector_.collect(record_);
-    if (collector_.is_complete(record_))
-      result_ = collector_.take_result();
-    else
-      look_for_workers();
-    looked_ = Clock::now();
+    look_now();
   } catch (const NatsUnavailable&) {  // NOLINT: what was known last is said
   }
+}
+
+void SharedJob::look_now() const {
+  if (result_ || is_removed_) return;
+  std::optional<JobRecord> record = store_.job(request.id);
+  if (!record) {
+    is_removed_ = true;
+    return;
+  }
+  record_ = *std::move(record);
+  collector_.collect(record_);
+  if (collector_.is_complete(record_))
+    result_ = collector_.take_result();
+  else
+    look_for_workers();
+  looked_ = Clock::now();
+}
+
+void SharedJob::look_again() const {
+  const std::scoped_lock lock(mutex_);
+  looked_ = {};
 }
 
 void SharedJob::look_for_workers() const {
@@ -99,7 +110,7 @@ const JobResult* SharedJob::result() const {
 
 std::optional<Image> SharedJob::image_so_far() const {
   const std::scoped_lock lock(mutex_);
-  look();
+  answered([&] { look_now(); });
   if (has_ended(status())) return {};
   if (std::optional<Image> image = collector_.image_so_far()) return image;
   Image black(request.width, request.height);

@@ -15,15 +15,20 @@
 
 namespace raytracer {
 
-/// While NATS is away it says what it knew last.
+/// While NATS is away its state is what was known last.
 class SharedJob : public Job {
  public:
   /// Both must outlive it.
   SharedJob(const JobRecord& record, ClusterStore& store, News& news);
 
+  /// What is asked for next is as it is then, not as it was a moment ago: whoever heard from
+  /// another front that it is done shall not hear less here.
+  void look_again() const;
+
   JobState state() const override;
   void wait_for_end(std::chrono::milliseconds longest) const override;
   const JobResult* result() const override;
+  /// Throws HttpError 503.
   std::optional<Image> image_so_far() const override;
   Sharing sharing() const override;
 
@@ -31,7 +36,8 @@ class SharedJob : public Job {
   using Clock = std::chrono::steady_clock;
 
   // With the mutex held.
-  void look() const;
+  void look() const;      ///< unless that was a moment ago
+  void look_now() const;  ///< throws as ClusterStore does
   void look_for_workers() const;
   JobStatus status() const;
   std::string detail() const;

@@ -113,7 +113,7 @@ std::shared_ptr<const Job> SharedJobs::accept(JobTask task, SceneView view,
 }
 
 JobRecord SharedJobs::begin_render(const SceneView& view, const httplib::Params& query,
-                                   const Cut& cut, bool is_8_bit) {
+                                   const TaskCut& cut, bool is_8_bit) {
   return answered([&] {
     require_room();
     JobRecord record = new_record(JobTask::render, view, query);
@@ -128,7 +128,7 @@ JobRecord SharedJobs::begin_render(const SceneView& view, const httplib::Params&
   });
 }
 
-void SharedJobs::queue_all(JobRecord record, const Cut& cut) {
+void SharedJobs::queue_all(JobRecord record, const TaskCut& cut) {
   std::vector<int> tasks(static_cast<std::size_t>(cut.task_count));
   std::iota(tasks.begin(), tasks.end(), 0);
   parts_.store.queue_tasks(record, tasks);
@@ -139,7 +139,10 @@ std::shared_ptr<const Job> SharedJobs::at(const std::string& id) {
     const auto record = parts_.store.job(id);
     if (!record || record->has_client) refuse_unknown_job(id);
     std::shared_ptr<const SharedJob> job = watched_.find(id);
-    if (job) return std::shared_ptr<const Job>(job);
+    if (job) {
+      job->look_again();
+      return std::shared_ptr<const Job>(job);
+    }
     job = std::make_shared<const SharedJob>(*record, parts_.store, parts_.news);
     watched_.keep(id, job, bytes_of(*record));
     return std::shared_ptr<const Job>(job);

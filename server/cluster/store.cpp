@@ -13,6 +13,8 @@
 namespace raytracer {
 namespace {
 
+using std::chrono::milliseconds;
+
 constexpr std::size_t chunk_bytes = 512 << 10;  // NATS takes 1 MB unless it is told otherwise
 /// Above 31 MB server 2.9.10 loses acknowledged messages in a crash.
 constexpr std::size_t most_result_bytes_at_once = 4'000'000;
@@ -89,9 +91,13 @@ std::string ClusterStore::digest_of(std::string_view document) {
 
 void ClusterStore::put_document(const std::string& digest, std::string_view document) {
   const std::string subject = "raytracer.scene.text." + digest;
-  // The head comes last: where it is, all chunks are.
-  if (nats_.get("raytracer_scenes", subject)) return;
   const std::size_t count = chunks_in(document.size());
+  // Chunks were stored before the head, so they go before it.
+  const auto head = nats_.get("raytracer_scenes", subject);
+  if (head && 2 * (now_ms() - head->time_ms) < milliseconds(limits_.longest_kept).count() &&
+      nats_.subjects("raytracer_scenes", fmt::format("raytracer.scene.chunk.{}.*", digest))
+              .size() == count)
+    return;
   for (std::size_t i = 0; i < count; ++i)
     nats_.put(fmt::format("raytracer.scene.chunk.{}.{}", digest, i), chunk(document, i));
   nats_.put(subject, in_parts(count));

@@ -79,7 +79,7 @@ class ClusterStore {
 
   /// The digest under which a text is stored.
   static std::string digest_of(std::string_view document);
-  /// Stores the text in chunks, unless it is stored.
+  /// Stores the text in chunks, unless it is stored and stays so for half as long as jobs do.
   void put_document(const std::string& digest, std::string_view document);
   /// Throws NatsRefused if it is no longer there.
   std::string document(const std::string& digest);

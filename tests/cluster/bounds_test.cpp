@@ -1,0 +1,118 @@
+// What a cluster holds is bounded: its queue, its store, what is left over, what travels.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "tests/cluster/cluster_test.h"
+#include "tests/cluster/stored.h"
+#include "tests/service/documents.h"
+
+namespace raytracer::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class ClusterBounds : public ClusterTest {};
+
+TEST_F(ClusterBounds, queue_is_bounded) {
+  for (const char* const most : {"0", "1"}) {
+    const ServerProcess& front = start_front({"--max-queue", most});
+    if (worker_count(front) == 0) start_worker();
+    ASSERT_TRUE(has_workers(front, 1));
+    std::vector<std::string> jobs;
+    // Fewer wait at the front than may be open in the cluster: the front may refuse first.
+    ASSERT_TRUE(eventually([&] {
+      const Answer answer = post(front, "/jobs", endless_scene());
+      if (answer.status == 202) {
+        jobs.push_back(answer.get_header_value("Location"));
+        return jobs.size() > 20;
+      }
+      EXPECT_EQ(answer.status, 429) << answer.body;
+      EXPECT_TRUE(answer.has_header("Retry-After"));
+      return answer.body.find("cluster") != std::string::npos;
+    }));
+    EXPECT_LE(jobs.size(), 4U + std::stoul(most) + 4U);
+    for (const std::string& job : jobs) EXPECT_EQ(request(front, "DELETE", job).status, 204);
+    EXPECT_TRUE(eventually([&] { return task_count(front) == 0; }));
+    EXPECT_TRUE(ends_done(front, post_job(front, "", small_scene)));
+  }
+}
+
+TEST_F(ClusterBounds, full_store_is_said_and_has_room_again_when_jobs_are_deleted) {
+  const Flags least{"--max-stored", std::to_string(64 << 20)};
+  const ServerProcess& front = start_front(least);
+  start_worker(least);
+  ASSERT_TRUE(has_workers(front, 1));
+  // 13 bytes a pixel, of 32 MB: two have room, a third has not.
+  const std::string query = "?scene=first-sphere&samples=1&width=1200&height=900&max_depth=";
+  std::vector<std::string> jobs;
+  for (int i = 0; i < 2; ++i) {
+    jobs.push_back(post_job(front, query + std::to_string(i)));
+    ASSERT_TRUE(ends_done(front, jobs.back()));
+  }
+  const Answer accepted = post(front, "/jobs" + query + "2", "");
+  if (accepted.status == 202) {
+    const std::string job = accepted.get_header_value("Location");
+    ASSERT_TRUE(eventually([&] { return status_of(front, job) == "failed"; }))
+        << get(front, job).body;
+    EXPECT_NE(json_of(get(front, job)).value("detail", "").find("--max-stored"), std::string::npos)
+        << get(front, job).body;
+    EXPECT_EQ(request(front, "DELETE", job).status, 204);
+  } else {
+    expect_problem(accepted, 503, "--max-stored");
+  }
+  const Answer refused = get(front, "/render" + query + "3", {{"Accept", std::string(pfm_type)}});
+  expect_problem(refused, 503, "--max-stored");
+  EXPECT_TRUE(refused.has_header("Retry-After"));
+  for (const std::string& job : jobs) EXPECT_EQ(request(front, "DELETE", job).status, 204);
+  EXPECT_TRUE(ends_done(front, post_job(front, query + "4")));
+}
+
+TEST_F(ClusterBounds, nothing_is_left_of_old_jobs) {
+  const Flags brief{"--keep", "2"};
+  const ServerProcess& front = start_front(brief);
+  start_worker(brief);
+  ASSERT_TRUE(has_workers(front, 1));
+  const std::string job = post_job(front, "", small_scene);
+  ASSERT_TRUE(ends_done(front, job));
+  EXPECT_EQ(get(front, "/render?scene=demo&samples=1&width=900&height=700").status, 200);
+  Stored stored(nats().url());
+  EXPECT_TRUE(eventually([&] {
+    return stored.of_jobs().empty() && stored.connection.subjects("raytracer_scenes", ">").empty();
+  })) << testing::PrintToString(stored.of_jobs());
+  expect_problem(get(front, job), 404, "job");
+}
+
+TEST_F(ClusterBounds, scene_reaches_each_worker_once) {
+  const ServerProcess& front = start_front();
+  const ServerProcess& one = start_worker();
+  const ServerProcess& other = start_worker();
+  ASSERT_TRUE(has_workers(front, 2));
+  // Some megabytes of spheres that nobody sees.
+  std::string scene = R"({"camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.5,
+    "width": 1000, "height": 700}, "lights": [{"type": "distant", "direction": [-1, -1, 2]}],
+    "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1})";
+  for (int i = 0; i < 30'000; ++i)
+    scene += fmt::format(
+        R"(,{{"type": "sphere", "center": [{}, 900.125, -90.25], "radius": 0.25}})", i - 15'000);
+  scene += "]}";
+  ASSERT_GT(scene.size(), std::size_t{2} << 20);
+  const auto fetched = [&](const ServerProcess& worker) {
+    return metric_of(worker, "raytracer_cluster_scene_bytes_total");
+  };
+  int jobs = 0;
+  ASSERT_TRUE(eventually([&] {
+    const std::string query = fmt::format("?max_depth={}", jobs % 50);
+    EXPECT_TRUE(ends_done(front, post_job(front, query, scene)));
+    ++jobs;
+    return jobs >= 3 && fetched(one) > 0 && fetched(other) > 0;
+  }));
+  EXPECT_EQ(fetched(one), scene.size());
+  EXPECT_EQ(fetched(other), scene.size());
+}
+
+}  // namespace
+}  // namespace raytracer::test

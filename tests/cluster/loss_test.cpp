@@ -1,0 +1,130 @@
+// Workers and fronts that are killed, hang or are told to end: no job is lost, nothing counts
+// twice.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <string>
+
+#include "tests/cluster/cluster_test.h"
+#include "tests/cluster/stored.h"
+#include "tests/service/documents.h"
+
+namespace raytracer::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Loss : public ClusterTest {
+ protected:
+  const Flags quick{"--task-timeout", "1"};
+  const std::string scene = long_scene(60);
+
+  /// Whether the job is done with the right picture, each task counted once.
+  void expect_right_picture(const ServerProcess& front, const std::string& job,
+                            std::chrono::milliseconds limit = 30s) {
+    ASSERT_TRUE(ends_done(front, job, limit));
+    const Answer image = get(front, job + "/image");
+    EXPECT_TRUE(image.body == alone("/render", scene));
+    Stored stored(nats().url());
+    const auto record = stored.store.job(job.substr(6));
+    ASSERT_TRUE(record);
+    EXPECT_GT(record->task_count, 2);
+    EXPECT_EQ(stored.store.results(record->id).size(),
+              static_cast<std::size_t>(record->task_count));
+    EXPECT_EQ(image.get_header_value("Render-Tasks"), std::to_string(record->task_count));
+  }
+};
+
+TEST_F(Loss, killed_worker_costs_its_running_tasks_only) {
+  const ServerProcess& front = start_front(quick);
+  const ServerProcess& lost = start_worker(quick);
+  ASSERT_TRUE(has_workers(front, 1));
+  const std::string job = post_job(front, "", scene);
+  ASSERT_TRUE(is_half_way(front, job));
+  lost.signal(SIGKILL);
+  start_worker(quick);
+  expect_right_picture(front, job);
+  EXPECT_GT(cluster_of(front).at("redelivered"), 0);
+}
+
+TEST_F(Loss, worker_that_hangs_is_replaced_and_counts_once_when_it_wakes) {
+  const ServerProcess& front = start_front(quick);
+  const ServerProcess& hung = start_worker(quick);
+  ASSERT_TRUE(has_workers(front, 1));
+  const std::string job = post_job(front, "", scene);
+  ASSERT_TRUE(is_half_way(front, job));
+  hung.signal(SIGSTOP);
+  start_worker(quick);
+  const bool others_took = eventually([&] { return cluster_of(front).at("redelivered") > 0; });
+  hung.signal(SIGCONT);
+  EXPECT_TRUE(others_took);
+  expect_right_picture(front, job);
+}
+
+TEST_F(Loss, another_front_answers_when_one_is_killed) {
+  const ServerProcess& lost = start_front(quick);
+  const ServerProcess& other = start_front(quick);
+  start_worker(quick);
+  ASSERT_TRUE(has_workers(lost, 1));
+  const std::string job = post_job(lost, "", scene);
+  ASSERT_TRUE(is_half_way(lost, job));
+  lost.signal(SIGKILL);
+  EXPECT_EQ(status_of(other, job), "running");
+  expect_right_picture(other, job);
+}
+
+TEST_F(Loss, job_that_a_killed_front_had_not_cut_is_cut_by_another) {
+  const ServerProcess& lost = start_front(quick);
+  const ServerProcess& other = start_front(quick);
+  start_worker(quick);
+  ASSERT_TRUE(has_workers(lost, 1));
+  // What four renders wait for is not cut: they have the front to themselves.
+  std::vector<std::string> jobs;
+  for (int i = 0; i < 6; ++i) jobs.push_back(post_job(lost, "", as_another_picture(scene, i)));
+  lost.signal(SIGKILL);
+  Stored stored(nats().url());
+  std::size_t uncut = 0;
+  for (const std::string& job : jobs)
+    if (stored.store.job(job.substr(6))->task_count == 0) ++uncut;
+  EXPECT_GT(uncut, 0U) << "it had cut them all";
+  for (const std::string& job : jobs) ASSERT_TRUE(ends_done(other, job)) << job;
+  EXPECT_TRUE(get(other, jobs.back() + "/image").body ==
+              alone("/render", as_another_picture(scene, 5)));
+}
+
+TEST_F(Loss, picture_for_a_client_of_a_killed_front_is_forgotten) {
+  const ServerProcess& lost = start_front(quick);
+  const ServerProcess& other = start_front(quick);
+  start_worker(quick);
+  ASSERT_TRUE(has_workers(lost, 1));
+  std::thread client([&] {
+    httplib::Client connection = lost.client();
+    EXPECT_FALSE(connection.Post("/render", endless_scene(), "application/json"));
+  });
+  EXPECT_TRUE(eventually([&] { return task_count(other) > 0; }));
+  lost.signal(SIGKILL);
+  client.join();
+  Stored stored(nats().url());
+  EXPECT_TRUE(eventually([&] { return stored.of_jobs().empty(); }))
+      << testing::PrintToString(stored.of_jobs());
+}
+
+TEST_F(Loss, worker_that_is_told_to_end_leaves_its_tasks_in_order) {
+  const Flags patient{"--task-timeout", "20"};
+  const ServerProcess& front = start_front(patient);
+  ServerProcess& first = start_worker(patient);
+  ASSERT_TRUE(has_workers(front, 1));
+  const std::string job = post_job(front, "", scene);
+  ASSERT_TRUE(is_half_way(front, job));
+  start_worker(patient);
+  ASSERT_TRUE(has_workers(front, 2));
+  ASSERT_EQ(status_of(front, job), "running") << "it was too short";
+  first.signal(SIGTERM);
+  EXPECT_EQ(first.wait(10s), 0) << first.log();
+  EXPECT_TRUE(has_workers(front, 1)) << "it took no leave";
+  expect_right_picture(front, job, 15s);
+}
+
+}  // namespace
+}  // namespace raytracer::test

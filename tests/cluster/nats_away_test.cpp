@@ -1,0 +1,88 @@
+// NATS is killed and comes back: what needs nobody else goes on meanwhile, and jobs go on after.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+#include "tests/cluster/cluster_test.h"
+#include "tests/service/documents.h"
+
+namespace raytracer::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class NatsAway : public ClusterTest {};
+
+std::string readiness(const ServerProcess& server) {
+  const Answer answer = get(server, "/readyz");
+  return answer.status == 200 ? json_of(answer).value("status", "") : "";
+}
+
+TEST_F(NatsAway, jobs_go_on_when_it_is_back_and_small_renders_meanwhile) {
+  // Every render but the smallest is shared.
+  const ServerProcess& working = start({"--share-from", "50"});
+  const ServerProcess& front = start_front({"--share-from", "50"});
+  start_worker();
+  ASSERT_TRUE(has_workers(front, 2));
+  const std::string scene = long_scene(100);
+  const std::string job = post_job(front, "", scene);
+  ASSERT_TRUE(is_half_way(front, job));
+  nats().kill();
+  for (const ServerProcess* const server : {&working, &front}) {
+    EXPECT_TRUE(eventually([&] { return readiness(*server) == "degraded"; }));
+    const auto begin = std::chrono::steady_clock::now();
+    const Answer small = get(*server, "/render?scene=first-sphere&samples=1&width=96&height=72");
+    EXPECT_EQ(small.status, 200) << small.body;
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, patience(2s));
+    for (const Answer& refused :
+         {post(*server, "/jobs", small_scene), get(*server, job), get(*server, "/cluster")}) {
+      expect_problem(refused, 503, "cluster cannot be reached");
+      EXPECT_TRUE(refused.has_header("Retry-After"));
+    }
+  }
+  const std::string big = long_scene(61);
+  const Answer refused = post(front, "/render", big);
+  expect_problem(refused, 503, "cluster cannot be reached");
+  EXPECT_TRUE(refused.has_header("Retry-After"));
+  const Answer rendered = post(working, "/render", big);
+  EXPECT_EQ(rendered.status, 200) << rendered.body;
+  EXPECT_FALSE(rendered.has_header("Render-Tasks"));
+
+  nats().start();
+  for (const ServerProcess* const server : {&working, &front})
+    EXPECT_TRUE(eventually([&] { return readiness(*server) == "ok"; }));
+  ASSERT_TRUE(ends_done(front, job));
+  EXPECT_TRUE(get(front, job + "/image").body == alone("/render", scene));
+  EXPECT_TRUE(get(front, "/render?scene=demo&samples=1&width=900&height=700").body ==
+              alone("/render?scene=demo&samples=1&width=900&height=700"));
+}
+
+TEST_F(NatsAway, at_the_start_it_need_not_be_there) {
+  nats().kill();
+  const ServerProcess& front = start_front({"--share-from", "200"});
+  start_worker();
+  EXPECT_EQ(readiness(front), "degraded");
+  EXPECT_EQ(get(front, "/render?scene=first-sphere&samples=1&width=96&height=72").status, 200);
+  nats().start();
+  EXPECT_TRUE(has_workers(front, 1));
+  EXPECT_TRUE(ends_done(front, post_job(front, "", small_scene)));
+}
+
+TEST_F(NatsAway, client_that_waits_for_a_shared_render_gets_it) {
+  const ServerProcess& front = start_front();
+  start_worker();
+  ASSERT_TRUE(has_workers(front, 1));
+  const std::string scene = long_scene(60);
+  Answer image;
+  std::thread client([&] { image = post(front, "/render", scene); });
+  EXPECT_TRUE(eventually([&] { return task_count(front) > 0; }));
+  nats().kill();
+  nats().start();
+  client.join();
+  ASSERT_EQ(image.status, 200) << image.body;
+  EXPECT_TRUE(image.body == alone("/render", scene));
+}
+
+}  // namespace
+}  // namespace raytracer::test

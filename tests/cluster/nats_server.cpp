@@ -1,0 +1,70 @@
+#include "tests/cluster/nats_server.h"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+
+#include "tests/process/patience.h"
+
+namespace raytracer::test {
+namespace {
+
+/// A port of the loopback that nobody has now: it has to be the same after a restart.
+int free_port() {
+  const int descriptor = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  auto* const any = reinterpret_cast<sockaddr*>(&address);
+  const bool is_bound =
+      ::bind(descriptor, any, size) == 0 && ::getsockname(descriptor, any, &size) == 0;
+  ::close(descriptor);
+  if (!is_bound) throw std::runtime_error("no port is free");
+  return ntohs(address.sin_port);
+}
+
+}  // namespace
+
+std::filesystem::path NatsServer::program() {
+  const char* const path = std::getenv("PATH");
+  // Debian has it where only root looks.
+  std::istringstream folders(std::string(path != nullptr ? path : "") + ":/usr/sbin");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::filesystem::path file = std::filesystem::path(folder) / "nats-server";
+    if (::access(file.c_str(), X_OK) == 0) return file;
+  }
+  return {};
+}
+
+NatsServer::NatsServer() : port_(free_port()), url_(fmt::format("nats://127.0.0.1:{}", port_)) {
+  start();
+}
+
+void NatsServer::kill() {
+  signal(SIGKILL);
+  process_->wait(std::chrono::seconds(10));
+  process_.reset();
+}
+
+void NatsServer::start() {
+  process_.emplace(Command{program(),
+                           {"--addr", "127.0.0.1", "--port", std::to_string(port_), "--jetstream",
+                            "--store_dir", store_.path().string()}});
+  const bool is_ready = eventually([&] {
+    return process_->err().find("Server is ready") != std::string::npos ||
+           process_->wait({}).has_value();
+  });
+  if (!is_ready || process_->wait({}))
+    throw std::runtime_error("nats-server does not start; it said:\n" + process_->err());
+}
+
+}  // namespace raytracer::test

@@ -1,0 +1,36 @@
+// A nats-server of a test's own, on a port that is free, with its store in a temporary folder.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "tests/process/program.h"
+#include "tests/process/temporary_folder.h"
+
+namespace raytracer::test {
+
+class NatsServer {
+ public:
+  /// Where it is installed; empty if it is not.
+  static std::filesystem::path program();
+
+  /// Returns when it takes connections. Throws std::runtime_error with what it said if it does not.
+  NatsServer();
+
+  const std::string& url() const { return url_; }
+
+  void signal(int number) const { process_->signal(number); }
+  /// Ends it at once, as a crash would.
+  void kill();
+  /// Starts it again: the same port, the same store.
+  void start();
+
+ private:
+  TemporaryFolder store_;
+  int port_;
+  std::string url_;
+  std::optional<Process> process_;
+};
+
+}  // namespace raytracer::test

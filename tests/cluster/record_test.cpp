@@ -1,0 +1,169 @@
+// What is stored of jobs and results is read as it was written, and refused if it is damaged.
+#include "server/cluster/record.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "server/cluster/nats.h"
+#include "server/cluster/result.h"
+
+namespace raytracer::test {
+namespace {
+
+JobRecord full_record() {
+  return {.id = "abc",
+          .task = JobTask::tradeoff,
+          .document = "digest",
+          .query = {{"samples", "4"}, {"origin", "1,2,3"}},
+          .renderer = "build",
+          .front = "host-1",
+          .has_client = true,
+          .is_8_bit = true,
+          .picture_digest = "0123",
+          .parse_ms = 0.1,
+          .predicted_ms = 1e300,
+          .width = 640,
+          .height = 480,
+          .samples = 16,
+          .accepted_ms = 1'700'000'000'123,
+          .side_px = 48,
+          .task_count = 140,
+          .failure = "quoted \"text\"\nand \xC3\xA4"};
+}
+
+TEST(JobRecords, are_read_as_they_were_written) {
+  const JobRecord record = full_record();
+  const JobRecord read = read_record(to_text(record));
+  EXPECT_EQ(to_text(read), to_text(record));
+  EXPECT_EQ(read.id, record.id);
+  EXPECT_EQ(read.task, record.task);
+  EXPECT_EQ(read.document, record.document);
+  EXPECT_EQ(read.query, record.query);
+  EXPECT_EQ(read.renderer, record.renderer);
+  EXPECT_EQ(read.front, record.front);
+  EXPECT_EQ(read.has_client, record.has_client);
+  EXPECT_EQ(read.is_8_bit, record.is_8_bit);
+  EXPECT_EQ(read.picture_digest, record.picture_digest);
+  EXPECT_EQ(read.parse_ms, record.parse_ms);
+  EXPECT_EQ(read.predicted_ms, record.predicted_ms);
+  EXPECT_EQ(read.width, record.width);
+  EXPECT_EQ(read.height, record.height);
+  EXPECT_EQ(read.samples, record.samples);
+  EXPECT_EQ(read.accepted_ms, record.accepted_ms);
+  EXPECT_EQ(read.side_px, record.side_px);
+  EXPECT_EQ(read.task_count, record.task_count);
+  EXPECT_EQ(read.failure, record.failure);
+  JobRecord plain = record;
+  plain.picture_digest.reset();
+  EXPECT_EQ(read_record(to_text(plain)).picture_digest, std::nullopt);
+}
+
+TEST(JobRecords, with_a_reason_that_is_no_text_can_be_stored) {
+  JobRecord record = full_record();
+  record.failure = "a name \xFF of bytes";
+  EXPECT_NO_THROW(
+      EXPECT_NE(read_record(to_text(record)).failure.find("of bytes"), std::string::npos));
+}
+
+TEST(JobRecords, damaged_ones_are_refused) {
+  const std::string text = to_text(full_record());
+  for (std::size_t length = 0; length < text.size(); ++length)
+    EXPECT_THROW(read_record(text.substr(0, length)), NatsRefused) << length;
+  EXPECT_THROW(read_record("[]"), NatsRefused);
+  EXPECT_THROW(read_record("{}"), NatsRefused);
+}
+
+template <typename Channel>
+RegionRendering<Channel> some_region() {
+  RegionRendering<Channel> part{.region = {16, 32, 18, 33},
+                                .error_multiplier = 1.0 / 3,
+                                .precision = Precision::single_precision,
+                                .beyond = {.clamped = 5, .not_numbers = 7}};
+  part.values = {Channel(1), Channel(2), Channel(3), Channel(4), Channel(5), Channel(6)};
+  part.subtile_error2 = {0.1, 1e-300, 3};
+  return part;
+}
+
+template <typename Channel>
+void expect_read_as_written() {
+  const RegionRendering<Channel> part = some_region<Channel>();
+  const std::string bytes = to_bytes({"worker", part});
+  const TaskResult result = read_result(bytes);
+  EXPECT_EQ(result.worker, "worker");
+  const auto& read = std::get<RegionRendering<Channel>>(result.made);
+  EXPECT_EQ(read.region.x_begin, 16);
+  EXPECT_EQ(read.region.y_begin, 32);
+  EXPECT_EQ(read.region.x_end, 18);
+  EXPECT_EQ(read.region.y_end, 33);
+  EXPECT_EQ(read.values, part.values);
+  EXPECT_EQ(read.subtile_error2, part.subtile_error2);
+  EXPECT_EQ(read.error_multiplier, part.error_multiplier);
+  EXPECT_EQ(read.precision, part.precision);
+  EXPECT_EQ(read.beyond.clamped, 5U);
+  EXPECT_EQ(read.beyond.not_numbers, 7U);
+  for (std::size_t length = 0; length < bytes.size(); ++length)
+    EXPECT_THROW(read_result(bytes.substr(0, length)), NatsRefused) << length;
+  EXPECT_THROW(read_result(bytes + "x"), NatsRefused);
+}
+
+TEST(TaskResults, of_regions_are_read_as_they_were_written) {
+  expect_read_as_written<float>();
+  expect_read_as_written<unsigned char>();
+}
+
+TEST(TaskResults, of_whole_pictures_are_read_as_they_were_written) {
+  Rendering rendering;
+  rendering.image = Image(2, 1);
+  for (std::size_t i = 0; i < 6; ++i) rendering.image.values[i] = 0.1F * static_cast<float>(i);
+  rendering.pixel_count = 2;
+  rendering.samples_per_pixel = 12.5;
+  rendering.estimated_error = 0.1;
+  rendering.precision = Precision::single_precision;
+  rendering.beyond = {.clamped = 5, .not_numbers = 7};
+  rendering.stop = Stop::budget;
+  rendering.plan_ms = 1;
+  rendering.build_ms = 2;
+  rendering.trace_ms = 3;
+  const std::string bytes = to_bytes({"worker", rendering});
+  const TaskResult result = read_result(bytes);
+  const auto& read = std::get<Rendering>(result.made);
+  EXPECT_EQ(read.image.width, 2);
+  EXPECT_EQ(read.image.height, 1);
+  EXPECT_TRUE(std::equal(read.image.values.begin(), read.image.values.end(),
+                         rendering.image.values.begin(), rendering.image.values.end()));
+  EXPECT_EQ(read.pixel_count, 2U);
+  EXPECT_EQ(read.samples_per_pixel, 12.5);
+  EXPECT_EQ(read.estimated_error, 0.1);
+  EXPECT_EQ(read.precision, Precision::single_precision);
+  EXPECT_EQ(read.beyond.clamped, 5U);
+  EXPECT_EQ(read.beyond.not_numbers, 7U);
+  EXPECT_EQ(read.stop, Stop::budget);
+  EXPECT_EQ(read.plan_ms + read.build_ms + read.trace_ms, 6);
+  for (std::size_t length = 0; length < bytes.size(); ++length)
+    EXPECT_THROW(read_result(bytes.substr(0, length)), NatsRefused) << length;
+  EXPECT_THROW(read_result(bytes + "x"), NatsRefused);
+}
+
+TEST(TaskResults, of_curves_are_read_as_they_were_written) {
+  const TaskResult result = read_result(to_bytes({"worker", CurveText{"{\n}"}}));
+  EXPECT_EQ(std::get<CurveText>(result.made).json, "{\n}");
+}
+
+TEST(TaskResults, that_claim_impossible_sizes_are_refused) {
+  const std::string region =
+      R"("region":[0,0,16,16],"error_multiplier":1,"is_single":true,"beyond":[0,0],"worker":"w")";
+  const std::string whole =
+      R"("kind":"whole","samples":1,"is_single":true,"beyond":[0,0],"stop":0,"plan_ms":0,)"
+      R"("build_ms":0,"trace_ms":0,"worker":"w")";
+  for (const std::string& header :
+       {R"({"kind":"floats","values":4611686018427387904,"errors":0,)" + region + "}",
+        R"({"kind":"bytes","values":-1,"errors":0,)" + region + "}",
+        R"({"width":-1,"height":1,)" + whole + "}",
+        R"({"width":1000000000,"height":1000000000,)" + whole + "}",
+        std::string(R"({"kind":"nonsense","worker":"w"})"), std::string("[]")})
+    EXPECT_THROW(read_result(header + "\n"), NatsRefused) << header;
+}
+
+}  // namespace
+}  // namespace raytracer::test

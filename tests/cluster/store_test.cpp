@@ -1,0 +1,91 @@
+// What the store promises to those who use it: what is in use stays, what is done twice counts
+// once.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "tests/cluster/cluster_test.h"
+#include "tests/cluster/stored.h"
+
+namespace raytracer::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class ClusterStoreTest : public ClusterTest {};
+
+TEST_F(ClusterStoreTest, scene_that_lost_some_chunks_is_stored_again) {
+  StoreLimits limits;
+  limits.most_bytes = 16 << 20;  // a quarter of it for scenes
+  Stored stored(nats().url(), limits);
+  stored.store.ensure_streams();
+  const std::string text(2'500'000, 'a');
+  const std::string digest = ClusterStore::digest_of(text);
+  stored.store.put_document(digest, text);
+  EXPECT_EQ(stored.store.document(digest), text);
+  const std::string other(1'900'000, 'b');
+  stored.store.put_document(ClusterStore::digest_of(other), other);
+  EXPECT_THROW(stored.store.document(digest), NatsRefused) << "there was room for both";
+  stored.store.put_document(digest, text);
+  EXPECT_EQ(stored.store.document(digest), text);
+}
+
+TEST_F(ClusterStoreTest, scene_that_is_used_again_is_kept_as_long_as_its_last_job) {
+  StoreLimits limits;
+  limits.longest_kept = 2s;
+  Stored stored(nats().url(), limits);
+  stored.store.ensure_streams();
+  const std::string text = "a scene";
+  const std::string digest = ClusterStore::digest_of(text);
+  stored.store.put_document(digest, text);
+  std::this_thread::sleep_for(1400ms);
+  stored.store.put_document(digest, text);
+  std::this_thread::sleep_for(1000ms);
+  EXPECT_EQ(stored.store.document(digest), text);
+}
+
+TEST_F(ClusterStoreTest, result_that_comes_twice_counts_once) {
+  Stored stored(nats().url());
+  stored.store.ensure_streams();
+  for (const std::string& bytes : {std::string("small"), std::string(3'000'000, 'x')}) {
+    const std::string id = "job" + std::to_string(bytes.size());
+    EXPECT_TRUE(stored.store.put_result(id, 7, bytes));
+    EXPECT_FALSE(stored.store.put_result(id, 7, std::string(3'000'000, 'y')));
+    EXPECT_EQ(stored.store.results(id), std::set<int>{7});
+    EXPECT_EQ(stored.store.result(id, 7)->data, bytes);
+  }
+  const auto subjects = stored.connection.subjects("raytracer_results", ">");
+  EXPECT_EQ(subjects.size(), 2U + 6U) << "parts of a result that did not count are left";
+}
+
+TEST_F(ClusterStoreTest, record_that_was_changed_meanwhile_is_not_replaced) {
+  Stored stored(nats().url());
+  stored.store.ensure_streams();
+  JobRecord record = stored.new_job("job", "build", "", 16, 16, 0);
+  ASSERT_TRUE(stored.store.put_job(record));
+  JobRecord mine = *stored.store.job("job");
+  JobRecord theirs = mine;
+  theirs.task_count = 5;
+  EXPECT_TRUE(stored.store.put_job(theirs));
+  mine.task_count = 7;
+  EXPECT_FALSE(stored.store.put_job(mine));
+  EXPECT_EQ(stored.store.job("job")->task_count, 5);
+  stored.store.remove_job("job");
+  EXPECT_FALSE(stored.store.put_job(theirs)) << "a removed job came back";
+  EXPECT_TRUE(stored.of_jobs().empty());
+}
+
+TEST_F(ClusterStoreTest, task_is_queued_once) {
+  Stored stored(nats().url());
+  stored.store.ensure_streams();
+  const JobRecord record = stored.new_job("job", "build", "", 64, 16, 16);
+  stored.queue(record);
+  stored.store.queue_tasks(record, {3, 4, 5});
+  ASSERT_EQ(stored.store.open_jobs().size(), 1U);
+  EXPECT_EQ(stored.store.open_jobs().front().waiting, 16U);
+}
+
+}  // namespace
+}  // namespace raytracer::test

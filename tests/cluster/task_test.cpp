@@ -1,0 +1,111 @@
+// Tasks that no worker may take, that fail, or that are not what they say.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <string>
+
+#include "tests/cluster/cluster_test.h"
+#include "tests/cluster/stored.h"
+#include "tests/service/documents.h"
+
+namespace raytracer::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Tasks : public ClusterTest {
+ protected:
+  static std::string failure_of(const ServerProcess& front, const std::string& id) {
+    EXPECT_TRUE(eventually([&] { return status_of(front, "/jobs/" + id) == "failed"; }))
+        << get(front, "/jobs/" + id).body;
+    return json_of(get(front, "/jobs/" + id)).value("detail", "");
+  }
+};
+
+TEST_F(Tasks, those_of_another_build_are_left_to_it) {
+  const ServerProcess& front = start_front();
+  const ServerProcess& worker = start_worker();
+  ASSERT_TRUE(has_workers(front, 1));
+  Stored stored(nats().url());
+  stored.queue(stored.new_job("other", "anotherbuild", small_scene, 12, 16, 1));
+  const auto detail = [&] { return json_of(get(front, "/jobs/other")).value("detail", ""); };
+  EXPECT_TRUE(eventually([&] { return !detail().empty(); }));
+  EXPECT_NE(detail().find("anotherbuild"), std::string::npos) << detail();
+  // Its own kind of work it does meanwhile.
+  const std::string job = post_job(front, "", small_scene);
+  ASSERT_TRUE(ends_done(front, job));
+  EXPECT_EQ(status_of(front, "/jobs/other"), "running");
+  EXPECT_EQ(metric_of(worker, "raytracer_cluster_tasks_total"), 1);
+  EXPECT_EQ(request(front, "DELETE", "/jobs/other").status, 204);
+}
+
+TEST_F(Tasks, job_says_that_there_is_no_worker) {
+  const ServerProcess& front = start_front();
+  ASSERT_TRUE(eventually([&] { return cluster_of(front).is_object(); }));
+  const std::string job = post_job(front, "", small_scene);
+  EXPECT_TRUE(eventually([&] {
+    return json_of(get(front, job)).value("detail", "").find("worker") != std::string::npos;
+  }));
+  const Answer refused = get(front, "/render?scene=demo");
+  expect_problem(refused, 503, "workers");
+  EXPECT_TRUE(refused.has_header("Retry-After"));
+  start_worker();
+  EXPECT_TRUE(ends_done(front, job));
+}
+
+TEST_F(Tasks, one_that_fails_three_times_on_two_workers_fails_its_job) {
+  const ServerProcess& front = start_front();
+  const ServerProcess& one = start_worker();
+  const ServerProcess& other = start_worker();
+  ASSERT_TRUE(has_workers(front, 2));
+  Stored stored(nats().url());
+  stored.queue(stored.new_job("poisoned", stored.renderer(), "", 12, 16, 1));
+  const std::string reason = failure_of(front, "poisoned");
+  EXPECT_NE(reason.find("failed 3 times"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("no longer stored"), std::string::npos) << reason;
+  const double at_one = metric_of(one, "raytracer_cluster_task_failures_total");
+  const double at_other = metric_of(other, "raytracer_cluster_task_failures_total");
+  EXPECT_GE(at_one, 1);
+  EXPECT_GE(at_other, 1);
+  EXPECT_EQ(at_one + at_other, 3);
+  expect_problem(get(front, "/jobs/poisoned/image"), 409, "failed 3 times");
+  EXPECT_NE(get(front, "/jobs/poisoned/events").body.find("event: failed\n"), std::string::npos);
+}
+
+TEST_F(Tasks, one_that_fails_is_given_up_by_a_worker_that_is_alone) {
+  const ServerProcess& front = start_front();
+  start_worker();
+  ASSERT_TRUE(has_workers(front, 1));
+  Stored stored(nats().url());
+  // A region that the scene does not have.
+  stored.queue(stored.new_job("poisoned", stored.renderer(), small_scene, 4096, 16, 65'000));
+  EXPECT_NE(failure_of(front, "poisoned").find("failed 3 times"), std::string::npos);
+  EXPECT_TRUE(ends_done(front, post_job(front, "", small_scene)));
+}
+
+TEST_F(Tasks, one_that_failed_at_one_worker_waits_for_another_that_is_busy) {
+  const ServerProcess& front = start_front();
+  const ServerProcess& one = start_worker({"--max-objects", "1"});
+  ASSERT_TRUE(has_workers(front, 1));
+  // Two objects: too many for the first.
+  const std::string scene = R"({"camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.9,
+    "width": 16, "height": 16}, "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1},
+    {"type": "sphere", "center": [1, 0, 0], "radius": 1}]})";
+  const ServerProcess& other = start_worker();
+  ASSERT_TRUE(has_workers(front, 2));
+  Stored stored(nats().url());
+  // Two tasks of seconds each keep the other busy, once the first does not take them.
+  one.signal(SIGSTOP);
+  const std::string busy = long_scene(1200);
+  for (const char* const id : {"busy1", "busy2"})
+    stored.queue(stored.new_job(id, stored.renderer(), busy, 350, 352, 1));
+  EXPECT_TRUE(eventually([&] { return cluster_of(front).at("tasks").at("running") == 2; }));
+  one.signal(SIGCONT);
+  stored.queue(stored.new_job("picky", stored.renderer(), scene, 16, 16, 1));
+  EXPECT_TRUE(ends_done(front, "/jobs/picky")) << one.log() << other.log();
+  EXPECT_GT(stored.store.hand_backs("picky", 0), 5U) << "the other was not busy for long enough";
+}
+
+}  // namespace
+}  // namespace raytracer::test
