@@ -1,36 +1,14 @@
 #include "tests/cluster/balancer.h"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <stdexcept>
 
+#include "tests/process/free_port.h"
 #include "tests/process/patience.h"
 
 namespace raytracer::test {
-namespace {
-
-/// One that nobody listens on now.
-int free_port() {
-  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t length = sizeof address;
-  auto* const any_address = reinterpret_cast<sockaddr*>(&address);
-  const bool is_bound =
-      ::bind(socket, any_address, length) == 0 && ::getsockname(socket, any_address, &length) == 0;
-  ::close(socket);
-  if (!is_bound) throw std::runtime_error("there is no free port");
-  return ntohs(address.sin_port);
-}
-
-}  // namespace
-
 bool has_balancer() { return std::filesystem::exists(RAYTRACER_HAPROXY_PATH); }
 
 Balancer::Balancer(const std::vector<std::unique_ptr<ServerProcess>>& fronts) {

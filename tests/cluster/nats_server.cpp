@@ -1,9 +1,6 @@
 #include "tests/cluster/nats_server.h"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
@@ -12,28 +9,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/process/free_port.h"
 #include "tests/process/patience.h"
 
 namespace raytracer::test {
-namespace {
-
-/// A port of the loopback that nobody has now: it has to be the same after a restart.
-int free_port() {
-  const int descriptor = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  auto* const any = reinterpret_cast<sockaddr*>(&address);
-  const bool is_bound =
-      ::bind(descriptor, any, size) == 0 && ::getsockname(descriptor, any, &size) == 0;
-  ::close(descriptor);
-  if (!is_bound) throw std::runtime_error("no port is free");
-  return ntohs(address.sin_port);
-}
-
-}  // namespace
-
 std::filesystem::path NatsServer::program() {
   const char* const path = std::getenv("PATH");
   // Debian has it where only root looks.
