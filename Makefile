@@ -95,18 +95,20 @@ contracts:
 	build/raytracer_random_contracts --seed $(SEED) --scenes $(SCENES) \
 	  --commit "$(commit)"
 
-# Both start from the shipped scenes and the extremes. A finding is left in build-fuzz.
+# They start from the shipped scenes, the extremes and the tests' files. A finding is left in build-fuzz.
 fuzz_sanitizers = address$(comma)undefined$(comma)fuzzer-no-link
 fuzz_seconds ?= 60
 fuzz:
 	.ci/install build test fuzz
 	$(call configure,build-fuzz,-DRAYTRACER_TESTS=ON -DRAYTRACER_FUZZ=ON \
 	  -DCMAKE_CXX_COMPILER=clang++ -DRAYTRACER_SANITIZE=$(fuzz_sanitizers))
-	@cmake --build build-fuzz --parallel $(JOBS) --target fuzz_read_scene fuzz_render
-	@mkdir -p build-fuzz/documents build-fuzz/scenes
+	@cmake --build build-fuzz --parallel $(JOBS) --target fuzz_read_scene fuzz_render fuzz_read_nff
+	@mkdir -p build-fuzz/documents build-fuzz/scenes build-fuzz/nff
 	cd build-fuzz && ./fuzz_read_scene -max_total_time=$(fuzz_seconds) -timeout=10 \
 	  -dict=../tests/fuzz/scene.dict -max_len=4096 documents ../server/scenes ../tests/extremes/scenes
 	cd build-fuzz && ./fuzz_render -max_total_time=$(fuzz_seconds) -timeout=20 -max_len=600 scenes
+	cd build-fuzz && ./fuzz_read_nff -max_total_time=$(fuzz_seconds) -timeout=10 \
+	  -dict=../tests/fuzz/nff.dict -max_len=4096 nff ../tests/formats/files
 
 load: all
 	.ci/install build load
@@ -145,7 +147,7 @@ help:
 	@echo "make contracts targets on random scenes (SEED=$(SEED) SCENES=$(SCENES)): are they kept, and told truly?"
 	@echo "make bench     times beside other renderers; SCENE=FILE for any document"
 	@echo "make extremes  scenes at the extremes against exact pictures, other renderers beside it"
-	@echo "make fuzz      a minute each of random documents and of random scenes, with libFuzzer"
+	@echo "make fuzz      a minute each of random documents, scenes and NFF files, with libFuzzer"
 	@echo "make load      small pictures a second against /healthz, with wrk"
 	@echo "make soak      ten minutes of mixed traffic: no memory, thread or descriptor is lost"
 	@echo "make chaos     a cluster whose parts are killed (ROUNDS=$(ROUNDS) SEED=$(SEED)): is every job done, and right?"

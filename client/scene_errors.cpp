@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <vector>
 
+#include "client/formats/printable.h"
 #include "client/pointer_lines.h"
 
 namespace raytracer::client {
@@ -19,20 +19,6 @@ std::string overriding_option(const std::string& pointer, const Overrides& overr
   if (!in_place || !overrides.contains(name)) return {};
   std::replace(name.begin(), name.end(), '_', '-');
   return "--" + name;
-}
-
-/// In one line, whatever the document calls its keys: nothing in it moves the terminal's cursor.
-std::string printable(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    constexpr unsigned char del = 0x7F;
-    if (byte < ' ' || byte == del)
-      result += fmt::format("\\u{:04x}", byte);
-    else
-      result += c;
-  }
-  return result;
 }
 
 }  // namespace

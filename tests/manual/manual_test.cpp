@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 using Words = std::vector<std::string>;
 
 const fs::path manual_dir = RAYTRACER_MANUAL_DIR;
-const Words commands{"render", "plan", "tradeoff", "validate", "scenes", "cluster"};
+const Words commands{"render", "plan", "tradeoff", "validate", "convert", "scenes", "cluster"};
 
 /// The long flags that --help lists.
 std::set<std::string> flags_of(const std::string& program, const Words& arguments) {
@@ -141,6 +141,7 @@ TEST(BashCompletion, completes_shipped_scenes_and_files) {
   EXPECT_EQ(offers({"raytracer", "plan", "my"}, folder.path()), Words{"my scene.json"});
   EXPECT_EQ(offers({"raytracer", "render", "demo", "-o", "my"}, folder.path()),
             Words{"my scene.json"});
+  EXPECT_EQ(offers({"raytracer", "convert", ""}, folder.path()), Words{"my scene.json"});
   EXPECT_EQ(offers({"raytracer", "scenes", ""}, folder.path()), Words{});
 }
 
@@ -187,6 +188,7 @@ TEST_F(ZshCompletion, completes_options_with_what_help_says_and_their_values) {
 TEST_F(ZshCompletion, completes_shipped_scenes_and_files) {
   expect_completion("raytracer validate dem", "raytracer validate demo ");
   expect_completion("raytracer render my", "raytracer render my\\ scene.json ");
+  expect_completion("raytracer convert my", "raytracer convert my\\ scene.json ");
   expect_completion("raytracer render demo -o my", "raytracer render demo -o my\\ scene.json ");
 }
 

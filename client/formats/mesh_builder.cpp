@@ -1,0 +1,38 @@
+#include "client/formats/mesh_builder.h"
+
+#include <functional>
+
+namespace raytracer::client {
+
+void MeshBuilder::add(const Triangulation& polygon, const std::vector<model::Triple>& corners,
+                      const std::vector<model::Triple>& normals) {
+  for (const auto& triangle : polygon.triangles) {
+    std::array<std::uint32_t, 3> vertices{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t corner = triangle[i];
+      vertices[i] = index_of(corners[corner], normals.empty() ? nullptr : &normals[corner]);
+    }
+    mesh_.triangles.push_back(vertices);
+  }
+}
+
+std::uint32_t MeshBuilder::index_of(const model::Triple& corner, const model::Triple* normal) {
+  Vertex vertex{corner[0], corner[1], corner[2]};
+  if (normal) std::copy(normal->begin(), normal->end(), vertex.begin() + 3);
+  const auto [entry, is_new] =
+      indices_.try_emplace(vertex, static_cast<std::uint32_t>(mesh_.vertices.size()));
+  if (is_new) {
+    mesh_.vertices.push_back(corner);
+    if (normal) mesh_.normals.push_back(*normal);
+  }
+  return entry->second;
+}
+
+std::size_t MeshBuilder::VertexHash::operator()(const Vertex& vertex) const {
+  std::size_t hash = 0;
+  for (const double number : vertex)
+    hash = (hash ^ std::hash<double>()(number)) * 0x9E3779B97F4A7C15U;  // 2^64 / golden ratio
+  return hash;
+}
+
+}  // namespace raytracer::client

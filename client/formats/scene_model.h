@@ -1,0 +1,93 @@
+// A scene as readers of all formats fill it, and the document that says it.
+//
+// Files count in right-handed coordinates, scenes in left-handed ones (u = up x d points to the
+// right of the image). So the document has every x with its sign changed and the corners of every
+// triangle in the other order: the image is the file's, and upward stays upward.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace raytracer::client::model {
+
+using Triple = std::array<double, 3>;
+
+struct View {
+  Triple from;
+  Triple at;
+  Triple up;
+  double fov;  ///< between the left and the right side of the image, in radians
+  int width_px;
+  int height_px;
+};
+
+/// A point that shines equally far and near.
+struct Lamp {
+  Triple position;
+  Triple color;  ///< in [0, 1]
+  double intensity;
+};
+
+struct Material {
+  Triple color;
+  double kd;
+  double ks;
+  double shininess;  ///< of Blinn and Phong
+  double reflectivity;
+  double transparency;
+  double ior;  ///< counts with transparency only
+
+  auto operator<=>(const Material&) const = default;
+};
+
+struct Spheres {
+  std::vector<Triple> centers;
+  std::vector<double> radii;
+};
+
+/// Without caps.
+struct Cylinders {
+  std::vector<Triple> from;
+  std::vector<Triple> to;
+  std::vector<double> radii;
+};
+
+/// Without caps.
+struct Cones {
+  std::vector<Triple> from;
+  std::vector<Triple> to;
+  std::vector<double> radii_from;
+  std::vector<double> radii_to;
+};
+
+struct Mesh {
+  std::vector<Triple> vertices;
+  std::vector<Triple> normals;  ///< none, or one for each vertex
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// All that are of one kind and material: at least one.
+struct Objects {
+  std::variant<Spheres, Cylinders, Cones, Mesh> shape;
+  std::optional<std::size_t> material;  ///< which of the scene's; none: the document's default
+};
+
+struct Scene {
+  View view = {};
+  Triple background = {0, 0, 0};
+  double ambient = 0;
+  std::vector<Lamp> lights;
+  std::vector<Material> materials;
+  std::vector<Objects> objects;
+};
+
+/// As JSON. Lists have an item on each line.
+std::string to_document(const Scene& scene);
+
+}  // namespace raytracer::client::model

@@ -1,0 +1,32 @@
+// The words of a text format: what white space separates, each with its line. From '#' to the end
+// of a line is comment.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace raytracer::client {
+
+class Words {
+ public:
+  explicit Words(std::string_view text) : text_(text) { advance(); }
+
+  /// The next word; empty at the end of the text.
+  std::string_view next() const { return word_; }
+  /// Where the next word stands; at the end of the text, where the last one stood.
+  int line() const { return line_; }
+  bool at_end() const { return word_.empty(); }
+  void advance();
+
+ private:
+  std::string_view text_;
+  std::string_view word_;
+  std::size_t end_ = 0;  ///< of the word
+  int lines_read_ = 1;
+  int line_ = 1;
+};
+
+/// A finite number, as C writes it in decimal; none if the word is something else.
+std::optional<double> number_of(std::string_view word);
+
+}  // namespace raytracer::client
