@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "server/problem.h"
@@ -100,7 +99,7 @@ JobResult LocalJobs::make_result(LocalJob& job) {
   if (job.request.task == JobTask::tradeoff) {
     std::optional<Curve> curve =
         measure_curve(scene, limits_, most_curve_ms, pool_, job.curve_progress_);
-    return curve ? JobResult(CurveText{to_json(*curve).dump()}) : JobResult();
+    return curve ? JobResult(text_of(*curve)) : JobResult();
   }
   Rendering rendering = render(scene, limits_, pool_, job.progress_);
   if (rendering.stop == Stop::cancelled) return {};

@@ -25,7 +25,7 @@ template <typename Channel>
 FinishedImage make_image(Services& services, const Call& call, const SceneView& view,
                          ImageFormat format, RenderProgress& progress) {
   BasicRendering<Channel> rendering;
-  std::optional<Cut> cut;
+  std::optional<TaskCut> cut;
   const double queue_ms = run_admitted(services, progress, [&] {
     const PreparedScene scene(view.scene, services.pool);
     if (services.cluster) cut = services.cluster->choose_cut(scene, sizeof(Channel) == 1, progress);

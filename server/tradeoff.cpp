@@ -82,7 +82,7 @@ void require_room_for_curve(const Scene& scene, const Limits& limits) {
                               least_reference_samples, limits.samples));
 }
 
-Json to_json(const Curve& curve) {
+CurveText text_of(const Curve& curve) {
   const CurveReference& reference = curve.reference;
   Json points = Json::array();
   Json contract = Json::array();
@@ -90,16 +90,17 @@ Json to_json(const Curve& curve) {
     points.push_back(point_json(point));
     if (point.settings.target_rmse) contract.push_back(contract_json(point));
   }
-  return {{"width", curve.width_px},
-          {"height", curve.height_px},
-          {"threads", curve.thread_count},
-          {"reference",
-           {{"settings", settings_json(reference.settings)},
-            {"samples", *reference.settings.samples},
-            {"estimated_error", reference.estimated_error},
-            {"trace_ms", reference.trace_ms}}},
-          {"points", std::move(points)},
-          {"contract", std::move(contract)}};
+  const Json json{{"width", curve.width_px},
+                  {"height", curve.height_px},
+                  {"threads", curve.thread_count},
+                  {"reference",
+                   {{"settings", settings_json(reference.settings)},
+                    {"samples", *reference.settings.samples},
+                    {"estimated_error", reference.estimated_error},
+                    {"trace_ms", reference.trace_ms}}},
+                  {"points", std::move(points)},
+                  {"contract", std::move(contract)}};
+  return {json.dump(2) + "\n"};
 }
 
 }  // namespace raytracer

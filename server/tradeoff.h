@@ -1,9 +1,8 @@
 // What is particular to jobs that measure a curve: what they refuse, and their result.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "engine/engine.h"
+#include "server/job.h"
 #include "server/query.h"
 
 namespace raytracer {
@@ -18,7 +17,6 @@ RenderQuery read_curve_query(const httplib::Params& params);
 /// Throws HttpError 413 if the shortest curve of this scene is more than the limits allow.
 void require_room_for_curve(const Scene& scene, const Limits& limits);
 
-/// The curve as GET /jobs/ID/result answers it.
-nlohmann::ordered_json to_json(const Curve& curve);
+CurveText text_of(const Curve& curve);
 
 }  // namespace raytracer

@@ -57,5 +57,6 @@ export function newObject(type, { origin, look_at }) {
     .map((value) => rounded(value, step));
   const radius = rounded(distance / 12, step);
   if (type === "cylinder") return { type, from: place(-radius), to: place(radius), radius: rounded(radius / 2, step) };
+  if (type === "cone") return { type, from: place(-radius), to: place(radius), radius_from: radius, radius_to: 0 };
   return { type, center: place(0), radius };
 }

@@ -4,8 +4,9 @@ import { element } from "./element.js";
 
 // The kinds of objects that the form edits: the points of each, what else they have, and their names.
 const kinds = {
-  sphere: { title: "Sphere", points: ["center"], flags: [] },
-  cylinder: { title: "Cylinder", points: ["from", "to"], flags: ["caps"] },
+  sphere: { title: "Sphere", points: ["center"], radii: { radius: "r" }, flags: [] },
+  cylinder: { title: "Cylinder", points: ["from", "to"], radii: { radius: "r" }, flags: ["caps"] },
+  cone: { title: "Cone", points: ["from", "to"], radii: { radius_from: "r from", radius_to: "r to" }, flags: ["caps"] },
 };
 
 /// `box` is filled anew by show(). `onEdit(pointer, value)` follows each change of a value;
@@ -62,12 +63,19 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
     return input;
   }
 
+  function choice(label, pointer, words) {
+    const select = element("select", { ariaLabel: label }, ...words.map((word) => element("option", { value: word }, word.replace("_", " "))));
+    select.addEventListener("change", () => onEdit(pointer, select.value));
+    fields.push({ pointer, read(value) { select.value = value ?? words[0]; } });
+    return select;
+  }
+
   const point = (label, pointer) => ["x", "y", "z"].map((axis, index) => labelled(axis, number(`${label}, ${axis}`, `${pointer}/${index}`)));
 
   function make(scene) {
     fields = [];
     const groups = [];
-    for (const [type, { title, points, flags }] of Object.entries(kinds)) {
+    for (const [type, { title, points, radii, flags }] of Object.entries(kinds)) {
       const rows = [];
       for (const [index, object] of Object.entries(scene.objects)) {
         if (object.type !== type || !points.every((key) => Array.isArray(object[key]))) continue;
@@ -77,7 +85,8 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
         remove.ariaLabel = remove.title = `Remove ${name}`;
         rows.push(row(name, materialOf(object), [
           ...points.flatMap((key) => point(points.length > 1 ? `${name}, ${key}` : name, `${pointer}/${key}`)),
-          labelled("r", number(`${name}, radius`, `${pointer}/radius`, { min: 0 })),
+          ...Object.entries(radii).map(([key, label]) =>
+            labelled(label, number(`${name}, ${key.replace("_", " ")}`, `${pointer}/${key}`, { min: 0 }))),
           ...flags.map((key) => labelled(key, checkbox(`${name}, ${key}`, `${pointer}/${key}`))), remove]));
       }
       rows.push(button(`Add a ${type}`, () => onAdd(type)));
@@ -100,7 +109,8 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
       const name = `Light ${index + 1}`;
       return row(name, `${light?.type}, ${where}`, [
         colour(`${name}, colour`, `${pointer}/color`), ...point(`${name}, ${where}`, `${pointer}/${where}`),
-        labelled("intensity", number(`${name}, intensity`, `${pointer}/intensity`, { min: 0 }))]);
+        labelled("intensity", number(`${name}, intensity`, `${pointer}/intensity`, { min: 0 })),
+        ...(where === "position" ? [labelled("falloff", choice(`${name}, falloff`, `${pointer}/falloff`, ["inverse_square", "none"]))] : [])]);
     });
     if (lights.length > 0) groups.push(group("Lights", lights));
     groups.push(group("Surroundings", [

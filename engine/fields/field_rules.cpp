@@ -32,6 +32,12 @@ std::string out_of_range(double value, std::string_view wanted) {
   return fmt::format("{} is out of range: must be {}", value, wanted);
 }
 
+std::string NotBothZeroRule::complaint(double value, double other_value) const {
+  if (value == 0 && other_value == 0)
+    return fmt::format("must not be 0 where {} is: nothing is left", other);
+  return NumberRule{not_negative}.complaint(value);
+}
+
 std::string IntegerRule::complaint(double value) const {
   return complaint_about_integer(
       value, {.least = static_cast<double>(least), .most = static_cast<double>(most)});

@@ -43,6 +43,13 @@ struct NumberRule {
   }
 };
 
+/// A number that is not negative, and not 0 where the one under another key is.
+struct NotBothZeroRule {
+  std::string_view other;
+
+  std::string complaint(double value, double other_value) const;
+};
+
 /// A number without a fraction, 3 and 3.0 alike.
 struct IntegerRule {
   std::int64_t least;
@@ -99,10 +106,19 @@ struct PointsRule {};
 struct OtherPointPerItemRule {
   std::string_view items;
 };
+/// One direction for each item of the list under another key.
+struct DirectionPerItemRule {
+  std::string_view items;
+};
 /// One number for all, or one for each item of the list under another key.
 struct NumberPerItemRule {
   ValueRange range;
   std::string_view items;
+};
+/// The same of items, whose other numbers are under another key.
+struct NotBothZeroPerItemRule {
+  std::string_view items;
+  std::string_view other;
 };
 /// One colour for each item of the list under another key.
 struct ColorPerItemRule {

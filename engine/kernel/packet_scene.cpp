@@ -40,6 +40,13 @@ void make_geometry(const PackedScene& scene, const FinderRow& finders, WorkerPoo
       row = Layout::row(primitive, i);
       row.material = static_cast<T>(scene.material_index(primitive.id));
       if (needs_items) geometry.items[i] = Layout::item(primitive, number);
+      if constexpr (HasCorners<typename Kind::Primitive>) {
+        const CornerValues* const values = scene.corner_values_of(primitive.id);
+        if (values == nullptr) continue;
+        const std::size_t place = values->first + primitive.id.item;
+        packed.corners[place] = corner_row<T>(corners_of(primitive), *values, primitive.id.item);
+        row.item = static_cast<T>(place + 1);
+      }
     }
   });
   const T curvature = Layout::row(primitives[0], 0).curvature;
@@ -98,14 +105,16 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
   packed.right = narrowed<T>(scene.view.right);
   packed.up = narrowed<T>(scene.view.up);
   packed.primitives.resize(scene.numbers.count());
+  for (const CornerValues& values : scene.corner_values)
+    if (!values.empty()) packed.corners.resize(values.first + values.corners.size());
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     make_geometry<Kind, T>(scene, finders[kind_index<Kind>], pool,
                            std::get<kind_index<Kind>>(packed.geometry.kinds), packed);
   });
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const PackedLight& light = scene.lights[i];
-    packed.lights.push_back(
-        {light.kind, light.rays, narrowed<T>(light.place), saturated<T>(light.emission), i});
+    packed.lights.push_back({light.kind, light.rays, narrowed<T>(light.place),
+                             saturated<T>(light.emission), light.fades, i});
   }
   packed.fetches_light_cells = exceed_caches(packed.geometry);
   packed.background = narrowed<T>(scene.background);

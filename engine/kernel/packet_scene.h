@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/kernel/corner_row.h"
 #include "engine/lights/packet_light.h"
 #include "engine/materials/material_row.h"
 #include "engine/objects/geometry.h"
@@ -48,7 +49,8 @@ struct PacketScene {
   bool has_flat;             ///< primitives without curvature
   bool has_own_normals;      ///< primitives whose kind computes them
   std::vector<PacketLight<T>> lights;
-  PrimitiveRows<T> primitives;  ///< by their numbers
+  PrimitiveRows<T> primitives;       ///< by their numbers
+  LargeArray<CornerRow<T>> corners;  ///< of primitives whose corners tell normals or colours
   PacketMaterials<T> materials;
   Triple<T> background;
   Shadows shadows;

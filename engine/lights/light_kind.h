@@ -27,7 +27,8 @@ struct PackedLight {
   std::size_t kind;  ///< its place in LightKinds
   LightRays rays;
   Vec3 place;    ///< parallel: unit vector towards the light; converging: where it is
-  Rgb emission;  ///< i; of one whose light falls with the distance's square, at distance 1
+  Rgb emission;  ///< i; of one that fades, at distance 1
+  bool fades;    ///< with the distance's square
 };
 
 /// A light as a point sees it.
@@ -57,6 +58,12 @@ concept IsPacked = requires(const Light& x, const Frame& frame, const Rgb& i) {
   { emission_of(x, i, frame) } -> std::same_as<Rgb>;
 };
 
+/// Whether its light falls with the distance's square.
+template <class Light>
+concept HasFalloff = requires(const Light& x) {
+  { fades(x) } -> std::same_as<bool>;
+};
+
 /// Its light on a surface that is `clearance` away, in the scene's unit, if colour times intensity
 /// is i.
 template <class Light>
@@ -72,6 +79,6 @@ concept Arrives = requires(const PackedLight& light, const SurfacePoint& point) 
 
 template <class Light>
 concept LightKind = DocumentedType<Light> && HasRays<Light> && HasLightExtents<Light> &&
-    IsPacked<Light> && HasBrightest<Light> && Arrives<Light>;
+    IsPacked<Light> && HasFalloff<Light> && HasBrightest<Light> && Arrives<Light>;
 
 }  // namespace raytracer

@@ -34,7 +34,7 @@ inline PackedLight pack_light(const Light& light, const Frame& frame) {
   return std::visit(
       [&](const auto& kind) -> PackedLight {
         return {light.source.index(), kind.rays, place_of(kind, frame),
-                emission_of(kind, light.color * light.intensity, frame)};
+                emission_of(kind, light.color * light.intensity, frame), fades(kind)};
       },
       light.source);
 }

@@ -14,6 +14,7 @@ struct PacketLight {
   LightRays rays;
   Triple<T> place;     ///< parallel: unit, towards the light; converging: its position
   Triple<T> emission;  ///< saturated, so that sums stay finite
+  bool fades;          ///< with the distance's square
   std::size_t index;   ///< among the lights
 };
 

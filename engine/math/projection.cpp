@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace raytracer {
 namespace {
@@ -86,13 +87,13 @@ PixelRectangle Projection::of_box(const Box& box) const {
   return rectangle(horizontal, vertical);
 }
 
-PixelRectangle Projection::of_discs(const Vec3& one, const Vec3& other, const Vec3& axis,
-                                    double radius) const {
+PixelRectangle Projection::of_discs(const Vec3& one, double one_radius, const Vec3& other,
+                                    double other_radius, const Vec3& axis) const {
   const Place w = place(axis);
   Slopes horizontal;
   Slopes vertical;
   bool is_behind = true;
-  for (const Vec3& center : {one, other}) {
+  for (const auto& [center, radius] : {std::pair(one, one_radius), {other, other_radius}}) {
     const Place at = place(center);
     is_behind = is_behind && at.z < -radius;
     const Slopes across = slopes_of_disc(at.x, at.z, w.x, w.y, w.z, radius);

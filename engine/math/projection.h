@@ -41,9 +41,9 @@ class Projection {
 
   PixelRectangle of_sphere(const Vec3& center, double radius) const;
   PixelRectangle of_box(const Box& box) const;
-  /// Of everything between two discs of one radius across `axis` (unit).
-  PixelRectangle of_discs(const Vec3& one, const Vec3& other, const Vec3& axis,
-                          double radius) const;
+  /// Of everything between two discs across `axis` (unit).
+  PixelRectangle of_discs(const Vec3& one, double one_radius, const Vec3& other,
+                          double other_radius, const Vec3& axis) const;
   /// Of a triangle in a plane so far from the eye.
   PixelRectangle of_triangle(const std::array<Vec3, 3>& corners, double plane_distance) const;
 

@@ -22,6 +22,10 @@ struct PrimitiveId {
   friend auto operator<=>(const PrimitiveId&, const PrimitiveId&) = default;
 };
 
+/// What is flat has two surfaces.
+inline constexpr int front_part = 0;  ///< from which the corners are seen anticlockwise
+inline constexpr int back_part = 1;
+
 /// Where a ray begins: the eye, or a point on a surface seen from one side.
 struct SurfacePoint {
   enum class Side { none, round_outside, round_inside, flat };
@@ -29,6 +33,7 @@ struct SurfacePoint {
   Side side = Side::none;
   PrimitiveId id;     ///< of the surface, if there is one
   int part = 0;       ///< which of the primitive's surfaces, as its kind counts them
+  Vec3 weights;       ///< of something between corners: how much each of them counts, 1 in sum
   Vec3 anchor;        ///< of a round surface the point `radius` below it; else the point itself
   Vec3 offset;        ///< from the anchor to the point: zero but for round surfaces
   double radius = 0;  ///< of a round surface: the offset's length
@@ -58,6 +63,7 @@ inline SurfacePoint round_point(const PrimitiveId& id, const Vec3& center, doubl
   return {.side = is_inside ? SurfacePoint::Side::round_inside : SurfacePoint::Side::round_outside,
           .id = id,
           .part = 0,
+          .weights = {},
           .anchor = center,
           .offset = normal * radius,
           .radius = radius,
@@ -72,6 +78,7 @@ inline SurfacePoint flat_point(const PrimitiveId& id, const Ray& ray, double t,
   return {.side = SurfacePoint::Side::flat,
           .id = id,
           .part = 0,
+          .weights = {},
           .anchor = ray.origin.anchor + (ray.origin.offset + t * ray.direction),
           .offset = {},
           .radius = 0,

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "engine/memory/page_allocator.h"
+#include "engine/objects/cone/cone.h"
 #include "engine/objects/cylinder/cylinder.h"
 #include "engine/objects/kind.h"
 #include "engine/objects/lattice/lattice.h"
@@ -19,7 +20,7 @@
 
 namespace raytracer {
 
-using ObjectKinds = Types<SphereKind, LatticeKind, PlaneKind, TriangleKind, CylinderKind>;
+using ObjectKinds = Types<SphereKind, LatticeKind, PlaneKind, TriangleKind, CylinderKind, ConeKind>;
 static_assert(each_satisfies<ObjectKinds>([]<ObjectKind Kind>(std::type_identity<Kind>) {
   each_satisfies<typename Kind::Documents>(
       []<ObjectDocument<typename Kind::Primitive> Document>(std::type_identity<Document>) {});

@@ -1,6 +1,7 @@
 // How the kinds of objects lie in packets of rays: the list of objects.h once more.
 #pragma once
 
+#include "engine/objects/cone/packets.h"
 #include "engine/objects/cylinder/packets.h"
 #include "engine/objects/lattice/packets.h"
 #include "engine/objects/objects.h"

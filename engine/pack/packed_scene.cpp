@@ -62,6 +62,25 @@ void add_materials(const Object& object, PackedScene& packed) {
   packed.material_index.add_object(materials);
 }
 
+/// By object; none if no object has any.
+std::vector<CornerValues> find_corner_values(const Scene& scene) {
+  std::vector<CornerValues> values;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const auto add = [&]<typename Document>(const Document& shape) {
+      if constexpr (HasCornerValues<Document>) {
+        if (!has_corner_normals(shape) && !has_corner_colors(shape)) return;
+        values.resize(scene.objects.size());
+        values[i] = corner_values(shape);
+        values[i].first = count;
+        count += values[i].corners.size();
+      }
+    };
+    std::visit(add, scene.objects[i].shape);
+  }
+  return values;
+}
+
 }  // namespace
 
 Frame make_frame(const Scene& scene) {
@@ -99,6 +118,7 @@ PackedScene pack_scene(const Scene& scene, WorkerPool* pool) {
         },
         object.shape);
   }
+  packed.corner_values = find_corner_values(scene);
   for (const Light& light : lights_in_use(scene))
     packed.lights.push_back(pack_light(light, packed.frame));
   packed.background = scene.background;

@@ -7,6 +7,7 @@
 #include "engine/materials/materials.h"
 #include "engine/math/frame.h"
 #include "engine/math/view.h"
+#include "engine/objects/corner_values.h"
 #include "engine/objects/numbering.h"
 #include "engine/objects/objects.h"
 #include "engine/parallel/worker_pool.h"
@@ -48,6 +49,7 @@ struct PackedScene {
   double lost = 0;        ///< those that the frame does not carry
   Numbering numbers;
   PrimitiveMaterials material_index;
+  std::vector<CornerValues> corner_values;  ///< by object; none if no object has any
   std::vector<Material> materials;
   std::vector<PackedLight> lights;  ///< that can change a colour
   Rgb background;
@@ -55,6 +57,11 @@ struct PackedScene {
   Shadows shadows = Shadows::black;
   int max_depth = 0;
 
+  /// What the corners of an object's items tell, if they do.
+  const CornerValues* corner_values_of(const PrimitiveId& id) const {
+    if (corner_values.empty() || corner_values[id.object].empty()) return nullptr;
+    return &corner_values[id.object];
+  }
   const Material& material_of(const PrimitiveId& id) const { return materials[material_index(id)]; }
 };
 

@@ -14,8 +14,10 @@ struct PrimitiveRow {
   T curvature{};      ///< 1 / radius; 0 if flat; `own_normal` where the kind computes it
   T radius_square{};  ///< of a sphere
   T eye_c{};          ///< of a sphere |center|^2 - radius^2
-  T item{};           ///< where the kind computes the normal, the place among its items
-  T material{};       ///< the place among the scene's materials
+  /// Where the kind computes the normal, the place among its items. Of what is flat, where corners
+  /// tell normals or colours, 1 more than the place among their rows; else 0.
+  T item{};
+  T material{};  ///< the place among the scene's materials
 
   static constexpr T own_normal = -1;
 };

@@ -1,5 +1,6 @@
 // Values of a table's rows, for packets of which each lane asks for a row of its own.
 
+#include <bit>
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
@@ -22,6 +23,7 @@ class Rows {
     is_shared_ = hn::AllTrue(d, hn::Or(hn::Not(active), hn::Eq(numbers, hn::Set(d, first))));
     shared_ = table + static_cast<std::size_t>(first);
     constexpr auto width = static_cast<T>(sizeof(Row) / sizeof(T));
+    static_assert(std::has_single_bit(sizeof(Row)), "a T holds every product with the width");
     begins_ = hn::ConvertTo(hn::RebindToSigned<D>(),
                             hn::Mul(hn::IfThenElseZero(active, numbers), hn::Set(d, width)));
   }

@@ -52,6 +52,8 @@ Json features_json(const Scene& scene, const Features& features) {
   if (features.has_ambient) shading.push_back("ambient");
   if (features.has_diffuse) shading.push_back("diffuse");
   if (features.has_specular) shading.push_back("specular");
+  if (features.has_corner_normals) shading.push_back("interpolated normals");
+  if (features.has_corner_colors) shading.push_back("interpolated colors");
   Json json{{"objects", objects},
             {"lights", lights},
             {"shadows", features.casts_shadows ? name_of(scene.shadows) : "none"},

@@ -8,11 +8,26 @@
 namespace raytracer {
 namespace {
 
+/// One whose corners' normals differ mirrors as a sphere would whose normals turn as fast.
+template <typename Primitive>
+void add_smooth_mirror(const PackedScene& packed, const Primitive& primitive,
+                       CurvedMirrors& mirrors) {
+  if constexpr (HasCorners<Primitive>) {
+    const double radius = smooth_radius(packed, primitive);
+    if (std::isinf(radius)) return;
+    const auto& [a, b, c] = corners_of(primitive);
+    mirrors.include((a + b + c) / 3, radius, 1, std::max(length(b - a), length(c - a)));
+  }
+}
+
 CurvedMirrors find_mirrors(const PackedScene& packed) {
   CurvedMirrors mirrors;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     for (const auto& primitive : of_kind<Kind>(packed.primitives))
-      if (packed.material_of(primitive.id).reflectivity > 0) add_mirror(primitive, mirrors);
+      if (packed.material_of(primitive.id).reflectivity > 0) {
+        add_mirror(primitive, mirrors);
+        add_smooth_mirror(packed, primitive, mirrors);
+      }
   });
   return mirrors;
 }

@@ -44,6 +44,18 @@ GeometryStatistics together(const std::array<GeometryStatistics, ObjectKinds::co
   return all;
 }
 
+/// Of those between corners whose normals differ: they turn as on something round.
+void add_smooth_surfaces(const PackedScene& packed, GeometryStatistics& to) {
+  if (packed.corner_values.empty()) return;
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    if constexpr (HasCorners<typename Kind::Primitive>)
+      for (const auto& primitive : of_kind<Kind>(packed.primitives)) {
+        const double distance = length(corners_of(primitive)[0]);
+        to.least_sine = std::min(to.least_sine, smooth_radius(packed, primitive) / distance);
+      }
+  });
+}
+
 /// What the eye's distances are to the eye, a light's are to the light.
 /// Returns its distance from the nearest surface.
 double add_converging_light(const PackedScene& packed, const PackedLight& light, WorkerPool* pool,
@@ -120,6 +132,7 @@ SceneStatistics gather_statistics(const Scene& scene, const PackedScene& packed,
   SceneStatistics statistics;
   statistics.kinds = statistics_of_kinds(packed, eye, pool);
   statistics.all = together(statistics.kinds);
+  add_smooth_surfaces(packed, statistics.all);
   statistics.nearest = std::max(statistics.all.nearest, 0.0);
   statistics.lost = packed.lost;
   statistics.pixel_angle = eye.pixel_angle;

@@ -49,6 +49,15 @@ struct SceneStatistics {
 SceneStatistics gather_statistics(const Scene& scene, const PackedScene& packed,
                                   const Features& features, WorkerPool* pool);
 
+/// The least radius that its corners' normals give something between corners; infinite where they
+/// are all the same.
+template <typename Primitive>
+double smooth_radius(const PackedScene& packed, const Primitive& primitive) {
+  const CornerValues* const values = packed.corner_values_of(primitive.id);
+  if (values == nullptr || values->normals.empty()) return infinity;
+  return least_radius(corners_of(primitive), values->of(values->normals, primitive.id.item));
+}
+
 /// How much reflections magnify errors, of a scene that reaches to `farthest` from the eye.
 ///
 /// A first reflection shows anything up to the farthest. What follows happens between mirrors: on

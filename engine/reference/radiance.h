@@ -25,11 +25,34 @@ inline ArrivingLight arriving_light(const PackedLight& light, const SurfacePoint
   return result;
 }
 
-/// Whether `light` counts at `point`: it is on the normal's side, and nothing is in between.
+/// What shades a point: its normal and its material's colour, unless the corners around it tell
+/// others.
+struct PointShading {
+  Vec3 normal;
+  Material material;
+};
+
+inline PointShading shading_at(const PackedScene& scene, const SurfacePoint& point) {
+  PointShading shading{point.normal, scene.material_of(point.id)};
+  const CornerValues* const values = scene.corner_values_of(point.id);
+  if (values == nullptr) return shading;
+  const auto interpolated = [&](const std::vector<Vec3>& of) {
+    const auto [a, b, c] = values->of(of, point.id.item);
+    return point.weights.x * a + point.weights.y * b + point.weights.z * c;
+  };
+  if (!values->colors.empty()) shading.material.color = interpolated(values->colors);
+  if (values->normals.empty()) return shading;
+  const Vec3 normal = unit(interpolated(values->normals));
+  if (normal != Vec3{}) shading.normal = point.part == back_part ? -normal : normal;
+  return shading;
+}
+
+/// Whether `light` counts at `point`, which `normal` shades: it is on the side of that and of the
+/// surface, and nothing is in between.
 template <typename Finder>
-bool is_visible(const ArrivingLight& light, const SurfacePoint& point, const Finder& finder,
-                Shadows shadows) {
-  if (!(dot(point.normal, light.towards) > 0)) return false;
+bool is_visible(const ArrivingLight& light, const SurfacePoint& point, const Vec3& normal,
+                const Finder& finder, Shadows shadows) {
+  if (!(dot(normal, light.towards) > 0 && dot(point.normal, light.towards) > 0)) return false;
   if (shadows == Shadows::off) return true;
   const Ray ray{point, light.towards};
   // A light that lies in a surface is not hidden by it: there t is the distance but for rounding.
@@ -43,17 +66,25 @@ bool is_visible(const ArrivingLight& light, const SurfacePoint& point, const Fin
 /// `view` is the unit vector towards the viewer.
 template <typename Finder>
 Rgb shade(const PackedScene& scene, const Finder& finder, const SurfacePoint& point,
-          const Material& material, const Vec3& view) {
+          const PointShading& shading, const Vec3& view) {
+  const Material& material = shading.material;
   const Rgb ambient = material.color * (material.ka * scene.ambient);
   Rgb sum;
   if (scene.shadows != Shadows::black) sum += ambient;
   for (const PackedLight& packed_light : scene.lights) {
     const ArrivingLight light = arriving_light(packed_light, point);
-    if (!is_visible(light, point, finder, scene.shadows)) continue;
+    if (!is_visible(light, point, shading.normal, finder, scene.shadows)) continue;
     if (scene.shadows == Shadows::black) sum += ambient;
-    sum += direct_light(material, light, point.normal, view);
+    sum += direct_light(material, light, shading.normal, view);
   }
   return sum;
+}
+
+/// Where a mirror sends a ray: above its surface, so that a normal from corners that would send it
+/// below does not count.
+inline Vec3 mirrored(const Vec3& direction, const SurfacePoint& point, const Vec3& normal) {
+  const Vec3 above = reflected(direction, normal);
+  return unit(dot(above, point.normal) > 0 ? above : reflected(direction, point.normal));
 }
 
 /// The radiance that reaches the eye from `direction` (unit), not yet clamped.
@@ -68,12 +99,12 @@ Rgb radiance(const PackedScene& scene, const Finder& finder, const Vec3& directi
     if (!query.found()) return sum + weight * scene.background;
 
     const SurfacePoint point = query.point();
-    const Material& material = scene.material_of(point.id);
-    sum += weight * shade(scene, finder, point, material, -ray.direction);
+    const PointShading shading = shading_at(scene, point);
+    sum += weight * shade(scene, finder, point, shading, -ray.direction);
 
-    weight *= material.reflectivity;
+    weight *= shading.material.reflectivity;
     if (!(weight > 0) || depth == scene.max_depth) return sum;
-    ray = {point, unit(reflected(ray.direction, point.normal))};
+    ray = {point, mirrored(ray.direction, point, shading.normal)};
   }
 }
 

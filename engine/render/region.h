@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/image/tile.h"
+#include "engine/math/block.h"
 #include "engine/render/prepared_scene.h"
 #include "engine/render/render.h"
 
@@ -23,7 +24,10 @@ struct RegionRendering {
   BeyondRange beyond;
 };
 
-/// The regions of an image, as the tiles that cover it: `side_px` is a multiple of block_side.
+/// A region's sides are multiples of it, but at the image's edge.
+inline constexpr int region_unit_px = block_side;
+
+/// The regions of an image, as the tiles that cover it: `side_px` is a multiple of region_unit_px.
 std::vector<Tile> regions_of(int width_px, int height_px, int side_px);
 
 /// Traces one region with as many samples per pixel as the scene says, on the pool's threads;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <variant>
 
+#include "engine/objects/corner_values.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {
@@ -40,8 +42,17 @@ std::vector<Light> lights_on(const std::vector<Material>& used, const Scene& sce
 }
 
 void count_primitives(const Scene& scene, Features& features) {
-  for (const Object& object : scene.objects)
+  for (const Object& object : scene.objects) {
     features.primitives[kind_of(object.shape)] += primitive_count(object);
+    std::visit(
+        [&]<typename Document>(const Document& shape) {
+          if constexpr (HasCornerValues<Document>) {
+            features.has_corner_normals = features.has_corner_normals || has_corner_normals(shape);
+            features.has_corner_colors = features.has_corner_colors || has_corner_colors(shape);
+          }
+        },
+        object.shape);
+  }
 }
 
 /// The exponent that all share, if it is an integer small enough for repeated squaring; else -1.

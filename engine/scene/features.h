@@ -31,6 +31,9 @@ struct Features {
   /// The one integer exponent, at most 4096, of all specular materials in use; else -1.
   std::int32_t uniform_shininess = -1;
 
+  bool has_corner_normals = false;  ///< interpolated between corners, for smooth shading
+  bool has_corner_colors = false;   ///< likewise
+
   bool reflects = false;    ///< some surface mirrors and a ray may be reflected at least once
   double reflectivity = 0;  ///< the largest in use; 0 if nothing reflects
   int max_depth = 0;        ///< reflections in a row; 0 if nothing reflects

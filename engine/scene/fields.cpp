@@ -131,6 +131,14 @@ std::optional<int> read(const Field& field, const CountRule& rule) {
   return static_cast<int>(std::min<double>(*value, std::numeric_limits<int>::max()));
 }
 
+std::optional<double> read(const Field& field, const NotBothZeroRule& rule) {
+  const std::optional<double> number = read(field, NumberRule{not_negative});
+  const std::optional<double> other = read_sibling(field, rule.other, NumberRule{not_negative});
+  if (!number || !other || *number != 0 || *other != 0) return number;
+  field.refuse(rule.complaint(*number, *other));
+  return {};
+}
+
 std::optional<bool> read(const Field& field, const FlagRule&) {
   return read_as<bool>(field, "true or false");
 }

@@ -104,6 +104,7 @@ std::optional<ObjectReader> read_object(const Field& field);
 
 // One function for each rule of engine/fields/field_rules.h.
 std::optional<double> read(const Field& field, const NumberRule& rule);
+std::optional<double> read(const Field& field, const NotBothZeroRule& rule);
 std::optional<std::int64_t> read(const Field& field, const IntegerRule& rule);
 std::optional<int> read(const Field& field, const CountRule& rule);
 std::optional<bool> read(const Field& field, const FlagRule& rule);
@@ -114,7 +115,9 @@ std::optional<Vec3> read(const Field& field, const DirectionRule& rule);
 std::optional<Rgb> read(const Field& field, const ColorRule& rule);
 std::optional<std::vector<Vec3>> read(const Field& field, const PointsRule& rule);
 std::optional<std::vector<Vec3>> read(const Field& field, const OtherPointPerItemRule& rule);
+std::optional<std::vector<Vec3>> read(const Field& field, const DirectionPerItemRule& rule);
 std::optional<std::vector<double>> read(const Field& field, const NumberPerItemRule& rule);
+std::optional<std::vector<double>> read(const Field& field, const NotBothZeroPerItemRule& rule);
 std::optional<std::vector<Rgb>> read(const Field& field, const ColorPerItemRule& rule);
 std::optional<std::vector<std::array<std::uint32_t, 3>>> read(const Field& field,
                                                               const TriplesRule& rule);
@@ -126,7 +129,7 @@ auto read_sibling(const Field& field, std::string_view key, const Rule& rule)
   const auto value = field.siblings.at_key(key);
   if (value.error()) return {};
   ErrorList unheard;
-  return read(Field{value.value_unsafe(), field.path, unheard}, rule);
+  return read(Field{value.value_unsafe(), field.path, unheard, field.siblings}, rule);
 }
 
 /// The index of the string among `words`.

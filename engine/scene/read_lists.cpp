@@ -64,6 +64,12 @@ std::optional<std::vector<Vec3>> read(const Field& field, const OtherPointPerIte
   return points;
 }
 
+std::optional<std::vector<Vec3>> read(const Field& field, const DirectionPerItemRule& rule) {
+  auto directions = read_list(field, DirectionRule{}, Vec3{});
+  if (directions && !has_one_for_each(field, directions->size(), "vector", rule.items)) return {};
+  return directions;
+}
+
 std::optional<std::vector<Rgb>> read(const Field& field, const ColorPerItemRule& rule) {
   auto colors = read_list(field, ColorRule{}, Rgb{});
   if (colors && !has_one_for_each(field, colors->size(), "color", rule.items)) return {};
@@ -86,6 +92,22 @@ std::optional<std::vector<double>> read(const Field& field, const NumberPerItemR
   const bool all_equal = std::all_of(numbers->begin(), numbers->end(),
                                      [&](double number) { return number == numbers->front(); });
   if (all_equal && !numbers->empty()) numbers->resize(1);
+  return numbers;
+}
+
+std::optional<std::vector<double>> read(const Field& field, const NotBothZeroPerItemRule& rule) {
+  const NumberPerItemRule each{not_negative, rule.items};
+  auto numbers = read(field, each);
+  const auto others = read_sibling(field, rule.other, each);
+  if (!numbers || !others || numbers->empty() || others->empty()) return numbers;
+  const auto is_zero = [](const std::vector<double>& values, std::size_t i) {
+    return values[values.size() == 1 ? 0 : std::min(i, values.size() - 1)] == 0;
+  };
+  for (std::size_t i = 0; i < std::max(numbers->size(), others->size()); ++i)
+    if (is_zero(*numbers, i) && is_zero(*others, i))
+      field.errors.add(ErrorKind::invalid,
+                       field.value.is_array() ? field.path.child(i) : field.path,
+                       [&] { return NotBothZeroRule{rule.other}.complaint(0, 0); });
   return numbers;
 }
 

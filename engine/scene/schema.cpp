@@ -31,6 +31,7 @@ struct SchemaOf {
     if (std::isfinite(rule.range.most)) number["maximum"] = rule.range.most;
     return number;
   }
+  Json operator()(const NotBothZeroRule&) const { return (*this)(NumberRule{not_negative}); }
   Json operator()(const IntegerRule& rule) const {
     return {{"type", "integer"}, {"minimum", rule.least}, {"maximum", rule.most}};
   }
@@ -51,9 +52,13 @@ struct SchemaOf {
   }
   Json operator()(const PointsRule&) const { return list_of(reference("point")); }
   Json operator()(const OtherPointPerItemRule&) const { return list_of(reference("point")); }
+  Json operator()(const DirectionPerItemRule&) const { return list_of(reference("direction")); }
   Json operator()(const NumberPerItemRule& rule) const {
     const Json one = (*this)(NumberRule{rule.range});
     return {{"oneOf", {one, list_of(one)}}};
+  }
+  Json operator()(const NotBothZeroPerItemRule& rule) const {
+    return (*this)(NumberPerItemRule{not_negative, rule.items});
   }
   Json operator()(const ColorPerItemRule&) const { return list_of(reference("color")); }
   Json operator()(const TriplesRule&) const {
@@ -161,7 +166,8 @@ std::string scene_schema() {
       {"description",
        "What a scene says. What JSON Schema cannot say, the server checks: origin must differ from "
        "look_at; fov modulo 2 pi must lie strictly between 0 and pi; a material's name must exist; "
-       "lists that go together are equally long; indices are below the number of what they name. "
+       "lists that go together are equally long; a cone has a radius somewhere; indices are below "
+       "the number of what they name. "
        "The server's limits come on top: see /version."}};
   Json root = object_schema();
   root["required"] = {"camera"};

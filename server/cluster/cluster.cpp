@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "server/cluster/answered.h"
@@ -74,8 +73,8 @@ Member Cluster::describe_self() const {
           .works = parts_.config.cluster.works};
 }
 
-std::optional<Cut> Cluster::foresee(const PreparedScene& scene, bool is_8_bit,
-                                    const RenderProgress& progress) const {
+std::optional<TaskCut> Cluster::foresee(const PreparedScene& scene, bool is_8_bit,
+                                        const RenderProgress& progress) const {
   const double share_from_ms = parts_.config.cluster.share_from_ms;
   if (is_short(scene, share_from_ms, parts_.config.threads)) return {};
   const std::optional<Prediction> prediction =
@@ -84,11 +83,11 @@ std::optional<Cut> Cluster::foresee(const PreparedScene& scene, bool is_8_bit,
   return cut_into_tasks(scene, *prediction, is_8_bit);
 }
 
-std::optional<Cut> Cluster::choose_cut(const PreparedScene& scene, bool is_8_bit,
-                                       const RenderProgress& progress) {
+std::optional<TaskCut> Cluster::choose_cut(const PreparedScene& scene, bool is_8_bit,
+                                           const RenderProgress& progress) {
   const bool works = parts_.config.cluster.works;
   if (works && is_degraded()) return {};  // it needs nobody else
-  const std::optional<Cut> cut = foresee(scene, is_8_bit, progress);
+  const std::optional<TaskCut> cut = foresee(scene, is_8_bit, progress);
   if (!cut || works) return cut;
   return answered([&] {
     if (!has_worker(store_.members(), self_.renderer, store_.limits()))
@@ -103,7 +102,7 @@ std::optional<Cut> Cluster::choose_cut(const PreparedScene& scene, bool is_8_bit
 
 template <typename Channel>
 BasicRendering<Channel> Cluster::render(const SceneView& view, const httplib::Params& query,
-                                        const Cut& cut, RenderProgress& progress,
+                                        const TaskCut& cut, RenderProgress& progress,
                                         Sharing& sharing) {
   constexpr std::chrono::milliseconds longest_silence{250};
   const auto waiter = parts_.admission.add_waiter();
@@ -147,9 +146,9 @@ BasicRendering<Channel> Cluster::render(const SceneView& view, const httplib::Pa
   rendering.trace_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
   return rendering;
 }
-template Rendering Cluster::render(const SceneView&, const httplib::Params&, const Cut&,
+template Rendering Cluster::render(const SceneView&, const httplib::Params&, const TaskCut&,
                                    RenderProgress&, Sharing&);
-template ByteRendering Cluster::render(const SceneView&, const httplib::Params&, const Cut&,
+template ByteRendering Cluster::render(const SceneView&, const httplib::Params&, const TaskCut&,
                                        RenderProgress&, Sharing&);
 
 void Cluster::keep_scene(const std::string& id, std::string_view document) {
@@ -172,51 +171,32 @@ std::optional<std::string> Cluster::kept_scene(const std::string& id) {
   });
 }
 
-nlohmann::ordered_json Cluster::describe() {
+ClusterState Cluster::state() {
   return answered([&] {
-    nlohmann::ordered_json workers = nlohmann::ordered_json::array();
-    for (const Member& member : store_.members())
-      workers.push_back({{"name", member.name},
-                         {"build", member.build},
-                         {"instruction_set", member.instruction_set},
-                         {"threads", member.threads},
-                         {"tasks_done", member.tasks_done},
-                         {"last_heard_s", silence_s(member)},
-                         {"works", member.works}});
-    std::uint64_t waiting = 0;
-    std::uint64_t running = 0;
+    ClusterState state{.members = store_.members(), .redelivered = store_.redelivered()};
     for (const OpenJob& job : store_.open_jobs()) {
-      waiting += job.waiting;
-      running += job.running;
+      state.waiting += job.waiting;
+      state.running += job.running;
     }
-    return nlohmann::ordered_json{{"workers", workers},
-                                  {"tasks", {{"waiting", waiting}, {"running", running}}},
-                                  {"redelivered", store_.redelivered()}};
+    return state;
   });
 }
 
 void Cluster::set_metrics(Metrics& metrics) {
   metrics.set("cluster_connected", is_degraded() ? 0 : 1);
+  ClusterState now;
   try {
-    std::uint64_t waiting = 0;
-    std::uint64_t running = 0;
-    for (const OpenJob& job : store_.open_jobs()) {
-      waiting += job.waiting;
-      running += job.running;
-    }
-    metrics.set("cluster_tasks", static_cast<double>(waiting), {"waiting"});
-    metrics.set("cluster_tasks", static_cast<double>(running), {"running"});
-    const std::vector<Member> members = store_.members();
-    metrics.set("cluster_workers",
-                static_cast<double>(
-                    std::count_if(members.begin(), members.end(), [&](const Member& member) {
-                      return member.works &&
-                             1000 * silence_s(member) <
-                                 static_cast<double>(store_.limits().task_timeout.count());
-                    })));
-    metrics.set("cluster_redelivered_total", static_cast<double>(store_.redelivered()));
-  } catch (const std::exception&) {  // NOLINT: what was known last stays
+    now = state();
+  } catch (const std::exception&) {
+    return;  // what was known last stays
   }
+  const auto workers = std::count_if(
+      now.members.begin(), now.members.end(),
+      [&](const Member& member) { return member.works && is_alive(member, store_.limits()); });
+  metrics.set("cluster_workers", static_cast<double>(workers));
+  metrics.set("cluster_tasks", static_cast<double>(now.waiting), {"waiting"});
+  metrics.set("cluster_tasks", static_cast<double>(now.running), {"running"});
+  metrics.set("cluster_redelivered_total", static_cast<double>(now.redelivered));
 }
 
 void Cluster::drain(std::chrono::milliseconds longest) {

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/engine.h"
 #include "server/admission.h"
@@ -23,6 +24,14 @@
 #include "server/scenes.h"
 
 namespace raytracer {
+
+/// Who is in it, and how many tasks there are.
+struct ClusterState {
+  std::vector<Member> members{};
+  std::uint64_t waiting = 0;      ///< tasks
+  std::uint64_t running = 0;      ///< tasks
+  std::uint64_t redelivered = 0;  ///< ever
+};
 
 /// Every member function may be called from any thread.
 class Cluster {
@@ -50,30 +59,30 @@ class Cluster {
 
   /// How a render for a client that waits is shared; nothing if it is to be made here, or was
   /// stopped. Throws HttpError 503 if it is too long for this front, and nobody else is there.
-  std::optional<Cut> choose_cut(const PreparedScene& scene, bool is_8_bit,
-                                const RenderProgress& progress);
+  std::optional<TaskCut> choose_cut(const PreparedScene& scene, bool is_8_bit,
+                                    const RenderProgress& progress);
 
   /// Has the cluster render it, and waits; `progress.stop` ends that. `query`: as for Jobs::accept.
   /// Throws HttpError; std::runtime_error if it failed.
   template <typename Channel>
   BasicRendering<Channel> render(const SceneView& view, const httplib::Params& query,
-                                 const Cut& cut, RenderProgress& progress, Sharing& sharing);
+                                 const TaskCut& cut, RenderProgress& progress, Sharing& sharing);
 
   /// Keeps a posted scene for all fronts. Throws HttpError 503.
   void keep_scene(const std::string& id, std::string_view document);
   /// What was kept by another front. Throws HttpError 503.
   std::optional<std::string> kept_scene(const std::string& id);
 
-  /// What GET /cluster answers. Throws HttpError 503.
-  nlohmann::ordered_json describe();
+  /// Throws HttpError 503.
+  ClusterState state();
   void set_metrics(Metrics& metrics);
 
   /// Takes no more tasks; what runs has so long to finish, the rest is handed back.
   void drain(std::chrono::milliseconds longest);
 
  private:
-  std::optional<Cut> foresee(const PreparedScene& scene, bool is_8_bit,
-                             const RenderProgress& progress) const;
+  std::optional<TaskCut> foresee(const PreparedScene& scene, bool is_8_bit,
+                                 const RenderProgress& progress) const;
   Member describe_self() const;
 
   const Parts parts_;

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/image/tile.h"
-#include "engine/math/block.h"
-
 namespace raytracer {
 namespace {
 
@@ -26,17 +23,17 @@ bool is_short(const PreparedScene& scene, double ms, std::size_t thread_count) {
   return rays * slow_ray_ms / static_cast<double>(thread_count) < ms;
 }
 
-Cut cut_into_tasks(const PreparedScene& scene, const Prediction& prediction, bool is_8_bit) {
-  Cut cut{.predicted_ms = prediction.trace_ms};
+TaskCut cut_into_tasks(const PreparedScene& scene, const Prediction& prediction, bool is_8_bit) {
+  TaskCut cut{.predicted_ms = prediction.trace_ms};
   const Camera& camera = scene.scene().camera;
   if (scene.plan().sampling.value == Sampling::contract) return cut;
   const double pixels = static_cast<double>(camera.width) * camera.height;
   const double thread_ms = prediction.trace_ms * static_cast<double>(prediction.thread_count);
   const double pixel_bytes = 3 * (is_8_bit ? 1 : sizeof(float)) + error_bytes_per_pixel;
   const double tasks = std::max({thread_ms / task_ms, pixels * pixel_bytes / most_bytes, 1.0});
-  const auto blocks = static_cast<int>(std::sqrt(pixels / tasks) / block_side);
-  const int whole = std::max(camera.width, camera.height) / block_side + 1;
-  cut.side_px = block_side * std::clamp(blocks, 1, whole);
+  const auto blocks = static_cast<int>(std::sqrt(pixels / tasks) / region_unit_px);
+  const int whole = std::max(camera.width, camera.height) / region_unit_px + 1;
+  cut.side_px = region_unit_px * std::clamp(blocks, 1, whole);
   cut.task_count = static_cast<int>(regions_of(camera.width, camera.height, cut.side_px).size());
   return cut;
 }

@@ -5,7 +5,7 @@
 
 namespace raytracer {
 
-struct Cut {
+struct TaskCut {
   double predicted_ms = 0;  ///< of tracing, here
   int side_px = 0;          ///< of its regions; 0: one task makes the whole
   int task_count = 1;
@@ -17,6 +17,6 @@ bool is_short(const PreparedScene& scene, double ms, std::size_t thread_count);
 
 /// Regions that take one thread some 100 to 500 ms each, and whose values fit into a message. A
 /// contract looks at the whole image and is one task.
-Cut cut_into_tasks(const PreparedScene& scene, const Prediction& prediction, bool is_8_bit);
+TaskCut cut_into_tasks(const PreparedScene& scene, const Prediction& prediction, bool is_8_bit);
 
 }  // namespace raytracer

@@ -10,7 +10,20 @@ namespace raytracer {
 void get_cluster(Services& services, Call& call) {
   if (!services.cluster)
     refuse(404, "This server works alone; --nats (RAYTRACER_NATS) makes it a part of a cluster");
-  answer_json(call.response, 200, services.cluster->describe());
+  const ClusterState state = services.cluster->state();
+  nlohmann::ordered_json workers = nlohmann::ordered_json::array();
+  for (const Member& member : state.members)
+    workers.push_back({{"name", member.name},
+                       {"build", member.build},
+                       {"instruction_set", member.instruction_set},
+                       {"threads", member.threads},
+                       {"tasks_done", member.tasks_done},
+                       {"last_heard_s", silence_s(member)},
+                       {"works", member.works}});
+  answer_json(call.response, 200,
+              {{"workers", workers},
+               {"tasks", {{"waiting", state.waiting}, {"running", state.running}}},
+               {"redelivered", state.redelivered}});
 }
 
 }  // namespace raytracer

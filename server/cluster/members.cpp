@@ -7,28 +7,25 @@
 #include <utility>
 
 namespace raytracer {
-namespace {
-
-bool lives(const Member& member, const StoreLimits& limits) {
-  return std::chrono::duration<double>(silence_s(member)) < limits.task_timeout;
-}
-
-}  // namespace
 
 double silence_s(const Member& member) {
   return std::max(static_cast<double>(now_ms() - member.heard_ms) / 1000, 0.0);
 }
 
+bool is_alive(const Member& member, const StoreLimits& limits) {
+  return std::chrono::duration<double>(silence_s(member)) < limits.task_timeout;
+}
+
 bool has_worker(const std::vector<Member>& members, const std::string& renderer,
                 const StoreLimits& limits) {
   return std::any_of(members.begin(), members.end(), [&](const Member& member) {
-    return member.works && member.renderer == renderer && lives(member, limits);
+    return member.works && member.renderer == renderer && is_alive(member, limits);
   });
 }
 
 bool lives(const std::vector<Member>& members, const std::string& name, const StoreLimits& limits) {
   return std::any_of(members.begin(), members.end(), [&](const Member& member) {
-    return member.name == name && lives(member, limits);
+    return member.name == name && is_alive(member, limits);
   });
 }
 

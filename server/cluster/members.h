@@ -13,6 +13,9 @@ namespace raytracer {
 /// How long ago it was heard of.
 double silence_s(const Member& member);
 
+/// Whether it was heard of lately.
+bool is_alive(const Member& member, const StoreLimits& limits);
+
 /// Whether somebody who was heard of lately takes tasks of this renderer.
 bool has_worker(const std::vector<Member>& members, const std::string& renderer,
                 const StoreLimits& limits);

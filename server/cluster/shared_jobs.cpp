@@ -113,7 +113,7 @@ std::shared_ptr<const Job> SharedJobs::accept(JobTask task, SceneView view,
 }
 
 JobRecord SharedJobs::begin_render(const SceneView& view, const httplib::Params& query,
-                                   const Cut& cut, bool is_8_bit) {
+                                   const TaskCut& cut, bool is_8_bit) {
   return answered([&] {
     require_room();
     JobRecord record = new_record(JobTask::render, view, query);
@@ -128,7 +128,7 @@ JobRecord SharedJobs::begin_render(const SceneView& view, const httplib::Params&
   });
 }
 
-void SharedJobs::queue_all(JobRecord record, const Cut& cut) {
+void SharedJobs::queue_all(JobRecord record, const TaskCut& cut) {
   std::vector<int> tasks(static_cast<std::size_t>(cut.task_count));
   std::iota(tasks.begin(), tasks.end(), 0);
   parts_.store.queue_tasks(record, tasks);

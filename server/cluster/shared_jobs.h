@@ -35,8 +35,8 @@ namespace raytracer {
 
 /// Whether and how this front shares a render; nothing if it is to be made here. It may end the
 /// render through its progress.
-using ChooseCut =
-    std::function<std::optional<Cut>(const PreparedScene&, bool is_8_bit, const RenderProgress&)>;
+using ChooseCut = std::function<std::optional<TaskCut>(const PreparedScene&, bool is_8_bit,
+                                                       const RenderProgress&)>;
 
 class SharedJobs : public Jobs {
  public:
@@ -70,7 +70,7 @@ class SharedJobs : public Jobs {
 
   /// Stores the record of a render for a client that waits here, and queues its tasks.
   /// Throws HttpError as accept().
-  JobRecord begin_render(const SceneView& view, const httplib::Params& query, const Cut& cut,
+  JobRecord begin_render(const SceneView& view, const httplib::Params& query, const TaskCut& cut,
                          bool is_8_bit);
 
  private:
@@ -78,7 +78,7 @@ class SharedJobs : public Jobs {
 
   void require_room();
   JobRecord new_record(JobTask task, const SceneView& view, const httplib::Params& query);
-  void queue_all(JobRecord record, const Cut& cut);
+  void queue_all(JobRecord record, const TaskCut& cut);
   void cut_or_render(JobRecord record, SceneView view, Own& own);
   void render_here(JobRecord& record, const PreparedScene& scene, Own& own);
   /// Calls step() until NATS has done it, or this front ends; false then, or if it says false.

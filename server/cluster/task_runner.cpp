@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "server/cluster/members.h"
 #include "server/problem.h"
 #include "server/tradeoff.h"
 
@@ -211,7 +211,7 @@ bool TaskRunner::is_to_be_tried(const JobRecord& record, int task, Running& runn
   if (!failed_here) return true;
   for (const Member& member : store_.members())
     if (member.works && member.renderer == self_.renderer && member.name != self_.name &&
-        now_ms() - member.heard_ms < store_.limits().task_timeout.count() &&
+        is_alive(member, store_.limits()) &&
         std::none_of(failures.begin(), failures.end(),
                      [&](const auto& failure) { return failure.worker == member.name; })) {
       hand_back(task, running, before_another_try);
@@ -232,7 +232,7 @@ TaskResult TaskRunner::make(const JobRecord& record, int task, Running& running)
     const SceneView view = scenes_.view_of(record);
     CurveProgress progress{running.progress};
     std::optional<Curve> curve = measure_curve(view.scene, limits_, most_curve_ms, pool_, progress);
-    return {self_.name, CurveText{curve ? to_json(*curve).dump() : ""}};
+    return {self_.name, curve ? text_of(*curve) : CurveText{}};
   }
   const std::shared_ptr<const PreparedView> scene = scenes_.prepare(record);
   if (record.side_px == 0) {

@@ -57,6 +57,14 @@ TEST(Shading, zero_to_the_zero_is_one) {
   EXPECT_EQ(direct_light(material, light, normal, {1, 0, 0}), Vec3{});
 }
 
+TEST(Shading, point_light_without_falloff_is_as_bright_at_any_distance) {
+  for (const double away : {1e-6, 0.5, 4.0, 1e6}) {
+    json light = point_json({-0.6 * away, 0, 5 - 0.8 * away}, 0.9);
+    light["falloff"] = "none";
+    expect_color(document(camera_json(), {wall(0, 1, 0, 0)}, {light}), color * (0.9 * 0.8));
+  }
+}
+
 TEST(Shading, point_light_falls_with_the_square_of_its_distance) {
   for (const double distance_to_light : {0.01, 0.5, 1.0, 2.0, 4.5}) {
     const double intensity = 2 * distance_to_light * distance_to_light;

@@ -77,7 +77,8 @@ class Oracle::Search {
   }
 
   void take(Kind kind, std::size_t part, Quad t, const QuadVec& normal, Quad radius) {
-    best_ = {kind, object_, part, from_.point + direction_ * t, normal, radius, t};
+    best_ = {kind, object_, part, from_.point + direction_ * t, normal, {}, {}, false, radius, t};
+    ++best_count_;
   }
 
   void intersect_sphere(const QuadVec& center, Quad radius, std::size_t part) {
@@ -133,8 +134,28 @@ class Oracle::Search {
       std::array<QuadVec, 3> corners;
       for (std::size_t k = 0; k < 3; ++k)
         corners[k] = relative(m.vertices[m.triangles[i][k]], eye());
+      const std::size_t before = best_count_;
       intersect_triangle(corners, i);
+      if (best_count_ > before) take_corner_values(m, corners, i);
     }
+  }
+
+  /// What the corners of the nearest, triangle i of a mesh, tell where it is met.
+  void take_corner_values(const Mesh& m, const std::array<QuadVec, 3>& corners, std::size_t i) {
+    const QuadVec across = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const Quad area = dot(across, across);
+    QuadVec normal;
+    QuadVec tint;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const QuadVec side = corners[(k + 2) % 3] - corners[(k + 1) % 3];
+      const Quad weight = dot(across, cross(side, best_.point - corners[(k + 1) % 3])) / area;
+      const std::size_t corner = m.triangles[i][k];
+      if (!m.normals.empty()) normal = normal + unit(QuadVec(m.normals[corner])) * weight;
+      if (!m.vertex_colors.empty()) tint = tint + QuadVec(m.vertex_colors[corner]) * weight;
+    }
+    best_.shading = unit(normal) * (dot(across, best_.normal) < 0 ? -1 : 1);
+    best_.tint = tint;
+    best_.is_tinted = !m.vertex_colors.empty();
   }
 
   void intersect_triangle(const std::array<QuadVec, 3>& corners, std::size_t part) {
@@ -153,50 +174,60 @@ class Oracle::Search {
     if (left || right) intersect_plane(corners[0], normal, part);
   }
 
-  void show(const Cylinder& c) { intersect_cylinder(c.from, c.to, c.radius, c.caps, 0); }
+  void show(const Cylinder& c) { intersect_cone({c.from, c.to, c.radius, c.radius, c.caps}, 0); }
 
   void show(const Cylinders& c) {
     for (std::size_t i = 0; i < c.from.size(); ++i)
-      intersect_cylinder(c.from[i], c.to[i], c.radius(i), c.caps, i);
+      intersect_cone({c.from[i], c.to[i], c.radius(i), c.radius(i), c.caps}, i);
+  }
+
+  void show(const Cone& c) { intersect_cone(c, 0); }
+
+  void show(const Cones& c) {
+    for (std::size_t i = 0; i < c.from.size(); ++i)
+      intersect_cone({c.from[i], c.to[i], c.radius_from(i), c.radius_to(i), c.caps}, i);
   }
 
   /// Side and caps, each root on its own; what leaves the outside does not meet it again.
-  void intersect_cylinder(const Vec3& from, const Vec3& to, Quad radius, bool caps,
-                          std::size_t part) {
+  void intersect_cone(const Cone& cone, std::size_t part) {
     if (leaves(part) && from_.kind != Kind::sphere_inside) return;
-    const QuadVec along = QuadVec(to) - QuadVec(from);
+    const QuadVec along = QuadVec(cone.to) - QuadVec(cone.from);
     const Quad size = length(along);
     const QuadVec axis = unit(along);
-    const QuadVec f = from_.point - relative(from, eye());
+    const Quad widening = (Quad(cone.radius_to) - Quad(cone.radius_from)) / size;
+    const QuadVec f = from_.point - relative(cone.from, eye());
     const Quad f_along = dot(f, axis);
     const Quad d_along = dot(direction_, axis);
     const QuadVec across = f - axis * f_along;
     const QuadVec slope = direction_ - axis * d_along;
-    const Quad a = dot(slope, slope);
-    const Quad b = -dot(across, slope);
+    const Quad radius = cone.radius_from + widening * f_along;
+    const Quad growth = widening * d_along;
+    const Quad a = dot(slope, slope) - growth * growth;
+    const Quad b = radius * growth - dot(across, slope);
     const Quad c = dot(across, across) - radius * radius;
     const Quad room = b * b - a * c;
-    if (a > 0 && room >= 0) {
-      const Quad s = square_root(room);
-      const Quad q = b >= 0 ? b + s : b - s;
-      const std::array<Quad, 2> roots{b >= 0 ? c / q : q / a, b >= 0 ? q / a : c / q};
+    const Quad s = square_root(room);
+    const Quad q = b >= 0 ? b + s : b - s;
+    if (room >= 0 && q != 0) {
+      const std::array<Quad, 2> roots{c / q, a != 0 ? q / a : c / q};
       for (const Quad t : roots) {
         const Quad place = f_along + t * d_along;
         if (!(place >= 0 && place <= size) || !counts(t)) continue;
-        const QuadVec outward = unit(across + slope * t);
+        const QuadVec outward = unit(unit(across + slope * t) - axis * widening);
         const bool inside = dot(outward, direction_) > 0;
         take(inside ? Kind::sphere_inside : Kind::sphere_outside, part, t,
-             inside ? outward * Quad(-1) : outward, radius);
+             inside ? outward * Quad(-1) : outward, 0);
       }
     }
-    if (!caps || d_along == 0) return;
-    for (const Quad end : {Quad(0), size}) {
-      const Quad t = (end - f_along) / d_along;
+    if (!cone.caps || d_along == 0) return;
+    for (const bool is_to : {false, true}) {
+      const Quad t = ((is_to ? size : Quad(0)) - f_along) / d_along;
       const QuadVec at = across + slope * t;
-      if (dot(at, at) > radius * radius || !counts(t)) continue;
-      const bool inside = (end > 0) == (d_along > 0);
+      const Quad rim = is_to ? cone.radius_to : cone.radius_from;
+      if (!(dot(at, at) < rim * rim) || !counts(t)) continue;
+      const bool inside = is_to == (d_along > 0);
       take(inside ? Kind::sphere_inside : Kind::sphere_outside, part, t,
-           d_along > 0 ? axis * Quad(-1) : axis, radius);
+           d_along > 0 ? axis * Quad(-1) : axis, 0);
     }
   }
 
@@ -278,6 +309,7 @@ class Oracle::Search {
   const QuadVec direction_;
   std::size_t object_ = 0;
   Place best_;
+  std::size_t best_count_ = 0;  ///< how often it has changed
 };
 
 bool Oracle::is_hidden(const Place& place, const QuadVec& towards, Quad distance) const {
@@ -291,7 +323,9 @@ QuadVec Oracle::shade(const Place& place, const QuadVec& view) const {
   const Quad ambient = static_cast<Quad>(m.ka) * scene_.ambient;
   const bool brings_ambient = scene_.shadows == Shadows::black;
   std::array<Quad, 3> sum{};
-  const std::array<double, 3> color{m.color.x, m.color.y, m.color.z};
+  const QuadVec tint = place.is_tinted ? place.tint : QuadVec(m.color);
+  const std::array<Quad, 3> color{tint.x, tint.y, tint.z};
+  const QuadVec& normal = shading_normal(place);
   if (!brings_ambient) sum = {ambient * color[0], ambient * color[1], ambient * color[2]};
   for (const Light& light : scene_.lights) {
     QuadVec towards;
@@ -305,13 +339,15 @@ QuadVec Oracle::shade(const Place& place, const QuadVec& view) const {
       distance = length(path);
       if (distance == 0) continue;
       towards = unit(path);
-      share = share / (4 * pi() * distance * distance);
+      if (point.falloff == Falloff::inverse_square)
+        share = share / (4 * pi() * distance * distance);
     }
-    const Quad incidence = dot(place.normal, towards);
-    if (!(incidence > 0) || is_hidden(place, towards, distance)) continue;
+    const Quad incidence = dot(normal, towards);
+    if (!(incidence > 0 && dot(place.normal, towards) > 0) || is_hidden(place, towards, distance))
+      continue;
     const QuadVec half = unit(towards + view);
     const Quad direct =
-        (m.kd * incidence + m.ks * static_cast<Quad>(power(dot(half, place.normal), m.shininess))) *
+        (m.kd * incidence + m.ks * static_cast<Quad>(power(dot(half, normal), m.shininess))) *
         share;
     const std::array<double, 3> light_color{light.color.x, light.color.y, light.color.z};
     for (std::size_t c = 0; c < 3; ++c)
@@ -330,7 +366,11 @@ QuadVec Oracle::radiance(QuadVec direction) const {
     sum = sum + shade(met, direction * Quad(-1)) * weight;
     weight *= scene_.materials[scene_.objects[met.object].material].reflectivity;
     if (!(weight > 0) || depth == scene_.render.max_depth) return sum;
-    direction = unit(direction - met.normal * (2 * dot(direction, met.normal)));
+    const auto mirrored = [&](const QuadVec& normal) {
+      return unit(direction - normal * (2 * dot(direction, normal)));
+    };
+    const QuadVec above = mirrored(shading_normal(met));
+    direction = dot(above, met.normal) > 0 ? above : mirrored(met.normal);
     place = met;
   }
 }

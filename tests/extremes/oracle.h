@@ -32,11 +32,18 @@ class Oracle {
     Kind kind = Kind::none;
     std::size_t object = 0;
     std::size_t part = 0;
-    QuadVec point;   ///< relative to the eye
-    QuadVec normal;  ///< unit, towards where the ray came from
+    QuadVec point;    ///< relative to the eye
+    QuadVec normal;   ///< unit, towards where the ray came from
+    QuadVec shading;  ///< likewise, as it shades; zero: the same
+    QuadVec tint;     ///< the colour that corners tell
+    bool is_tinted = false;
     Quad radius = 0;
     Quad t = 0;
   };
+
+  static const QuadVec& shading_normal(const Place& place) {
+    return dot(place.shading, place.shading) > 0 ? place.shading : place.normal;
+  }
 
   class Search;
 

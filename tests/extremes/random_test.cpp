@@ -64,7 +64,9 @@ Scene random_scene(std::uint64_t seed, const Magnitudes& size) {
   const Vec3 corner = middle + 2 * radius * random.direction();
   add(Mesh{{corner, corner + 3 * radius * random.direction(),
             corner + 3 * radius * random.direction(), far_point()},
-           {{0, 1, 2}, {1, 2, 3}}});
+           {{0, 1, 2}, {1, 2, 3}},
+           {},
+           {}});
   if (random.below(3) == 0)
     add(Plane{middle - 3 * radius * random.direction(), random.direction()});
   scene.lights = {{DistantLight{random.direction()}},

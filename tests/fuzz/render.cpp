@@ -74,7 +74,7 @@ std::pair<Vec3, Vec3> two_points(Bytes& bytes) {
 
 void add_object(Bytes& bytes, Scene& scene) {
   Object object;
-  switch (bytes.below(7)) {
+  switch (bytes.below(8)) {
     case 0:
       object.shape = Sphere{bytes.point(), bytes.positive()};
       break;
@@ -97,6 +97,13 @@ void add_object(Bytes& bytes, Scene& scene) {
       break;
     }
     case 5: {
+      const auto [from, to] = two_points(bytes);
+      const double radius = bytes.positive();
+      const bool is_pointed = bytes.below(2) == 0;
+      object.shape = Cone{from, to, radius, is_pointed ? 0 : bytes.positive(), bytes.below(2) == 0};
+      break;
+    }
+    case 6: {
       Cylinders set{{}, {}, {bytes.positive()}, bytes.below(2) == 0, {}};
       for (int i = bytes.below(40); i >= 0; --i) {
         const auto [from, to] = two_points(bytes);

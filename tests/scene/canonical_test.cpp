@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/scene/path.h"
+#include "tests/scene/full_document.h"
 #include "tests/support/scenes.h"
 
 namespace raytracer::test {
@@ -64,6 +65,10 @@ TEST(CanonicalBytes, differ_for_every_value_that_can_change_a_pixel) {
   expect_new("/lights/0/direction", {0, -1, 1e-9});
   expect_new("/lights/0/color", {1, 1, 0.5});
   expect_new("/lights/0/intensity", 2);
+  json lamp{{"type", "point"}, {"position", {0, 0, 0}}};
+  expect_new("/lights/0", lamp);
+  lamp["falloff"] = "none";
+  expect_new("/lights/0", lamp);
   expect_new("/lights/0", {{"type", "point"}, {"position", {0, -1, 0}}});
   expect_new("/materials/red/color", "#fe0000");
   expect_new("/materials/red/ka", 0.5);
@@ -125,6 +130,17 @@ TEST(CanonicalBytes, of_many_spheres_with_one_radius_equal_those_with_the_radius
   const std::string once = bytes_of(text.dump());
   text["objects"][0]["radius"] = {2, 2};
   EXPECT_EQ(bytes_of(text.dump()), once);
+}
+
+TEST(CanonicalBytes, of_a_mesh_have_its_corners_normals_and_colors) {
+  const std::string bytes = bytes_of(full_document().dump());
+  for (const char* key : {"normals", "colors"}) {
+    json text = full_document();
+    std::swap(text["objects"][4][key][0], text["objects"][4][key][1]);
+    EXPECT_NE(bytes_of(text.dump()), bytes) << key;
+    text["objects"][4].erase(key);
+    EXPECT_NE(bytes_of(text.dump()), bytes) << key;
+  }
 }
 
 TEST(CanonicalBytes, of_cylinders_do_not_depend_on_what_is_spelled_out) {

@@ -16,7 +16,8 @@ inline json full_document() {
     "background": [0.53, 0.8, 0.92], "ambient": 0.2, "shadows": "black",
     "lights": [
       {"type": "distant", "direction": [-0.6, -1, 0.7], "color": [1, 1, 1], "intensity": 0.9},
-      {"type": "point", "position": [0, 10, 0], "color": "#ffeedd", "intensity": 1500}],
+      {"type": "point", "position": [0, 10, 0], "color": "#ffeedd", "intensity": 1500,
+       "falloff": "inverse_square"}],
     "materials": {"red": {"color": [0.9, 0.2, 0.2], "ka": 1, "kd": 0.7, "ks": 0.3,
                           "shininess": 50, "reflectivity": 0}},
     "objects": [
@@ -27,11 +28,16 @@ inline json full_document() {
        "material": "red"},
       {"type": "plane", "point": [0, -4, 0], "normal": [0, 1, 0]},
       {"type": "mesh", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]],
-       "material": {"color": "#102030"}},
+       "normals": [[0, 0, 1], [0.5, 0, 2], [0, 0, 3]],
+       "colors": ["#102030", [0, 1, 0.5], [1, 1, 1]], "material": {"color": "#102030"}},
       {"type": "cylinder", "from": [0, 0, 0], "to": [0, 3, 0], "radius": 0.5, "caps": true,
        "material": {}},
       {"type": "cylinders", "from": [[0, 0, 0], [1, 0, 0]], "to": [[0, 1, 0], [1, 2, 0]],
-       "radius": [0.1, 0.2], "caps": false, "colors": ["#102030", [0, 1, 0.5]]}],
+       "radius": [0.1, 0.2], "caps": false, "colors": ["#102030", [0, 1, 0.5]]},
+      {"type": "cone", "from": [0, 0, 0], "to": [0, 3, 0], "radius_from": 0.5, "radius_to": 0,
+       "caps": true, "material": {}},
+      {"type": "cones", "from": [[0, 0, 0], [1, 0, 0]], "to": [[0, 1, 0], [1, 2, 0]],
+       "radius_from": [0, 0.2], "radius_to": 0.3, "caps": false, "colors": ["#102030", [0, 1, 0.5]]}],
     "render": {"samples": 4, "max_depth": 5, "precision": "auto", "transfer": "linear"}
   })");
 }

@@ -142,6 +142,7 @@ const std::vector<Wrong> wrong_lights{
     {"LightColorTooBright", "/lights/1/color", {2, 0, 0}, {{"/lights/1/color/0", range}}},
     at("IntensityNegative", "/lights/0/intensity", -1, range),
     at("IntensityText", "/lights/1/intensity", "bright", number),
+    at("FalloffOther", "/lights/1/falloff", "linear", "\"inverse_square\", \"none\""),
 };
 
 const std::vector<Wrong> wrong_materials{
@@ -257,6 +258,14 @@ const std::vector<Wrong> wrong_objects{
     // One cause, one error: indices into vertices that are not there are no mistakes of their own.
     at("VerticesMissing", "/objects/4/vertices", missing, "\"vertices\" is required"),
     at("VerticesText", "/objects/4/vertices", "none", "must be an array"),
+    at("NormalsOfCornersTooFew", "/objects/4/normals", json::parse("[[0, 0, 1]]"),
+       "1 vector for 3 vert"),
+    {"NormalOfACornerZero",
+     "/objects/4/normals",
+     {{0, 0, 1}, {0, 0, 0}, {1, 0, 0}},
+     {{"/objects/4/normals/1", "no direction"}}},
+    at("MeshColorsTooMany", "/objects/4/colors", {"#102030", "#102030", "#102030", "#102030"},
+       "4 colors for 3 vertices"),
 };
 
 const char* const differ = "must differ from from: the axis has no direction";

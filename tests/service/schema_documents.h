@@ -15,7 +15,8 @@ inline const nlohmann::json full_scene = nlohmann::json::parse(R"({
   "background": "#87ccEB", "ambient": 0.2, "shadows": "ambient",
   "lights": [{"type": "distant", "direction": [-0.6, -1, 0.7], "color": [1, 1, 1],
               "intensity": 0.9},
-             {"type": "point", "position": [0, 10, 0], "color": "#ffeedd", "intensity": 1500}],
+             {"type": "point", "position": [0, 10, 0], "color": "#ffeedd", "intensity": 1500,
+              "falloff": "inverse_square"}],
   "materials": {"red": {"color": [0.9, 0.2, 0.2], "ka": 1, "kd": 0.7, "ks": 0.3, "shininess": 50,
                         "reflectivity": 0}},
   "objects": [{"type": "sphere", "center": [-2.5, 0, 0], "radius": 2, "material": "red"},
@@ -24,11 +25,17 @@ inline const nlohmann::json full_scene = nlohmann::json::parse(R"({
               {"type": "spheres", "centers": [[0, 0, 0], [1, 0, 0]], "radius": [0.1, 0.2]},
               {"type": "plane", "point": [0, -4, 0], "normal": [0, 1, 0]},
               {"type": "mesh", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]],
-               "triangles": [[0, 1, 2]]},
+               "triangles": [[0, 1, 2]], "normals": [[0, 0, 1], [0.5, 0, 2], [0, 0, 3]],
+               "colors": ["#102030", [0, 1, 0.5], [1, 1, 1]]},
               {"type": "cylinder", "from": [0, 0, 0], "to": [0, 3, 0], "radius": 0.5,
                "caps": true},
               {"type": "cylinders", "from": [[0, 0, 0], [1, 0, 0]], "to": [[0, 1, 0], [1, 2, 0]],
-               "radius": [0.1, 0.2], "caps": false, "colors": ["#102030", [0, 1, 0.5]]}],
+               "radius": [0.1, 0.2], "caps": false, "colors": ["#102030", [0, 1, 0.5]]},
+              {"type": "cone", "from": [0, 0, 0], "to": [0, 3, 0], "radius_from": 0.5,
+               "radius_to": 0, "caps": true},
+              {"type": "cones", "from": [[0, 0, 0], [1, 0, 0]], "to": [[0, 1, 0], [1, 2, 0]],
+               "radius_from": [0, 0.2], "radius_to": 0.3, "caps": false,
+               "colors": ["#102030", [0, 1, 0.5]]}],
   "render": {"samples": 4, "max_depth": 5, "precision": "auto", "transfer": "linear"}
 })");
 
@@ -77,12 +84,16 @@ inline const std::vector<Change> right_changes{
     set("/objects/2/centers", "[[0, 0, 0], [0, 0, 0]]"),
     set("/objects/3/normal", "[0, -3e-5, 0]"),
     set("/objects/4/triangles", "[]"),
+    without("/objects/4/normals"),
+    without("/objects/4/colors"),
     set("/objects/2/colors", "[\"#102030\", [0, 0, 1]]"),
     without("/objects/5/caps"),
     set("/objects/5/caps", "false"),
     without("/objects/6/caps"),
     without("/objects/6/colors"),
     set("/objects/6/radius", "1e9"),
+    set("/objects/7/radius_to", "0.25"),
+    set("/objects/8/radius_from", "0"),
     set("/materials/red", "{}"),
     set("/materials/red/shininess", "0"),
     set("/render", "{}"),
@@ -90,6 +101,7 @@ inline const std::vector<Change> right_changes{
     set("/render", "{\"target_rmse\": 0.5, \"budget_ms\": 1e9}"),
     set("/render/max_depth", "0"),
     set("/lights/0/intensity", "0"),
+    set("/lights/1/falloff", "\"none\""),
 };
 
 /// Wrong, and the schema can say so.
@@ -137,6 +149,8 @@ inline const std::vector<Change> wrong_changes{
     set("/lights/0/intensity", "-1"),
     set("/lights/0/color", "[2, 0, 0]"),
     without("/lights/1/position"),
+    set("/lights/1/falloff", "\"linear\""),
+    set("/lights/0/falloff", "\"none\""),
     set("/lights/1/direction", "[0, 0, 1]"),
     set("/materials", "[]"),
     set("/materials/red", "1"),
@@ -178,6 +192,9 @@ inline const std::vector<Change> wrong_changes{
     set("/objects/4/triangles", "[[0, 1, -1]]"),
     set("/objects/4/triangles", "[[0, 1, 0.5]]"),
     set("/objects/4/vertices", "[[0, 0, 0], 1]"),
+    set("/objects/4/normals", "[[0, 0, 1], [0, 0, 0], [0, 0, 1]]"),
+    set("/objects/4/normals", "[0, 0, 1]"),
+    set("/objects/4/colors", "[\"#102030\", \"red\", \"#102030\"]"),
     set("/objects/2/colors", "\"#102030\""),
     set("/objects/2/colors", "[\"red\", \"#102030\"]"),
     without("/objects/5/from"),
@@ -200,6 +217,13 @@ inline const std::vector<Change> wrong_changes{
     set("/objects/6/caps", "[true, false]"),
     set("/objects/6/colors", "[[0, 1, 1.5], [0, 1, 0.5]]"),
     set("/objects/6/centers", "[[0, 0, 0], [1, 0, 0]]"),
+    without("/objects/7/radius_from"),
+    without("/objects/7/radius_to"),
+    set("/objects/7/radius_from", "-1"),
+    set("/objects/7/radius_to", "[0.5]"),
+    set("/objects/7/radius", "1"),
+    set("/objects/8/radius_from", "[0.1, -0.2]"),
+    without("/objects/8/radius_to"),
     set("/render", "[]"),
     set("/render/samples", "0"),
     set("/render/samples", "1.5"),
@@ -227,6 +251,10 @@ inline const std::vector<Change> wrong_beyond_schema{
     set("/objects/6/to", "[[0, 1, 0]]"),             // as many as `from`
     set("/objects/6/radius", "[0.1]"),
     set("/objects/6/colors", "[\"#102030\"]"),
+    set("/objects/7/radius_from", "0"),  // not 0 at both ends
+    set("/objects/8/radius_to", "[0, 1]"),
+    set("/objects/4/normals", "[[0, 0, 1]]"),  // as many as vertices
+    set("/objects/4/colors", "[\"#102030\"]"),
     set("/objects/4/triangles", "[[0, 1, 3]]"),  // indices below the vertices' number
 };
 

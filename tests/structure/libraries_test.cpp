@@ -32,10 +32,13 @@ TEST(Libraries, json_is_where_json_is_read_or_written) {
            path == "server/information_handlers.cpp" ||  // writes lists and limits
            path == "server/job_handlers.cpp" ||          // writes jobs
            path == "server/scene_handlers.cpp" ||        // writes lists of scenes
-           path == "server/tradeoff.h" ||                // writes curves (forward declarations)
-           path == "server/tradeoff.cpp" ||              //
+           path == "server/tradeoff.cpp" ||              // writes curves
            path == "server/catalog.cpp" ||               // reads the shipped scenes' descriptions
            path == "server/openapi_handler.cpp" ||       // writes OpenAPI
+           path == "server/cluster/record.cpp" ||        // reads and writes what NATS keeps
+           path == "server/cluster/result.cpp" ||        //
+           path == "server/cluster/store.cpp" ||         //
+           path == "server/cluster/handler.cpp" ||       // writes who is in the cluster
            path == "server/request_text.cpp" ||          // reads numbers as JSON writes them
            path == "client/api.cpp" ||                   // reads answers
            path == "client/plan_command.cpp" ||          // reads plans
@@ -90,6 +93,11 @@ TEST(Libraries, page_uses_none) {
          {"src=\"http", "href=\"http", "from \"http", "import \"http", "import(\"http", "url(http",
           "@import"})
       EXPECT_EQ(file.text.find(elsewhere), std::string::npos) << file.path << ": " << elsewhere;
+}
+
+TEST(Libraries, nats_is_in_one_place) {
+  expect_users("nats/",
+               [](const std::string& path) { return path.starts_with("server/cluster/nats"); });
 }
 
 }  // namespace

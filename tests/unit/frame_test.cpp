@@ -66,7 +66,7 @@ TEST(Frame, holds_lights_planes_squares_and_meshes) {
   EXPECT_NEAR(make_frame(scene).exponent(), 66, 2);
   append(scene.objects, {SphereSquare{{}, 1e21, 1'000'000'000, Axes::xz}, 0});
   EXPECT_NEAR(make_frame(scene).exponent(), 101, 3);
-  append(scene.objects, {Mesh{{{1e40, 0, 0}}, {}}, 0});
+  append(scene.objects, {Mesh{{{1e40, 0, 0}}, {}, {}, {}}, 0});
   EXPECT_NEAR(make_frame(scene).exponent(), 133, 2);
   append(scene.objects, {Spheres{{{0, 0, 0}, {0, 0, 1e50}}, {1}, {}}, 0});
   EXPECT_NEAR(make_frame(scene).exponent(), 166, 2);

@@ -98,8 +98,10 @@ TEST(SingleRayFinder, of_spheres_and_triangles_is_hit_like_brute_force) {
   }
 }
 
-/// Rays without a surface begin at the eye, which cylinders are packed for.
-TEST(SingleRayFinder, of_cylinders_is_hit_like_brute_force) {
+/// Of what is around an axis: document_of(random, from, to, caps). Rays without a surface begin at
+/// the eye, which it is packed for.
+template <class Kind, typename DocumentOf>
+void expect_same_hits_around_axes(const DocumentOf& document_of) {
   Random random(28);
   for (int round = 0; round < 6; ++round) {
     PackedScene scene;
@@ -107,9 +109,9 @@ TEST(SingleRayFinder, of_cylinders_is_hit_like_brute_force) {
     for (std::uint32_t i = 0; i < 200; ++i) {
       const Vec3 from = Vec3{0, 0, 3} + random.point(-1, 1);
       const Vec3 to = from + random.between(0.01, 1) * random.direction();
-      Packing<PackedCylinder> packing{scene.frame, nullptr, i,
-                                      of_kind<CylinderKind>(scene.primitives), lost};
-      pack(Cylinder{from, to, std::abs(random.magnitude(-4, -0.7)), i % 3 != 0}, packing);
+      Packing<typename Kind::Primitive> packing{scene.frame, nullptr, i,
+                                                of_kind<Kind>(scene.primitives), lost};
+      pack(document_of(random, from, to, i % 3 != 0), packing);
     }
     WorkerPool pool(2);
     const SingleRayFinder tree(scene, all_by(Finder::tree), pool);
@@ -127,6 +129,21 @@ TEST(SingleRayFinder, of_cylinders_is_hit_like_brute_force) {
     }
     EXPECT_GT(met, 500);
   }
+}
+
+TEST(SingleRayFinder, of_cylinders_is_hit_like_brute_force) {
+  expect_same_hits_around_axes<CylinderKind>(
+      [](Random& random, const Vec3& from, const Vec3& to, bool caps) {
+        return Cylinder{from, to, std::abs(random.magnitude(-4, -0.7)), caps};
+      });
+}
+
+TEST(SingleRayFinder, of_cones_is_hit_like_brute_force) {
+  expect_same_hits_around_axes<ConeKind>(
+      [](Random& random, const Vec3& from, const Vec3& to, bool caps) {
+        return Cone{from, to, std::abs(random.magnitude(-3, -0.5)),
+                    random.below(2) == 0 ? 0 : std::abs(random.magnitude(-3, -0.5)), caps};
+      });
 }
 
 TEST(SingleRayFinder, of_flat_boxes_is_hit_like_brute_force) {

@@ -22,7 +22,7 @@ Image gray(int width, int height, float value) {
 }
 
 TEST(Difference, of_equal_images_is_nothing) {
-  const Difference none = difference(gray(4, 3, 0.5F), gray(4, 3, 0.5F));
+  const raytracer::Difference none = difference(gray(4, 3, 0.5F), gray(4, 3, 0.5F));
   EXPECT_EQ(none.rmse, 0);
   EXPECT_EQ(none.max_error, 0);
   EXPECT_EQ(none.off_share, 0);
@@ -33,7 +33,7 @@ TEST(Difference, is_the_root_of_the_mean_square_the_largest_and_the_share_of_pix
   image.pixel(1, 0)[2] = 0.25F;
   image.pixel(0, 1)[0] = 0.75F;
   image.pixel(0, 1)[1] = 1;
-  const Difference found = difference(image, gray(2, 2, 0.5F));
+  const raytracer::Difference found = difference(image, gray(2, 2, 0.5F));
   EXPECT_DOUBLE_EQ(found.rmse, std::sqrt((2 * 0.0625 + 0.25) / 12));
   EXPECT_DOUBLE_EQ(found.max_error, 0.5);
   EXPECT_DOUBLE_EQ(found.off_share, 0.5) << "two of four pixels";

@@ -53,6 +53,41 @@ std::string random_cylinders(int count, const std::string& material) {
   return sets;
 }
 
+std::string random_cones(int count, const std::string& material) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(count));
+  const auto within = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const double size = 8 / std::cbrt(count);
+  std::string sets;
+  for (const bool caps : {true, false}) {
+    std::string columns[5];
+    const auto add = [&](std::string& column, const std::string& item) {
+      column += (column.empty() ? "" : ",") + item;
+    };
+    for (int i = 0; i < count; ++i) {
+      const Vec3 a{within(-4, 4), within(-3.5, 4), within(-4, 4)};
+      const Vec3 b =
+          a + size * (i % 5 == 0 ? 0.1 : 1.0) * Vec3{within(-1, 1), within(-1, 1), within(-1, 1)};
+      const double radius_from = i % 4 == 0 ? 0 : size * within(0.02, 0.4);
+      const double radius_to = i % 4 == 1 ? 0 : i % 7 == 3 ? radius_from : size * within(0.02, 0.4);
+      const Rgb color{within(0.2, 1), within(0.2, 1), within(0.2, 1)};
+      if ((i % 3 == 0) == caps || radius_from + radius_to == 0) continue;
+      add(columns[0], fmt::format("[{}, {}, {}]", a.x, a.y, a.z));
+      add(columns[1], fmt::format("[{}, {}, {}]", b.x, b.y, b.z));
+      add(columns[2], fmt::format("{}", radius_from));
+      add(columns[3], fmt::format("{}", radius_to));
+      add(columns[4], fmt::format("[{}, {}, {}]", color.x, color.y, color.z));
+    }
+    sets += fmt::format(
+        R"({}{{"type": "cones", "from": [{}], "to": [{}], "radius_from": [{}], "radius_to": [{}],
+            "colors": [{}], "caps": {}, "material": {}}})",
+        sets.empty() ? "" : ",", columns[0], columns[1], columns[2], columns[3], columns[4], caps,
+        material);
+  }
+  return sets;
+}
+
 std::string rough_sheet(int side, const std::string& material) {
   std::mt19937_64 random(static_cast<std::uint64_t>(side));
   std::uniform_real_distribution<double> shift(-0.35, 0.35);
@@ -77,6 +112,25 @@ std::string rough_sheet(int side, const std::string& material) {
   }
   return fmt::format(R"({{"type": "mesh", "vertices": [{}], "triangles": [{}], "material": {}}})",
                      vertices, triangles, material);
+}
+
+std::string smooth_sheet(int side, const std::string& material) {
+  std::string sheet = rough_sheet(side, material);
+  std::mt19937_64 random(static_cast<std::uint64_t>(side));
+  std::uniform_real_distribution<double> turn(-0.8, 0.8);
+  std::uniform_real_distribution<double> channel(0, 1);
+  std::string normals;
+  std::string colors;
+  for (int i = 0; i < (side + 1) * (side + 1); ++i) {
+    const char* const comma = i == 0 ? "" : ",";
+    normals += fmt::format("{}[{}, {}, {}]", comma, turn(random), -1, turn(random));
+    colors +=
+        fmt::format("{}[{}, {}, {}]", comma, channel(random), channel(random), channel(random));
+  }
+  sheet.pop_back();
+  const bool is_colored = side % 2 == 0;
+  return sheet + fmt::format(R"(, "normals": [{}]{}}})", normals,
+                             is_colored ? fmt::format(R"(, "colors": [{}])", colors) : "");
 }
 
 std::string random_triangles(int count, const std::string& material) {

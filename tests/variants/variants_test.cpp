@@ -114,6 +114,14 @@ std::vector<NamedScene> scenes() {
     const std::string under =
         " under " + std::to_string(std::count(lights.begin(), lights.end(), '{')) + " lights";
     scenes.push_back({"sheet" + under, with_objects(rough_sheet(70, matt) + "," + floor, lights)});
+    for (const int side : {12, 41})
+      scenes.push_back(
+          {"smooth sheet" + under, with_objects(smooth_sheet(side, matt) + "," + floor + "," +
+                                                    random_spheres(20, 0.3, mirror),
+                                                lights)});
+    scenes.push_back(
+        {"smooth mirror" + under,
+         with_objects(smooth_sheet(8, mirror) + "," + random_spheres(20, 0.3, matt), lights)});
     scenes.push_back(
         {"mirroring sheet" + under,
          with_objects(rough_sheet(9, mirror) + "," + random_spheres(200, 0.3, mirror), lights)});
@@ -126,11 +134,15 @@ std::vector<NamedScene> scenes() {
     const std::string under =
         " under " + std::to_string(std::count(lights.begin(), lights.end(), '{')) + " lights";
     for (const int count : {6, 90, 1500})
-      for (const std::string& material : {matt, mirror})
-        scenes.push_back({std::to_string(count) + " cylinders" + under + " of " + material,
-                          with_objects(random_cylinders(count, material) + "," + floor + "," +
-                                           random_spheres(20, 0.3, mirror),
-                                       lights)});
+      for (const std::string& material : {matt, mirror}) {
+        const std::string others = "," + floor + "," + random_spheres(20, 0.3, mirror);
+        const auto add = [&](const char* kind, const std::string& objects) {
+          scenes.push_back({std::to_string(count) + kind + under + " of " + material,
+                            with_objects(objects + others, lights)});
+        };
+        add(" cylinders", random_cylinders(count, material));
+        add(" cones", random_cones(count, material));
+      }
   }
   scenes.push_back({"sheet seen along its corners", straight_sheet()});
   for (const std::string axes : {"xz", "xy", "yz"})
@@ -263,6 +275,8 @@ TEST(Variants, finds_triangles_alike_by_every_finder) {
 TEST(Variants, finds_cylinders_alike_by_every_finder) {
   expect_alike_by_every_finder<CylinderKind>();
 }
+
+TEST(Variants, finds_cones_alike_by_every_finder) { expect_alike_by_every_finder<ConeKind>(); }
 
 TEST(Variants, runs_on_the_instruction_set_that_is_asked_for) {
   const Scene scene = with_objects(random_spheres(3, 1, "{}"), distant_lights);

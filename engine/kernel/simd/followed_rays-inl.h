@@ -76,13 +76,21 @@ class FollowedRays {
 
 /// Adds the rays that a packet's mirroring surfaces send on.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void mirror(D d, const Surface<D>& surface, const Packet<V>& packet, M is_hit,
-                       FollowedRays<T>& followed) {
+HWY_INLINE void mirror(D d, const PacketScene<T>& scene, const Surface<D>& surface,
+                       const Packet<V>& packet, M is_hit, FollowedRays<T>& followed) {
   const V weight = hn::Mul(packet.weight, surface.material(d, &MaterialRow<T>::reflectivity));
   const M mirrors = hn::And(is_hit, hn::Gt(weight, hn::Zero(d)));
   if (hn::AllFalse(d, mirrors)) return;
-  const V twice = hn::Mul(hn::Set(d, T(-2)), dot(packet.direction, surface.at.normal));
-  const V3<V> direction = unit(d, mul_add(surface.at.normal, twice, packet.direction));
+  const auto reflected = [&](const V3<V>& normal) HWY_ATTR {
+    const V twice = hn::Mul(hn::Set(d, T(-2)), dot(packet.direction, normal));
+    return mul_add(normal, twice, packet.direction);
+  };
+  V3<V> direction = reflected(surface.normal);
+  if (!scene.corners.empty()) {  // above the surface
+    const M above = hn::Gt(dot(direction, surface.at.normal), hn::Zero(d));
+    direction = select(above, direction, reflected(surface.at.normal));
+  }
+  direction = unit(d, direction);
   followed.add(d, Packet<V>{surface.at, direction, weight, packet.pixel}, mirrors);
 }
 
@@ -98,7 +106,7 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
   const Surface<D> surface = surface_at(d, scene, packet.from, packet.direction, hit, is_hit);
   const V3<V> colour =
       select(is_hit, shade(d, scene, surface, negate(packet.direction), is_hit), background);
-  if (follows) mirror(d, surface, packet, is_hit, followed);
+  if (follows) mirror(d, scene, surface, packet, is_hit, followed);
   return colour;
 }
 

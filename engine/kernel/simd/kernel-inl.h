@@ -15,6 +15,7 @@
 #include "engine/finders/tree-inl.h"
 #include "engine/lights/lights-inl.h"
 #include "engine/materials/materials-inl.h"
+#include "engine/objects/items-inl.h"
 #include "engine/objects/objects-inl.h"
 #include "engine/objects/kind-inl.h"
 #include "engine/kernel/simd/block-inl.h"

@@ -9,15 +9,17 @@ HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surfa
                        const V3<V>& view, M active) {
   const RayOrigin<V>& point = surface.at;
   const V zero = hn::Zero(d);
-  const MaterialPacket<D> material(d, scene.materials, surface.material, point.normal, view);
+  const MaterialPacket<D> material(d, scene.materials, surface.material, surface.normal, view);
   const bool ambient_needs_light = scene.shadows == Shadows::black;
 
   V ambient = ambient_needs_light ? zero : material.ambient;
   V3<V> sum{zero, zero, zero};
   for (const PacketLight<T>& light : scene.lights) {
     const ArrivingLights<V> arriving = arriving_light(d, light, point.point);
-    const V incidence = dot(point.normal, arriving.towards);
+    const V incidence = dot(surface.normal, arriving.towards);
     M lit = hn::And(active, hn::Gt(incidence, zero));
+    if (!scene.corners.empty())
+      lit = hn::And(lit, hn::Gt(dot(point.normal, arriving.towards), zero));
     if (hn::AllFalse(d, lit)) continue;
     if (scene.shadows != Shadows::off) {
       const ShadowRays<V> rays{point, arriving.towards, arriving.path, incidence};
@@ -28,7 +30,7 @@ HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surfa
     if (ambient_needs_light) ambient = hn::Add(ambient, hn::IfThenElseZero(lit, material.ambient));
     sum = mul_add(arriving.emission, share, sum);
   }
-  const V3<V> colour = surface.material(d, &MaterialRow<T>::color);
+  const V3<V>& colour = surface.color;
   return {hn::Mul(hn::Add(sum.x, ambient), colour.x), hn::Mul(hn::Add(sum.y, ambient), colour.y),
           hn::Mul(hn::Add(sum.z, ambient), colour.z)};
 }

@@ -26,6 +26,8 @@ void for_each_extent(const DistantLight&, const Include&) {}
 inline Vec3 place_of(const DistantLight& light, const Frame&) { return -unit(light.direction); }
 inline Rgb emission_of(const DistantLight&, const Rgb& i, const Frame&) { return i; }
 
+inline bool fades(const DistantLight&) { return false; }
+
 inline double brightest(const DistantLight&, double i, double /*clearance*/) { return i; }
 
 inline ArrivingLight arriving(std::type_identity<DistantLight>, const PackedLight& light,

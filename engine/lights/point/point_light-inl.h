@@ -15,7 +15,8 @@ HWY_INLINE ArrivingLights<V> arriving(D d, std::type_identity<PointLight>,
   const V square = dot(path, path);
   const V inverse_square =
       hn::Div(hn::Set(d, T(1)), hn::Max(square, hn::Set(d, std::numeric_limits<T>::min())));
-  const V3<V> emission = scale(broadcast(d, light.emission), inverse_square);
+  V3<V> emission = broadcast(d, light.emission);
+  if (light.fades) emission = scale(emission, inverse_square);
   return {scale(path, hn::Sqrt(inverse_square)),
           {hn::Min(emission.x, most), hn::Min(emission.y, most), hn::Min(emission.z, most)},
           hn::Sqrt(square)};

@@ -286,16 +286,9 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn:
 HWY_NOINLINE void own_normals(D d, const PrimitiveRows<T>& rows,
                               const Geometry<CylinderKind, T>& cylinders, const V3<V>& direction,
                               M own, RayOrigin<V>& at) {
-  alignas(64) T ids[hn::MaxLanes(D())];
-  hn::Store(at.id, d, ids);
-  while (!hn::AllFalse(d, own)) {
-    const T id = ids[hn::FindFirstTrue(d, own)];
-    const M here = hn::And(own, hn::Eq(at.id, hn::Set(d, id)));
-    own = hn::AndNot(here, own);
-    const auto index = static_cast<std::size_t>(rows[static_cast<std::size_t>(id)].item);
-    if (index >= cylinders.items.size() || cylinders.items[index].id != id) continue;
-    at.normal = select(here, normals_at(d, cylinders.items[index], at.point, direction), at.normal);
-  }
+  set_item_normals(d, rows, cylinders.items, own, at, [&](const CylinderItem<T>& item) HWY_ATTR {
+    return normals_at(d, item, at.point, direction);
+  });
 }
 
 /// Lanes from which a closed cylinder hides its distant light; the caller leaves out its own
@@ -340,27 +333,13 @@ HWY_INLINE M occluded_by(D d, const Geometry<CylinderKind, T>& cylinders,
                          const PacketLight<T>& light, const ShadowRays<V>& rays, M lit) {
   const CylinderLightView<T>& view = cylinders.lights[light.index];
   const bool is_parallel = light.rays == LightRays::parallel;
-  if (!is_parallel || cylinders.finder(RayKind::to_distant_light) == Finder::one_by_one) {
-    M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
-    for (std::size_t i = 0; i < cylinders.items.size(); ++i)
-      dark = hn::Or(dark, occluded_by_one(d, cylinders.items[i],
-                                          is_parallel ? &view.shadows[i] : nullptr, rays, lit));
-    return dark;
-  }
-  const auto in_cell = [&](std::size_t cell, const LightPlaces<V, M>&, T least_w, M rest) HWY_ATTR {
-    M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
-    for (std::size_t i = view.grid.begins[cell]; i < view.grid.begins[cell + 1]; ++i) {
-      const ListedCaster<T>& entry = view.grid.entries[i];
-      if (entry.top <= least_w) break;  // this one and all behind it are farther from the light
-      const M hides = occluded_by_one(d, cylinders.items[entry.primitive],
-                                      &view.shadows[entry.primitive], rays, rest);
-      dark = hn::Or(dark, hides);
-      rest = hn::AndNot(hides, rest);
-      if (hn::AllFalse(d, rest)) break;
-    }
-    return dark;
+  const auto hides = [&](std::size_t i, M rest) HWY_ATTR {
+    return occluded_by_one(d, cylinders.items[i], is_parallel ? &view.shadows[i] : nullptr, rays,
+                           rest);
   };
-  return occluded_in_lists(d, view.grid, rays.from.point, lit, in_cell);
+  if (!is_parallel || cylinders.finder(RayKind::to_distant_light) == Finder::one_by_one)
+    return occluded_by_items(d, cylinders.items.size(), lit, hides);
+  return occluded_by_listed(d, view.grid, rays.from.point, lit, hides);
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

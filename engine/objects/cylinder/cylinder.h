@@ -5,13 +5,12 @@
 //   { "type": "cylinders", "from": [[0, 0, 0], [1, 0, 0]], "to": [[0, 1, 0], [1, 2, 0]],
 //     "radius": 0.1, "colors": ["#ff0000", "#00ff00"] }
 //
-// Everything is measured from the foot, the point of the axis' line that is nearest to the eye: no
-// point of the cylinder is nearer to the eye than it is, so that what it is rounded by is less than
-// what the place of any hit is, however long the cylinder. A ray meets the endless cylinder in the
-// plane across the axis, in the residual form that spheres have (math/ray_sphere.h): with f from
-// the foot and e the direction's part across the axis, x = f x e and b = -f.e do not cancel, nor do
-// the roots C / q and q / |e|^2. A closed cylinder is where that span and the one between the ends
-// overlap: a ray through the rim cannot slip between side and cap, and nothing is decided twice.
+// Everything is measured from the foot of its axis (math/axis.h). A ray meets the endless cylinder
+// in the plane across the axis, in the residual form that spheres have (math/ray_sphere.h): with f
+// from the foot and e the direction's part across the axis, x = f x e and b = -f.e do not cancel,
+// nor do the roots C / q and q / |e|^2. A closed cylinder is where that span and the one between
+// the ends overlap: a ray through the rim cannot slip between side and cap, and nothing is decided
+// twice.
 //
 // Leaving a surface: what leaves the outside, of side or cap, meets nothing of the cylinder again
 // (every part lies on the boundary of a convex set, or within it: the open one, too). From the
@@ -26,6 +25,7 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/math/axis.h"
 #include "engine/objects/kind.h"
 
 namespace raytracer {
@@ -68,18 +68,12 @@ struct Cylinders {
 };
 
 /// In frame coordinates.
-struct PackedCylinder {
-  Vec3 foot;    ///< the point of the axis' line nearest to the eye
-  Vec3 axis;    ///< unit, from `from` to `to`
-  double low;   ///< of `from` along the axis, from the foot
-  double high;  ///< of `to`
+struct PackedCylinder : AxisSegment {
   double radius;
-  double
-      eye_c;  ///< |foot|^2 - radius^2 of the unrounded foot: positive outside the endless cylinder
+  /// |foot|^2 - radius^2 of the unrounded foot: positive outside the endless cylinder
+  double eye_c;
   bool has_caps;
   PrimitiveId id;
-
-  Vec3 end(bool is_to) const { return foot + (is_to ? high : low) * axis; }
 };
 
 struct CylinderKind {
@@ -116,7 +110,7 @@ void pack(const Cylinders& cylinders, Packing<PackedCylinder>& to);
 Box bounds(const PackedCylinder& cylinder);
 
 inline PixelRectangle footprint(const Projection& projection, const PackedCylinder& c) {
-  return projection.of_discs(c.end(false), c.end(true), c.axis, c.radius);
+  return projection.of_discs(c.end(false), c.radius, c.end(true), c.radius, c.axis);
 }
 
 /// From the origin to the surface, from outside of it; negative inside a closed cylinder.
@@ -149,7 +143,7 @@ void for_each_subpixel_piece(const PackedCylinder& c, const Projection& projecti
     const auto at = [&](double share) { return c.low + (c.high - c.low) * share / pieces; };
     const Vec3 one = c.foot + at(i) * c.axis;
     const Vec3 other = c.foot + at(i + 1) * c.axis;
-    const PixelRectangle seen = projection.of_discs(one, other, c.axis, c.radius);
+    const PixelRectangle seen = projection.of_discs(one, c.radius, other, c.radius, c.axis);
     const PixelRectangle across = projection.of_sphere(0.5 * (one + other), c.radius);
     const double piece_width = seen.x_end - seen.x_begin;
     const double piece_height = seen.y_end - seen.y_begin;

@@ -3,32 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/math/compensated.h"
 #include "engine/objects/cylinder/cylinder.h"
 
 namespace raytracer {
 namespace {
-
-/// A quarter of a - b, exactly, which no doubles make overflow, in frame units.
-Split frame_difference(const Vec3& a, const Vec3& b, const Frame& frame) {
-  return scaled(exact_difference(0.25 * a, 0.25 * b), 2 - frame.exponent());
-}
-
-/// a + (first + second) w in twice the precision: what a double holds of it, and the rest.
-Split along_axis(const Split& a, double first, double second, const Split& w) {
-  Split sum;
-  for (const int axis : {0, 1, 2}) {
-    CompensatedSum coordinate;
-    coordinate.add(component(a.high, axis));
-    coordinate.add_product(first, component(w.high, axis));
-    coordinate.add_product(second, component(w.high, axis));
-    coordinate.add(component(a.low, axis));
-    coordinate.add_product(first, component(w.low, axis));
-    component(sum.high, axis) = coordinate.total();
-    component(sum.low, axis) = (coordinate.value - component(sum.high, axis)) + coordinate.rest;
-  }
-  return sum;
-}
 
 bool is_too_small(const PackedCylinder& c) {
   return !Frame::carries(c.radius) || !Frame::carries(c.high - c.low);
@@ -36,27 +14,9 @@ bool is_too_small(const PackedCylinder& c) {
 
 PackedCylinder pack_one(const Vec3& from, const Vec3& to, double radius, bool caps,
                         const PrimitiveId& id, const Frame& frame) {
-  const Split a = frame_difference(from, frame.eye(), frame);
-  Split w = frame_difference(to, from, frame);
-  const double longest = max_abs(w.high);
+  const PlacedAxis axis = place_axis(from, to, frame);
   const double r = frame.frame_from_scene(radius);
-  if (!Frame::carries(longest)) return {a.high, {1, 0, 0}, 0, 0, r, 0, caps, id};
-  const int exponent = std::ilogb(longest);
-  w = scaled(w, -exponent);
-  const double square = dot(w.high, w.high);
-  // The foot is a + (first + second) w: the second step takes away what the first left along w.
-  const double first = -dot(a.high, w.high) / square;
-  const double second = -dot(along_axis(a, first, 0, w).high, w.high) / square;
-  const Split foot = along_axis(a, first, second, w);
-  CompensatedSum eye_c;
-  for (const int axis : {0, 1, 2})
-    eye_c.add_product(component(foot.high, axis), component(foot.high, axis));
-  eye_c.add_product(-r, r);
-  eye_c.add(2 * dot(foot.high, foot.low));
-  const double unit_of_w = std::sqrt(square);
-  const double low = -(first + second) * unit_of_w;
-  const double high = ((std::ldexp(1.0, exponent) - first) - second) * unit_of_w;
-  return {foot.high, unit(w.high), low, std::max(low, high), r, eye_c.total(), caps, id};
+  return {axis.segment, r, axis.power_of_eye(r), caps, id};
 }
 
 /// How far a place is from the endless cylinder's side and from the ends, negative within.
@@ -94,12 +54,9 @@ void pack(const Cylinders& c, Packing<PackedCylinder>& to) {
 }
 
 Box bounds(const PackedCylinder& c) {
-  const Vec3& w = c.axis;
-  const Vec3 reach =
-      Vec3{std::hypot(w.y, w.z), std::hypot(w.x, w.z), std::hypot(w.x, w.y)} * c.radius;
   Box box;
   for (const bool is_to : {false, true})
-    box.include(Box{c.end(is_to) - reach, c.end(is_to) + reach});
+    box.include(box_around_disc(c.end(is_to), c.axis, c.radius));
   return box;
 }
 

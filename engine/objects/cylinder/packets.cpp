@@ -9,23 +9,6 @@
 namespace raytracer {
 namespace {
 
-/// Axes of a cylinder's own, as CylinderItem has them.
-struct OwnAxes {
-  Vec3 across;
-  Vec3 towards;
-  Vec3 axis;
-  bool is_turned;
-
-  explicit OwnAxes(const PackedCylinder& c) : is_turned(c.high < 0) {
-    axis = is_turned ? -c.axis : c.axis;
-    // Of an eye on the axis any direction across it will do; of another, what the foot's rounding
-    // leaves along the axis is taken away.
-    const Vec3 rest = c.foot - dot(c.foot, axis) * axis;
-    towards = rest != Vec3{} ? unit(rest) : orthonormal_basis(axis).u;
-    across = unit(cross(axis, towards));
-  }
-};
-
 template <typename T>
 CylinderShadow<T> shadow_of(const PackedCylinder& c, const Vec3& towards) {
   const Vec3 both = cross(towards, c.axis);
@@ -60,7 +43,7 @@ double disc_reach(const PackedCylinder& c, const Vec3& along) {
 }  // namespace
 
 ScreenSides<2> screen_outline(const View& view, const PackedCylinder& c) {
-  const OwnAxes own(c);
+  const AxisBasis own(c);
   const double distance = length(c.foot);
   // Generous by more than rounding; an eye within sees it everywhere.
   const double sine = std::min(c.radius / distance * (1 + 1e-9), 1.0);
@@ -83,7 +66,7 @@ ShadowExtent shadow_extent(const PackedCylinder& c, const LightAxes& axes) {
 
 template <typename T>
 CylinderItem<T> PacketLayout<CylinderKind, T>::item(const PackedCylinder& c, std::int32_t number) {
-  const OwnAxes own(c);
+  const AxisBasis own(c);
   return {narrowed<T>(own.across),
           narrowed<T>(own.towards),
           narrowed<T>(own.axis),

@@ -1,5 +1,7 @@
 // Triangles in frame coordinates, and what the plan has to know of them: how near, far and
 // large they are.
+#include <algorithm>
+
 #include "engine/objects/triangle/triangle.h"
 
 namespace raytracer {
@@ -63,6 +65,16 @@ void pack(const Mesh& mesh, Packing<PackedTriangle>& to) {
     return triangle;
   };
   to.add_all(mesh.triangles.size(), make, has_no_extent, is_too_small);
+}
+
+CornerValues corner_values(const Mesh& mesh) {
+  CornerValues values;
+  if (mesh.normals.empty() && mesh.vertex_colors.empty()) return values;
+  values.corners = mesh.triangles;
+  values.normals.resize(mesh.normals.size());
+  std::transform(mesh.normals.begin(), mesh.normals.end(), values.normals.begin(), unit);
+  values.colors = mesh.vertex_colors;
+  return values;
 }
 
 double nearest_distance(const PackedTriangle& triangle) {

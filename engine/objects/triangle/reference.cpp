@@ -45,7 +45,11 @@ std::optional<SurfaceHit> intersect(const Ray& ray, const PackedTriangle& triang
     return {};
   const auto hit = intersect_plane(ray, corners[0], triangle.normal);
   if (!hit) return {};
-  return SurfaceHit{hit->t, flat_point(triangle.id, ray, hit->t, corners[0], hit->normal)};
+  SurfacePoint point = flat_point(triangle.id, ray, hit->t, corners[0], hit->normal);
+  point.part = dot(hit->normal, triangle.normal) < 0 ? back_part : front_part;
+  const double area = ab + bc + ca;
+  point.weights = area != 0 ? Vec3{bc, ca, ab} / area : Vec3{1, 0, 0};
+  return SurfaceHit{hit->t, point};
 }
 
 }  // namespace raytracer

@@ -1,6 +1,8 @@
 // Meshes of triangles.
 //
-//   { "type": "mesh", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]] }
+//   { "type": "mesh", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]],
+//     "normals": [[0, 0, 1], [0.1, 0, 1], [0, 0.1, 1]], "colors": ["#ff0000", "#00ff00", "#0000ff"]
+//     }
 //
 // A triangle's distance is its plane's, computed as a plane's is: a mesh lying in a plane ties with
 // it exactly. Whether the ray passes inside is decided in the plane across it: a corner that two
@@ -22,6 +24,7 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/objects/corner_values.h"
 #include "engine/objects/kind.h"
 
 namespace raytracer {
@@ -29,13 +32,20 @@ namespace raytracer {
 struct Mesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into vertices
+  std::vector<Vec3> normals;       ///< none, or one for each vertex, of any length but 0
+  std::vector<Rgb> vertex_colors;  ///< none, or one for each vertex, in place of the material's
 
   static constexpr std::string_view type = "mesh";
-  static constexpr std::string_view description = "Triangles, each with its geometric normal.";
+  static constexpr std::string_view description =
+      "Triangles, each with its geometric normal or, smooth, with those of its corners.";
   static constexpr auto fields =
       std::tuple(required("vertices", &Mesh::vertices, PointsRule{}),
                  required("triangles", &Mesh::triangles, TriplesRule{"vertices"},
-                          "Triples of indices into vertices."));
+                          "Triples of indices into vertices."),
+                 optional("normals", &Mesh::normals, DirectionPerItemRule{"vertices"},
+                          "One for each vertex: interpolated they shade the triangles."),
+                 optional("colors", &Mesh::vertex_colors, ColorPerItemRule{"vertices"},
+                          "One for each vertex, interpolated, in place of the material's."));
 };
 
 /// In frame coordinates.
@@ -64,8 +74,14 @@ void for_each_extent(const Mesh& mesh, const Include& include) {
   for (const Vec3& vertex : mesh.vertices) include(vertex, 0);
 }
 
+inline bool has_corner_normals(const Mesh& mesh) { return !mesh.normals.empty(); }
+inline bool has_corner_colors(const Mesh& mesh) { return !mesh.vertex_colors.empty(); }
+CornerValues corner_values(const Mesh& mesh);
+
 /// Triangles of no area are left out, too.
 void pack(const Mesh& mesh, Packing<PackedTriangle>& to);
+
+inline const std::array<Vec3, 3>& corners_of(const PackedTriangle& t) { return t.vertices; }
 
 inline Box bounds(const PackedTriangle& triangle) {
   Box box;

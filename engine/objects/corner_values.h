@@ -1,0 +1,54 @@
+// What an object tells at the corners of its items, and between them is interpolated: normals for
+// smooth shading, colours.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/math/vec.h"
+
+namespace raytracer {
+
+/// Of an object's items.
+struct CornerValues {
+  std::vector<std::array<std::uint32_t, 3>> corners;  ///< of each item, in the lists below
+  std::vector<Vec3> normals;                          ///< unit; none, or one for each corner
+  std::vector<Rgb> colors;                            ///< likewise
+  std::size_t first = 0;  ///< the items of the objects before it that have some, too
+
+  bool empty() const { return normals.empty() && colors.empty(); }
+  std::array<Vec3, 3> of(const std::vector<Vec3>& values, std::size_t item) const {
+    const auto& [a, b, c] = corners[item];
+    return {values[a], values[b], values[c]};
+  }
+};
+
+/// A document's structure that has some.
+template <class Document>
+concept HasCornerValues = requires(const Document& x) {
+  { corner_values(x) } -> std::same_as<CornerValues>;
+  { has_corner_normals(x) } -> std::same_as<bool>;
+  { has_corner_colors(x) } -> std::same_as<bool>;
+};
+
+/// A primitive between corners.
+template <class Primitive>
+concept HasCorners = requires(const Primitive& p) {
+  { corners_of(p) } -> std::same_as<const std::array<Vec3, 3>&>;
+};
+
+/// The least radius of a sphere whose normals turn as fast as those between the corners.
+inline double least_radius(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>& normals) {
+  double least = infinity;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double turn = length(normals[(i + 1) % 3] - normals[i]);
+    if (turn > 0) least = std::min(least, length(corners[(i + 1) % 3] - corners[i]) / turn);
+  }
+  return least;
+}
+
+}  // namespace raytracer

@@ -1,0 +1,58 @@
+// Items as packets try them: what kinds have in common of which each hit's normal is computed from
+// its item, and whose shadows are looked for item by item.
+
+#include <cstddef>
+
+#include "engine/finders/light_grid.h"
+#include "engine/packets/primitive_row.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer::HWY_NAMESPACE {
+
+/// Sets the normals of the lanes of `own` that hit one of the items: normals(item, lanes).
+template <class D, class Items, class Normals, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE void set_item_normals(D d, const PrimitiveRows<T>& rows, const Items& items, M own,
+                                 RayOrigin<V>& at, const Normals& normals) {
+  alignas(64) T ids[hn::MaxLanes(D())];
+  hn::Store(at.id, d, ids);
+  while (!hn::AllFalse(d, own)) {
+    const T id = ids[hn::FindFirstTrue(d, own)];
+    const M here = hn::And(own, hn::Eq(at.id, hn::Set(d, id)));
+    own = hn::AndNot(here, own);
+    const auto index = static_cast<std::size_t>(rows[static_cast<std::size_t>(id)].item);
+    if (index >= items.size() || items[index].id != id) continue;
+    at.normal = select(here, normals(items[index]), at.normal);
+  }
+}
+
+/// Lanes of `lit` that one of so many items hides from a light: hides(index, lanes).
+template <class D, class Hides, class M = hn::Mask<D>>
+HWY_INLINE M occluded_by_items(D d, std::size_t count, M lit, const Hides& hides) {
+  M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
+  for (std::size_t i = 0; i < count; ++i) dark = hn::Or(dark, hides(i, lit));
+  return dark;
+}
+
+/// The same of those that a distant light's grid lists.
+template <class D, class Hides, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by_listed(D d, const ListGrid<T>& grid, const V3<V>& points, M lit,
+                                const Hides& hides) {
+  const auto in_cell = [&](std::size_t cell, const LightPlaces<V, M>&, T least_w, M rest) HWY_ATTR {
+    M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
+    for (std::size_t i = grid.begins[cell]; i < grid.begins[cell + 1]; ++i) {
+      const ListedCaster<T>& entry = grid.entries[i];
+      if (entry.top <= least_w) break;  // this one and all behind it are farther from the light
+      const M hidden = hides(entry.primitive, rest);
+      dark = hn::Or(dark, hidden);
+      rest = hn::AndNot(hidden, rest);
+      if (hn::AllFalse(d, rest)) break;
+    }
+    return dark;
+  };
+  return occluded_in_lists(d, grid, points, lit, in_cell);
+}
+
+}  // namespace raytracer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
