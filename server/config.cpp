@@ -203,7 +203,8 @@ void CommandLine::add_cluster(ClusterConfig& cluster) {
   app_.add_flag("--worker", cluster.is_worker,
                 "With --nats: take tasks and nothing else; of HTTP only /healthz, /readyz,\n"
                 "/metrics and /version");
-  app_.add_flag("--no-work{false}", cluster.works, "With --nats: take no tasks");
+  app_.add_flag_callback(
+      "--no-work", [&cluster] { cluster.works = false; }, "With --nats: take no tasks");
   add_number({"--share-from", "RAYTRACER_SHARE_FROM"}, "MS",
              "Share renders that are predicted to trace for so many milliseconds",
              cluster.share_from_ms, 0, 1e9);

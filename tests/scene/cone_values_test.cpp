@@ -28,12 +28,12 @@ void expect_error(std::size_t object, const char* key, const json& value,
 
 TEST(ConeValues, are_taken_over) {
   const Scene scene = scene_of(full_document());
-  const auto& cone = std::get<Cone>(scene.objects.at(the_cone).shape);
+  const auto& cone = std::get<Cone>(scene.objects[the_cone].shape);
   EXPECT_EQ(cone.to, (Vec3{0, 3, 0}));
   EXPECT_EQ(cone.radius_from, 0.5);
   EXPECT_EQ(cone.radius_to, 0);
   EXPECT_TRUE(cone.caps);
-  const auto& cones = std::get<Cones>(scene.objects.at(the_cones).shape);
+  const auto& cones = std::get<Cones>(scene.objects[the_cones].shape);
   EXPECT_EQ(cones.from, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}}));
   EXPECT_EQ(cones.radius_from(0), 0);
   EXPECT_EQ(cones.radius_from(1), 0.2);
