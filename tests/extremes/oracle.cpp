@@ -28,6 +28,8 @@ double power(Quad cosine, double exponent) {
 }  // namespace
 
 Oracle::Oracle(const Scene& scene) : scene_(scene) {
+  for (const Material& m : scene.materials)
+    if (m.transparency > 0) least_weight_ = 0x1p-14;
   const Camera& camera = scene.camera;
   const QuadVec d = unit(relative(camera.look_at, camera.origin));
   QuadVec across = cross(unit(QuadVec(camera.up)), d);
@@ -130,7 +132,7 @@ Quad fresnel(Quad cosine, Quad beyond, Quad index) {
 
 QuadVec Oracle::radiance(const OraclePlace& from, const QuadVec& direction, Quad weight,
                          int depth) const {
-  if (weight < 0x1p-14) return {};
+  if (weight < least_weight_) return {};
   const OraclePlace met = OracleSearch(scene_, from, direction).nearest();
   if (met.kind == OraclePlace::Kind::none) return QuadVec(scene_.background) * weight;
   QuadVec sum = shade(met, direction * Quad(-1)) * weight;

@@ -34,6 +34,7 @@ class Oracle {
   QuadVec radiance(const OraclePlace& from, const QuadVec& direction, Quad weight, int depth) const;
 
   const Scene& scene_;
+  Quad least_weight_ = 0;  ///< of rays that count: where they branch others are left out
   QuadVec forward_;
   QuadVec right_;
   QuadVec up_;
