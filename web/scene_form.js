@@ -99,7 +99,9 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
         colour(`${name}, colour`, `${pointer}/color`),
         labelled("matt", slider(`${name}, diffuse`, `${pointer}/kd`)),
         labelled("glossy", slider(`${name}, specular`, `${pointer}/ks`)),
-        labelled("mirror", slider(`${name}, reflectivity`, `${pointer}/reflectivity`))], "material");
+        labelled("mirror", slider(`${name}, reflectivity`, `${pointer}/reflectivity`)),
+        labelled("glass", slider(`${name}, transparency`, `${pointer}/transparency`)),
+        labelled("index", number(`${name}, index of refraction`, `${pointer}/ior`, { step: 0.05, min: 1 }))], "material");
     });
     if (materials.length > 0) groups.push(group("Materials", materials));
 
@@ -130,7 +132,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
   };
 }
 
-const defaults = { color: [1, 1, 1], background: [0, 0, 0], ambient: 0.2, kd: 0.7, ks: 0.3, reflectivity: 0, intensity: 1 };
+const defaults = { color: [1, 1, 1], background: [0, 0, 0], ambient: 0.2, kd: 0.7, ks: 0.3, reflectivity: 0, transparency: 0, ior: 1.5, intensity: 1 };
 
 /// What decides which controls there are.
 function shapeOf({ objects, materials, lights }) {

@@ -14,6 +14,7 @@
 #include "engine/fields/field_table.h"
 #include "engine/fields/types.h"
 #include "engine/materials/blinn_phong/blinn_phong.h"
+#include "engine/materials/glass/glass.h"
 #include "engine/materials/mirror/mirror.h"
 
 namespace raytracer {
@@ -24,13 +25,13 @@ template <class Effect>
 concept MaterialEffect = HasFields<Effect> && std::three_way_comparable<Effect>;
 
 /// In the order of the documentation.
-using MaterialEffects = Types<BlinnPhong, Mirror>;
+using MaterialEffects = Types<BlinnPhong, Mirror, Glass>;
 static_assert(
     each_satisfies<MaterialEffects>([]<MaterialEffect Effect>(std::type_identity<Effect>) {}));
 
 /// All effects together.
-struct Material : BlinnPhong, Mirror {
-  static constexpr auto fields = std::tuple_cat(BlinnPhong::fields, Mirror::fields);
+struct Material : BlinnPhong, Mirror, Glass {
+  static constexpr auto fields = std::tuple_cat(BlinnPhong::fields, Mirror::fields, Glass::fields);
 
   friend auto operator<=>(const Material&, const Material&) = default;
 };

@@ -22,18 +22,17 @@ struct PrimitiveId {
   friend auto operator<=>(const PrimitiveId&, const PrimitiveId&) = default;
 };
 
-/// What is flat has two surfaces.
-inline constexpr int front_part = 0;  ///< from which the corners are seen anticlockwise
-inline constexpr int back_part = 1;
-
 /// Where a ray begins: the eye, or a point on a surface seen from one side.
 struct SurfacePoint {
   enum class Side { none, round_outside, round_inside, flat };
 
   Side side = Side::none;
-  PrimitiveId id;     ///< of the surface, if there is one
-  int part = 0;       ///< which of the primitive's surfaces, as its kind counts them
-  Vec3 weights;       ///< of something between corners: how much each of them counts, 1 in sum
+  PrimitiveId id;  ///< of the surface, if there is one
+  int part = 0;    ///< which of the primitive's surfaces, as its kind counts them
+  /// Seen from the inside; of what is flat, from the side that its own normal does not point to.
+  bool is_inside = false;
+  bool has_inside = true;  ///< what is open has none: rays that pass it are not bent
+  Vec3 weights;            ///< of something between corners: how much each of them counts, 1 in sum
   Vec3 anchor;        ///< of a round surface the point `radius` below it; else the point itself
   Vec3 offset;        ///< from the anchor to the point: zero but for round surfaces
   double radius = 0;  ///< of a round surface: the offset's length
@@ -43,6 +42,18 @@ struct SurfacePoint {
   Vec3 point() const { return anchor + offset; }
   bool is_on_surface(const PrimitiveId& other) const { return side != Side::none && id == other; }
 };
+
+/// The same point, left to its other side.
+inline SurfacePoint other_side(SurfacePoint point) {
+  using Side = SurfacePoint::Side;
+  if (point.side == Side::round_outside)
+    point.side = Side::round_inside;
+  else if (point.side == Side::round_inside)
+    point.side = Side::round_outside;
+  point.normal = -point.normal;
+  point.is_inside = !point.is_inside;
+  return point;
+}
 
 struct Ray {
   SurfacePoint origin;
@@ -63,6 +74,8 @@ inline SurfacePoint round_point(const PrimitiveId& id, const Vec3& center, doubl
   return {.side = is_inside ? SurfacePoint::Side::round_inside : SurfacePoint::Side::round_outside,
           .id = id,
           .part = 0,
+          .is_inside = is_inside,
+          .has_inside = true,
           .weights = {},
           .anchor = center,
           .offset = normal * radius,
@@ -78,6 +91,8 @@ inline SurfacePoint flat_point(const PrimitiveId& id, const Ray& ray, double t,
   return {.side = SurfacePoint::Side::flat,
           .id = id,
           .part = 0,
+          .is_inside = false,
+          .has_inside = true,
           .weights = {},
           .anchor = ray.origin.anchor + (ray.origin.offset + t * ray.direction),
           .offset = {},

@@ -125,6 +125,8 @@ PackedScene pack_scene(const Scene& scene, WorkerPool* pool) {
   packed.ambient = scene.ambient;
   packed.shadows = scene.shadows;
   packed.max_depth = scene.render.max_depth;
+  packed.transmits = std::any_of(packed.materials.begin(), packed.materials.end(),
+                                 [](const Material& m) { return m.transparency > 0; });
   return packed;
 }
 

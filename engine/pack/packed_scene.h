@@ -56,6 +56,7 @@ struct PackedScene {
   double ambient = 0;
   Shadows shadows = Shadows::black;
   int max_depth = 0;
+  bool transmits = false;  ///< some material lets rays through
 
   /// What the corners of an object's items tell, if they do.
   const CornerValues* corner_values_of(const PrimitiveId& id) const {

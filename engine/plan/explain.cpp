@@ -63,7 +63,8 @@ Json features_json(const Scene& scene, const Features& features) {
     json["shininess"] = {{"largest", features.shininess},
                          {"same_integer_everywhere", features.uniform_shininess >= 0}};
   }
-  json["reflections"] = features.max_depth;
+  json["reflections"] = features.reflects ? features.max_depth : 0;
+  json["refractions"] = features.transmits ? features.max_depth : 0;
   return json;
 }
 

@@ -40,7 +40,7 @@ bool has_rays(RayKind rays, const Features& features) {
     case RayKind::followed:
       break;
   }
-  return features.reflects;
+  return features.reflects || features.transmits;
 }
 
 FinderRow with_each(Finder finder) {
@@ -51,7 +51,12 @@ FinderRow with_each(Finder finder) {
 
 }  // namespace
 
-Choice<Kernel> choose_kernel(const SceneStatistics& statistics) {
+Choice<Kernel> choose_kernel(const Features& features, const SceneStatistics& statistics) {
+  if (features.transmits)
+    return {Kernel::single_rays,
+            because("some surface lets light through, so rays begin inside of objects and branch, "
+                    "which only the reference models: one ray at a time, in double, several times "
+                    "slower")};
   if (statistics.nearest > 0)
     return {Kernel::packets,
             because("the eye is outside of everything, so neighbouring rays go together")};

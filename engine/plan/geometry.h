@@ -25,7 +25,7 @@ enum class Kernel : std::uint8_t {
 /// A row for each kind of object.
 using FinderTable = std::array<FinderRow, ObjectKinds::count>;
 
-Choice<Kernel> choose_kernel(const SceneStatistics& statistics);
+Choice<Kernel> choose_kernel(const Features& features, const SceneStatistics& statistics);
 
 FinderTable choose_finders(const Features& features, const SceneStatistics& statistics,
                            Kernel kernel);

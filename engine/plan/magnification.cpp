@@ -24,7 +24,8 @@ CurvedMirrors find_mirrors(const PackedScene& packed) {
   CurvedMirrors mirrors;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     for (const auto& primitive : of_kind<Kind>(packed.primitives))
-      if (packed.material_of(primitive.id).reflectivity > 0) {
+      if (const Material& material = packed.material_of(primitive.id);
+          material.reflectivity > 0 || material.transparency > 0) {
         add_mirror(primitive, mirrors);
         add_smooth_mirror(packed, primitive, mirrors);
       }
@@ -37,7 +38,9 @@ CurvedMirrors find_mirrors(const PackedScene& packed) {
 double magnification(const PackedScene& packed, const Features& features, double farthest) {
   const CurvedMirrors mirrors = find_mirrors(packed);
   if (mirrors.count == 0) return 1;
-  const double first = features.reflectivity * 2 * farthest / mirrors.smallest;
+  // A lens turns rays no more than a mirror does.
+  const double share = std::max(features.reflectivity, features.transparency);
+  const double first = share * 2 * farthest / mirrors.smallest;
   double further = 0;
   if (mirrors.count > 1) {
     const double width = mirrors.high - mirrors.low;
@@ -45,7 +48,7 @@ double magnification(const PackedScene& packed, const Features& features, double
     const double free_path =
         width / (mirrors.count - 1) * (width / radius) * (width / radius) / std::numbers::pi;
     const double step = std::min(free_path, width);
-    further = features.reflectivity * step / free_path * 2 * step / radius;
+    further = share * step / free_path * 2 * step / radius;
   }
   return std::max(first, 1.0) * std::pow(std::max(further, 1.0), features.max_depth - 1);
 }

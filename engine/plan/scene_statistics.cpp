@@ -157,7 +157,7 @@ SceneStatistics gather_statistics(const Scene& scene, const PackedScene& packed,
         light.source);
   }
   statistics.shadow_path = shadow_path(packed, statistics);
-  if (features.reflects)
+  if (features.reflects || features.transmits)
     statistics.magnification = magnification(packed, features, statistics.farthest);
   statistics.gap = least_gap(packed);
   statistics.lowest_light = lowest_light(packed);

@@ -64,4 +64,40 @@ class AnyHit {
   bool found_ = false;
 };
 
+/// What comes through everything nearer than t_max: the product of the transparencies of the
+/// surfaces on the way, as transparency_of(id) tells them.
+template <typename TransparencyOf>
+class Transmission {
+ public:
+  Transmission(const Ray& ray, double t_max, const TransparencyOf& transparency_of)
+      : ray_(ray), t_max_(t_max), transparency_of_(transparency_of) {}
+
+  /// Of each primitive alone: where two coincide, both count.
+  template <typename Primitive>
+  void add(const Primitive& primitive) {
+    Ray ray = ray_;
+    double t = 0;
+    while (share_ > 0) {
+      const auto hit = intersect(ray, primitive);
+      if (!hit) return;
+      t += hit->t;
+      if (!(t < t_max_)) return;
+      share_ *= transparency_of_(hit->point.id);
+      ray.origin = other_side(hit->point);
+    }
+  }
+
+  const Ray& ray() const { return ray_; }
+  const double& t_max() const { return t_max_; }
+  bool is_settled() const { return share_ == 0; }
+
+  double share() const { return share_; }
+
+ private:
+  const Ray& ray_;
+  double t_max_;
+  const TransparencyOf& transparency_of_;
+  double share_ = 1;
+};
+
 }  // namespace raytracer

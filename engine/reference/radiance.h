@@ -1,10 +1,11 @@
-// What a ray sees: Blinn-Phong under hard shadows, and mirrors.
+// What a ray sees: Blinn-Phong under hard shadows, mirrors and glass.
 //
 // The reference: plain, in double, one ray at a time. Faster kernels are held to its pixels.
 #pragma once
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "engine/math/ray.h"
 #include "engine/pack/packed_scene.h"
@@ -43,23 +44,31 @@ inline PointShading shading_at(const PackedScene& scene, const SurfacePoint& poi
   if (!values->colors.empty()) shading.material.color = interpolated(values->colors);
   if (values->normals.empty()) return shading;
   const Vec3 normal = unit(interpolated(values->normals));
-  if (normal != Vec3{}) shading.normal = point.part == back_part ? -normal : normal;
+  if (normal != Vec3{}) shading.normal = point.is_inside ? -normal : normal;
   return shading;
 }
 
-/// Whether `light` counts at `point`, which `normal` shades: it is on the side of that and of the
-/// surface, and nothing is in between.
+/// How much of `light` reaches `point`, which `normal` shades: 0 unless it is on the side of that
+/// and of the surface; what is in between hides it or weakens it.
 template <typename Finder>
-bool is_visible(const ArrivingLight& light, const SurfacePoint& point, const Vec3& normal,
-                const Finder& finder, Shadows shadows) {
-  if (!(dot(normal, light.towards) > 0 && dot(point.normal, light.towards) > 0)) return false;
-  if (shadows == Shadows::off) return true;
+double visible_share(const PackedScene& scene, const ArrivingLight& light,
+                     const SurfacePoint& point, const Vec3& normal, const Finder& finder) {
+  if (!(dot(normal, light.towards) > 0 && dot(point.normal, light.towards) > 0)) return 0;
+  if (scene.shadows == Shadows::off) return 1;
   const Ray ray{point, light.towards};
   // A light that lies in a surface is not hidden by it: there t is the distance but for rounding.
   constexpr double nearer = 1 - 0x1p-40;
-  AnyHit query(ray, light.distance * nearer);
+  if (!scene.transmits) {
+    AnyHit query(ray, light.distance * nearer);
+    finder.visit(query);
+    return query.found() ? 0 : 1;
+  }
+  const auto transparency_of = [&](const PrimitiveId& id) {
+    return scene.material_of(id).transparency;
+  };
+  Transmission query(ray, light.distance * nearer, transparency_of);
   finder.visit(query);
-  return !query.found();
+  return query.share();
 }
 
 /// The colour of a point under all lights, without what it mirrors.
@@ -73,9 +82,10 @@ Rgb shade(const PackedScene& scene, const Finder& finder, const SurfacePoint& po
   if (scene.shadows != Shadows::black) sum += ambient;
   for (const PackedLight& packed_light : scene.lights) {
     const ArrivingLight light = arriving_light(packed_light, point);
-    if (!is_visible(light, point, shading.normal, finder, scene.shadows)) continue;
+    const double share = visible_share(scene, light, point, shading.normal, finder);
+    if (!(share > 0)) continue;
     if (scene.shadows == Shadows::black) sum += ambient;
-    sum += direct_light(material, light, shading.normal, view);
+    sum += share * direct_light(material, light, shading.normal, view);
   }
   return sum;
 }
@@ -87,25 +97,60 @@ inline Vec3 mirrored(const Vec3& direction, const SurfacePoint& point, const Vec
   return unit(dot(above, point.normal) > 0 ? above : reflected(direction, point.normal));
 }
 
+/// A ray on its way.
+struct WeightedRay {
+  Ray ray;
+  double weight = 1;  ///< of what it sees in the pixel
+  int depth = 0;      ///< how many rays went before it
+};
+
+/// Adds those that follow a ray from the point that it has met.
+inline void add_followers(const PackedScene& scene, const WeightedRay& before,
+                          const SurfacePoint& point, const PointShading& shading,
+                          std::vector<WeightedRay>& rays) {
+  // Where rays branch those that count for nothing are left out.
+  const double least_weight = scene.transmits ? 0x1p-14 : 0;
+  const Material& material = shading.material;
+  const Vec3& direction = before.ray.direction;
+  const auto add = [&](const SurfacePoint& from, const Vec3& towards, double share) {
+    const double weight = before.weight * share;
+    if (weight > 0 && weight >= least_weight)
+      rays.push_back({{from, towards}, weight, before.depth + 1});
+  };
+  double reflectivity = material.reflectivity;
+  if (material.transparency > 0) {
+    if (!point.has_inside) {
+      add(other_side(point), direction, material.transparency);
+    } else {
+      const auto on = refracted(material, direction, shading.normal, point.normal, point.is_inside);
+      const double goes_on = on.is_total ? 0 : 1 - on.reflectance;
+      reflectivity += material.transparency * (1 - goes_on);
+      if (!on.is_total) add(other_side(point), on.direction, material.transparency * goes_on);
+    }
+  }
+  if (reflectivity > 0) add(point, mirrored(direction, point, shading.normal), reflectivity);
+}
+
 /// The radiance that reaches the eye from `direction` (unit), not yet clamped.
 template <typename Finder>
 Rgb radiance(const PackedScene& scene, const Finder& finder, const Vec3& direction) {
-  Ray ray{SurfacePoint{}, direction};
   Rgb sum;
-  double weight = 1;  // of what this ray sees in the pixel
-  for (int depth = 0;; ++depth) {
-    NearestHit query(ray);
+  std::vector<WeightedRay> rays{{{SurfacePoint{}, direction}}};
+  while (!rays.empty()) {
+    const WeightedRay current = rays.back();
+    rays.pop_back();
+    NearestHit query(current.ray);
     finder.visit(query);
-    if (!query.found()) return sum + weight * scene.background;
-
+    if (!query.found()) {
+      sum += current.weight * scene.background;
+      continue;
+    }
     const SurfacePoint point = query.point();
     const PointShading shading = shading_at(scene, point);
-    sum += weight * shade(scene, finder, point, shading, -ray.direction);
-
-    weight *= shading.material.reflectivity;
-    if (!(weight > 0) || depth == scene.max_depth) return sum;
-    ray = {point, mirrored(ray.direction, point, shading.normal)};
+    sum += current.weight * shade(scene, finder, point, shading, -current.ray.direction);
+    if (current.depth < scene.max_depth) add_followers(scene, current, point, shading, rays);
   }
+  return sum;
 }
 
 }  // namespace raytracer

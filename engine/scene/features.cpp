@@ -66,12 +66,15 @@ std::int32_t uniform_shininess(const std::vector<double>& exponents) {
   return is_small_integer && is_uniform ? static_cast<std::int32_t>(first) : -1;
 }
 
-void find_reflections(const Scene& scene, const std::vector<Material>& used, Features& features) {
+void find_followed_rays(const Scene& scene, const std::vector<Material>& used, Features& features) {
+  for (const Material& material : used)
+    features.transparency = std::max(features.transparency, material.transparency);
+  features.transmits = features.transparency > 0;
   if (scene.render.max_depth == 0) return;
   for (const Material& material : used)
     features.reflectivity = std::max(features.reflectivity, material.reflectivity);
   features.reflects = features.reflectivity > 0;
-  if (features.reflects) features.max_depth = scene.render.max_depth;
+  if (features.reflects || features.transmits) features.max_depth = scene.render.max_depth;
 }
 
 }  // namespace
@@ -122,7 +125,7 @@ Features find_features(const Scene& scene) {
   for (const double exponent : exponents)
     features.shininess = std::max(features.shininess, exponent);
   features.uniform_shininess = uniform_shininess(exponents);
-  find_reflections(scene, used, features);
+  find_followed_rays(scene, used, features);
   return features;
 }
 

@@ -36,7 +36,9 @@ struct Features {
 
   bool reflects = false;    ///< some surface mirrors and a ray may be reflected at least once
   double reflectivity = 0;  ///< the largest in use; 0 if nothing reflects
-  int max_depth = 0;        ///< reflections in a row; 0 if nothing reflects
+  bool transmits = false;   ///< some surface lets light through
+  double transparency = 0;  ///< the largest in use
+  int max_depth = 0;        ///< rays that follow another in a row; 0 if none does
 
   std::size_t primitive_count() const;
   std::size_t light_count() const;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -43,9 +44,36 @@ void check_fields(const Structure& structure, const Path& path, ErrorList& error
   });
 }
 
-bool reflects(const Scene& scene) {
-  return std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const Material& material) { return material.reflectivity > 0; });
+/// The most rays that a sample may take: each may be followed by one, or by two where a surface
+/// both mirrors and lets through. All of one depth have a weight together, of which each has at
+/// least the 2^14th part of 1, or it is left out.
+double most_rays(const Scene& scene) {
+  constexpr double most_of_one = 0x1p14;
+  bool is_followed = false;
+  bool branches = false;
+  double weight = 0;
+  for (const Material& m : scene.materials) {
+    is_followed = is_followed || m.reflectivity > 0 || m.transparency > 0;
+    branches = branches || (m.transparency > 0 && (m.reflectivity > 0 || m.fresnel));
+    weight = std::max(weight, m.reflectivity + m.transparency);
+  }
+  if (!is_followed) return 1;
+  if (!branches) return 1.0 + scene.render.max_depth;
+  double rays = 1;
+  double branched = 1;  // of one depth, were none left out
+  double together = 1;
+  for (int depth = 0; depth < scene.render.max_depth && std::isfinite(rays); ++depth) {
+    branched *= 2;
+    together *= weight;
+    if (branched <= most_of_one * together) {
+      rays += branched;
+      continue;
+    }
+    const double rest = scene.render.max_depth - depth;
+    const double sum = weight == 1 ? rest : (std::pow(weight, rest) - 1) / (weight - 1);
+    return rays + most_of_one * together * sum;
+  }
+  return rays;
 }
 
 }  // namespace
@@ -102,8 +130,7 @@ void check_view_limits(const Scene& scene, const Limits& limits, ErrorList& erro
 }
 
 double count_rays(const Scene& scene, int samples) {
-  const double bounces = reflects(scene) ? 1.0 + scene.render.max_depth : 1.0;
-  return static_cast<double>(scene.camera.width) * scene.camera.height * samples * bounces;
+  return static_cast<double>(scene.camera.width) * scene.camera.height * samples * most_rays(scene);
 }
 
 void demand_at_most(double count, std::int64_t Limits::*limit, const Limits& limits,

@@ -8,9 +8,8 @@
 // cell by cell: a ray can meet a sphere only above or below the sphere's own cell.
 #pragma once
 
-#include <vector>
-
 #include "engine/engine.h"
+#include "tests/extremes/oracle_search.h"
 #include "tests/extremes/quad.h"
 
 namespace raytracer::extremes {
@@ -25,33 +24,17 @@ class Oracle {
   Vec3 color(double x, double y, double dx = 0, double dy = 0) const;
 
  private:
-  enum class Kind { none, sphere_outside, sphere_inside, flat };
-
-  /// Where a ray leaves from, or what it has met.
-  struct Place {
-    Kind kind = Kind::none;
-    std::size_t object = 0;
-    std::size_t part = 0;
-    QuadVec point;    ///< relative to the eye
-    QuadVec normal;   ///< unit, towards where the ray came from
-    QuadVec shading;  ///< likewise, as it shades; zero: the same
-    QuadVec tint;     ///< the colour that corners tell
-    bool is_tinted = false;
-    Quad radius = 0;
-    Quad t = 0;
-  };
-
-  static const QuadVec& shading_normal(const Place& place) {
-    return dot(place.shading, place.shading) > 0 ? place.shading : place.normal;
+  const Material& material_of(const OraclePlace& place) const {
+    return scene_.materials[scene_.objects[place.object].material];
   }
-
-  class Search;
-
-  bool is_hidden(const Place& place, const QuadVec& towards, Quad distance) const;
-  QuadVec shade(const Place& place, const QuadVec& view) const;
-  QuadVec radiance(QuadVec direction) const;
+  /// How much of the light in that direction reaches the place.
+  Quad visible_share(const OraclePlace& place, const QuadVec& towards, Quad distance) const;
+  QuadVec shade(const OraclePlace& place, const QuadVec& view) const;
+  /// What is seen, times the weight.
+  QuadVec radiance(const OraclePlace& from, const QuadVec& direction, Quad weight, int depth) const;
 
   const Scene& scene_;
+  Quad least_weight_ = 0;  ///< of rays that count: where they branch others are left out
   QuadVec forward_;
   QuadVec right_;
   QuadVec up_;

@@ -76,6 +76,9 @@ TEST(CanonicalBytes, differ_for_every_value_that_can_change_a_pixel) {
   expect_new("/materials/red/ks", 0.5);
   expect_new("/materials/red/shininess", 51);
   expect_new("/materials/red/reflectivity", 0.5);
+  expect_new("/materials/red/transparency", 0.5);
+  expect_new("/materials/red/ior", 1.25);
+  expect_new("/materials/red/fresnel", true);
   expect_new("/objects", json::array());
   expect_new("/objects/0/center", {0, 0, 6});
   expect_new("/objects/0/radius", 2);

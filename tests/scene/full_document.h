@@ -19,7 +19,8 @@ inline json full_document() {
       {"type": "point", "position": [0, 10, 0], "color": "#ffeedd", "intensity": 1500,
        "falloff": "inverse_square"}],
     "materials": {"red": {"color": [0.9, 0.2, 0.2], "ka": 1, "kd": 0.7, "ks": 0.3,
-                          "shininess": 50, "reflectivity": 0}},
+                          "shininess": 50, "reflectivity": 0, "transparency": 0, "ior": 1.5,
+                          "fresnel": false}},
     "objects": [
       {"type": "sphere", "center": [-2.5, 0, 0], "radius": 2, "material": "red"},
       {"type": "spheres", "centers": [[0, 0, 0], [1, 0, 0]], "radius": [0.1, 0.2],

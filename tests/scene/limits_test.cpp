@@ -83,6 +83,28 @@ TEST(Limit, of_work_counts_reflections_where_something_reflects) {
   expect_limit(errors_of(text, {.work = 499}), "/render", "--max-work");
 }
 
+TEST(Limit, of_work_counts_rays_that_branch) {
+  json text = with_samples(10, 10, 1);
+  const auto expect_rays = [&](double transparency, double reflectivity, int depth,
+                               std::int64_t most) {
+    text["render"]["max_depth"] = depth;
+    text["objects"][0] =
+        sphere_json({0, 0, 5}, 1, {{"transparency", transparency}, {"reflectivity", reflectivity}});
+    EXPECT_TRUE(errors_of(text, {.work = 100 * most}).empty()) << most;
+    expect_limit(errors_of(text, {.work = 100 * most - 1}), "/render", "--max-work");
+  };
+  expect_rays(0.5, 0, 4, 5);  // one follows one
+  expect_rays(0.5, 0.5, 4, 31);
+  expect_rays(1, 1, 10, 2047);
+  expect_rays(0.5, 0.5, 20, (1 << 15) - 1 + 6 * (1 << 14));  // the others weigh nothing
+  for (const double weight : {0.5, 0.5000001, 1.0}) {
+    text["render"]["max_depth"] = 2'000'000'000;
+    text["objects"][0] =
+        sphere_json({0, 0, 5}, 1, {{"transparency", weight}, {"reflectivity", weight}});
+    expect_limit(errors_of(text), "/render", "--max-work");
+  }
+}
+
 TEST(Limit, exceeded_stands_beside_the_documents_errors) {
   json text = with_samples(100, 100, 1);
   text["ambient"] = -1;

@@ -41,6 +41,9 @@ TEST(Defaults, of_a_material_are_the_documented_ones) {
     EXPECT_EQ(material.ks, 0.3);
     EXPECT_EQ(material.shininess, 50);
     EXPECT_EQ(material.reflectivity, 0);
+    EXPECT_EQ(material.transparency, 0);
+    EXPECT_EQ(material.ior, 1.5);
+    EXPECT_FALSE(material.fresnel);
   }
 }
 

@@ -63,6 +63,20 @@ TEST(Features, count_a_mirror_that_is_used) {
   EXPECT_EQ(features.uniform_shininess, -1) << "3.5 is no integer";
 }
 
+TEST(Features, tell_glass_from_mirrors) {
+  Scene scene = lit_sphere();
+  Material glass;
+  glass.transparency = 0.75;
+  scene.materials[0] = glass;
+  const Features features = find_features(scene);
+  EXPECT_TRUE(features.transmits);
+  EXPECT_EQ(features.transparency, 0.75);
+  EXPECT_FALSE(features.reflects);
+  EXPECT_EQ(features.max_depth, 5);
+  scene.render.max_depth = 0;
+  EXPECT_TRUE(find_features(scene).transmits) << "light comes through it";
+}
+
 TEST(Features, leave_out_mirrors_when_no_ray_may_be_reflected) {
   Scene scene = lit_sphere();
   edit(scene.objects, [](auto& objects) { objects[0].material = 1; });

@@ -94,6 +94,20 @@ TEST(Plan, finds_many_spheres_by_what_their_rays_share) {
   EXPECT_EQ(finder_for(plan, "1,000 spheres", "followed"), "tree of boxes");
 }
 
+TEST(Plan, leaves_glass_to_the_reference_and_nothing_else) {
+  Scene scene = scene_with({{many_spheres(5), 1}});
+  EXPECT_EQ(explained(scene)["kernel"]["choice"], "packets of rays");
+  EXPECT_EQ(explained(scene)["features"]["refractions"], 0);
+  Material glass;
+  glass.transparency = 0.5;
+  scene.materials[1] = glass;
+  EXPECT_EQ(explained(scene)["kernel"]["choice"], "one ray at a time");
+  EXPECT_EQ(explained(scene)["features"]["refractions"], 5);
+  EXPECT_EQ(explained(scene)["features"]["reflections"], 0);
+  scene.objects[0].material = 0;
+  EXPECT_EQ(explained(scene)["kernel"]["choice"], "packets of rays") << "it is nowhere used";
+}
+
 TEST(Plan, walks_a_square_whatever_its_size) {
   const nlohmann::json plan = explained(scene_with({{SphereSquare{{}, 1, 1'000'000'000}, 0}}));
   EXPECT_EQ(finder_for(plan, "a square of 2,000,000,000 x", "from the eye"), "cell walk");

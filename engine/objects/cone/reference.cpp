@@ -224,6 +224,8 @@ std::optional<SurfaceHit> intersect(const Ray& ray, const PackedCone& c) {
                        hit->is_inside ? -hit->outward : hit->outward);
   }
   point.part = hit->part;
+  point.is_inside = hit->is_inside;
+  point.has_inside = c.has_caps;
   return SurfaceHit{hit->t, point};
 }
 

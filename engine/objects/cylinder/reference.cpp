@@ -186,6 +186,8 @@ std::optional<SurfaceHit> intersect(const Ray& ray, const PackedCylinder& c) {
     point = flat_point(c.id, ray, hit->t, c.end(hit->part == to_part),
                        hit->is_inside ? -hit->outward : hit->outward);
   point.part = hit->part;
+  point.is_inside = hit->is_inside;
+  point.has_inside = c.has_caps;
   return SurfaceHit{hit->t, point};
 }
 

@@ -8,7 +8,9 @@ std::optional<SurfaceHit> intersect(const Ray& ray, const PackedPlane& plane) {
   if (ray.origin.is_on_surface(plane.id)) return {};
   const auto hit = intersect_plane(ray, plane.point, plane.normal);
   if (!hit) return {};
-  return SurfaceHit{hit->t, flat_point(plane.id, ray, hit->t, plane.point, hit->normal)};
+  SurfacePoint point = flat_point(plane.id, ray, hit->t, plane.point, hit->normal);
+  point.is_inside = dot(hit->normal, plane.normal) < 0;
+  return SurfaceHit{hit->t, point};
 }
 
 }  // namespace raytracer

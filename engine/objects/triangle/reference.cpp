@@ -46,7 +46,7 @@ std::optional<SurfaceHit> intersect(const Ray& ray, const PackedTriangle& triang
   const auto hit = intersect_plane(ray, corners[0], triangle.normal);
   if (!hit) return {};
   SurfacePoint point = flat_point(triangle.id, ray, hit->t, corners[0], hit->normal);
-  point.part = dot(hit->normal, triangle.normal) < 0 ? back_part : front_part;
+  point.is_inside = dot(hit->normal, triangle.normal) < 0;
   const double area = ab + bc + ca;
   point.weights = area != 0 ? Vec3{bc, ca, ab} / area : Vec3{1, 0, 0};
   return SurfaceHit{hit->t, point};
