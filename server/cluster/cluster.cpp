@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <thread>
 
 #include "server/cluster/answered.h"
 #include "server/cluster/collector.h"
@@ -40,7 +41,7 @@ Cluster::Cluster(const Parts& parts)
       self_{unique_name(), parts.renderer_id},
       nats_(parts.config.cluster.nats_url),
       store_(nats_, limits_of(parts.config)),
-      news_(store_),
+      news_(store_, !parts.config.cluster.is_worker),
       scenes_(store_, parts.scenes, parts.pool, parts.metrics, parts.config.max_kept),
       jobs_({.self = self_,
              .store = store_,
@@ -121,7 +122,11 @@ BasicRendering<Channel> Cluster::render(const SceneView& view, const httplib::Pa
 
   Collector collector(store_);
   std::uint64_t seen = 0;
-  for (auto looked = began; true; news_.wait(seen, longest_silence)) {
+  const auto wait = [&] {
+    news_.wait(seen, longest_silence);
+    std::this_thread::sleep_for(Collector::least_period(record));  // more may come meanwhile
+  };
+  for (auto looked = began; true; wait()) {
     if (progress.stop) {
       BasicRendering<Channel> stopped;
       stopped.stop = Stop::cancelled;

@@ -20,6 +20,12 @@ void Collector::collect(const JobRecord& record) {
   if (record.side_px == 0 && done_.empty()) whole_progress_ = store_.progress(record.id);
 }
 
+std::chrono::microseconds Collector::least_period(const JobRecord& record) {
+  constexpr std::chrono::microseconds least{5000};
+  constexpr std::chrono::microseconds for_each_task{20};
+  return std::max(least, record.task_count * for_each_task);
+}
+
 bool Collector::is_complete(const JobRecord& record) const {
   return record.task_count > 0 && static_cast<int>(done_.size()) >= record.task_count;
 }

@@ -1,6 +1,7 @@
 // What the tasks of one job have come to so far, put together.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -22,6 +23,8 @@ class Collector {
   /// Fetches what is stored of the job that was not fetched before. Throws NatsUnavailable,
   /// NatsRefused.
   void collect(const JobRecord& record);
+  /// How long to wait between two calls: to list many tasks takes NATS long.
+  static std::chrono::microseconds least_period(const JobRecord& record);
   bool is_complete(const JobRecord& record) const;
 
   double progress(const JobRecord& record) const;

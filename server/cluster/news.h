@@ -13,7 +13,9 @@ namespace raytracer {
 
 class News {
  public:
-  explicit News(ClusterStore& store) : subscription_(store.listen_for_news([this] { tell(); })) {}
+  /// Of tasks and jobs, and of results if those matter.
+  News(ClusterStore& store, bool with_results)
+      : subscription_(store.listen_for_news([this] { tell(); }, with_results)) {}
 
   /// Returns when something has happened since `seen`, which then counts it, or after `longest`:
   /// a signal may be lost.

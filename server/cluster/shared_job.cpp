@@ -29,7 +29,9 @@ SharedJob::SharedJob(const JobRecord& record, ClusterStore& store, News& news)
       collector_(store) {}
 
 void SharedJob::look() const {
-  if (Clock::now() - looked_ < between_looks) return;
+  if (Clock::now() - looked_ <
+      std::max<Clock::duration>(between_looks, Collector::least_period(record_)))
+    return;
   try {
     look_now();
   } catch (const NatsUnavailable&) {  // NOLINT: what was known last is said

@@ -20,7 +20,9 @@ constexpr std::size_t chunk_bytes = 512 << 10;  // NATS takes 1 MB unless it is 
 constexpr std::size_t most_result_bytes_at_once = 4'000'000;
 constexpr std::size_t header_bytes = 1024;
 
-constexpr const char* news = "raytracer.news";
+// Of results workers hear nothing: with many of them that would cost more than the results.
+constexpr const char* news_of_tasks = "raytracer.news.tasks";
+constexpr const char* news_of_results = "raytracer.news.results";
 constexpr const char* removals = "raytracer.removed";
 constexpr std::chrono::seconds longest_silence{60};  // then a member is forgotten
 
@@ -139,7 +141,7 @@ bool ClusterStore::put_job(JobRecord& record) {
       nats_.replace("raytracer.job.record." + record.id, to_text(record), record.sequence);
   if (!sequence) return false;
   record.sequence = *sequence;
-  nats_.signal(news, record.id);
+  nats_.signal(news_of_tasks, record.id);
   return true;
 }
 
@@ -191,7 +193,7 @@ void ClusterStore::queue_tasks(const JobRecord& record, const std::vector<int>& 
   for (const int task : tasks)
     subjects.push_back(fmt::format("raytracer.task.{}.{}", record.id, task));
   nats_.create_all(subjects);
-  nats_.signal(news, record.id);
+  nats_.signal(news_of_tasks, record.id);
 }
 
 std::vector<OpenJob> ClusterStore::open_jobs() {
@@ -231,7 +233,7 @@ bool ClusterStore::put_result(const std::string& id, int task, std::string_view 
     if (!is_first)
       nats_.purge("raytracer_results", fmt::format("raytracer.result.part.{}.{}.*", id, token));
   }
-  nats_.signal(news, id);
+  nats_.signal(news_of_results, id);
   return is_first;
 }
 
@@ -335,8 +337,10 @@ std::uint64_t ClusterStore::redelivered() {
   return nats_.fill_of("raytracer_redelivered").messages_ever;
 }
 
-std::shared_ptr<const void> ClusterStore::listen_for_news(std::function<void()> heard) {
-  return nats_.listen(news, [heard = std::move(heard)](const auto&, const auto&) { heard(); });
+std::shared_ptr<const void> ClusterStore::listen_for_news(std::function<void()> heard,
+                                                          bool with_results) {
+  return nats_.listen(with_results ? "raytracer.news.*" : news_of_tasks,
+                      [heard = std::move(heard)](const auto&, const auto&) { heard(); });
 }
 
 std::shared_ptr<const void> ClusterStore::listen_for_removals(

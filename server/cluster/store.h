@@ -133,8 +133,9 @@ class ClusterStore {
   std::uint64_t result_bytes() { return nats_.fill_of("raytracer_results").bytes; }
   std::int64_t most_result_bytes() const { return limits_.most_bytes / 2; }
 
-  /// Calls `heard` on another thread when a result was stored or tasks were queued.
-  std::shared_ptr<const void> listen_for_news(std::function<void()> heard);
+  /// Calls `heard` on another thread when tasks were queued or a job has changed, and for fronts
+  /// also when a result was stored.
+  std::shared_ptr<const void> listen_for_news(std::function<void()> heard, bool with_results);
   /// Calls `heard` with the id of a job that was removed.
   std::shared_ptr<const void> listen_for_removals(std::function<void(const std::string& id)> heard);
 
