@@ -67,7 +67,7 @@ TEST(Features, tell_glass_from_mirrors) {
   Scene scene = lit_sphere();
   Material glass;
   glass.transparency = 0.75;
-  scene.materials[0] = glass;
+  edit(scene.materials, [&](auto& materials) { materials[0] = glass; });
   const Features features = find_features(scene);
   EXPECT_TRUE(features.transmits);
   EXPECT_EQ(features.transparency, 0.75);

@@ -100,11 +100,11 @@ TEST(Plan, leaves_glass_to_the_reference_and_nothing_else) {
   EXPECT_EQ(explained(scene)["features"]["refractions"], 0);
   Material glass;
   glass.transparency = 0.5;
-  scene.materials[1] = glass;
+  edit(scene.materials, [&](auto& materials) { materials[1] = glass; });
   EXPECT_EQ(explained(scene)["kernel"]["choice"], "one ray at a time");
   EXPECT_EQ(explained(scene)["features"]["refractions"], 5);
   EXPECT_EQ(explained(scene)["features"]["reflections"], 0);
-  scene.objects[0].material = 0;
+  edit(scene.objects, [](auto& objects) { objects[0].material = 0; });
   EXPECT_EQ(explained(scene)["kernel"]["choice"], "packets of rays") << "it is nowhere used";
 }
 
