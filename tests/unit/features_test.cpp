@@ -28,7 +28,8 @@ TEST(Features, count_primitives_by_kind) {
   append(scene.objects, {Spheres{{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {0.1}, {}}, 0});
   append(scene.objects, {SphereSquare{{0, -3, 0}, 1, 1000, Axes::xz}, 0});
   append(scene.objects, {Plane{{0, -9, 0}, {0, 1, 0}}, 0});
-  append(scene.objects, {Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}, {}, {}}, 0});
+  append(scene.objects,
+         {Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}, {}, {}}, 0});
   const Features features = find_features(scene);
   EXPECT_EQ(features.primitives[kind_index<SphereKind>], 4U);
   EXPECT_EQ(features.primitives[kind_index<LatticeKind>], 1U);

@@ -10,8 +10,8 @@
 #include <limits>
 #include <vector>
 
-#include "engine/math/transfer.h"
 #include "engine/math/block.h"
+#include "engine/math/transfer.h"
 
 namespace raytracer::test {
 namespace {

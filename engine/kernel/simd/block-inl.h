@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-#include "engine/math/transfer.h"
 #include "engine/kernel/sample_point.h"
 #include "engine/math/block.h"
+#include "engine/math/transfer.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
