@@ -90,7 +90,7 @@ TEST_F(Jobs, image_of_a_running_job_is_what_there_is_of_it) {
 }
 
 TEST_F(Jobs, image_under_a_contract_is_the_last_whole_one) {
-  const std::string path = start(square_scene(300, 1), "?budget_ms=3000");
+  const std::string path = start(endless_scene(), "?budget_ms=3000");
   ASSERT_TRUE(becomes(path, "running"));
   ASSERT_TRUE(eventually([&] { return get(path + "/image").status == 200; }));
   EXPECT_EQ(json_of(get(path)).at("status"), "running");

@@ -63,9 +63,9 @@ TEST(ShutdownSignal, idle_server_ends_at_once_with_status_0) {
 TEST(ShutdownSignal, accepted_renders_are_finished_and_new_ones_refused) {
   ServerProcess server({"--max-queue", "0"});
   // By time, so that they are still running however fast the engine is.
-  Busy renders(server, square_scene(400, 1), "?budget_ms=2000");
+  Busy renders(server, endless_scene(), "?budget_ms=2000");
   server.signal(SIGTERM);
-  EXPECT_TRUE(eventually([&] { return refuses_new_work(server); }, 3s));
+  EXPECT_TRUE(eventually([&] { return refuses_new_work(server); }));
   renders.expect_answers(200);
   EXPECT_EQ(server.wait(), 0) << server.log();
 }
@@ -88,7 +88,7 @@ TEST(ShutdownSignal, draining_server_says_so) {
 TEST(ShutdownSignal, work_is_taken_for_as_long_as_a_balancer_needs_to_notice) {
   ServerProcess server({"--drain-delay", "3000"});
   server.signal(SIGTERM);
-  ASSERT_TRUE(eventually([&] { return get(server, "/readyz").status == 503; }, 2s));
+  ASSERT_TRUE(eventually([&] { return get(server, "/readyz").status == 503; }));
   EXPECT_EQ(post(server, "/render", small_scene).status, 200);
   EXPECT_TRUE(eventually([&] { return refuses_new_work(server); }));
   EXPECT_EQ(server.wait(), 0) << server.log();
@@ -97,7 +97,7 @@ TEST(ShutdownSignal, work_is_taken_for_as_long_as_a_balancer_needs_to_notice) {
 TEST(ShutdownSignal, second_signal_ends_the_delay) {
   ServerProcess server({"--drain-delay", "60000"});
   server.signal(SIGTERM);
-  ASSERT_TRUE(eventually([&] { return get(server, "/readyz").status == 503; }, 2s));
+  ASSERT_TRUE(eventually([&] { return get(server, "/readyz").status == 503; }));
   server.signal(SIGTERM);
   EXPECT_EQ(server.wait(), 0) << server.log();
 }
@@ -117,7 +117,7 @@ TEST(ShutdownSignal, open_connections_do_not_delay_the_end) {
 /// A job that is done within the second, on its way when it is returned.
 std::string start_short_job(const ServerProcess& server) {
   std::string job =
-      post(server, "/jobs?budget_ms=500", square_scene(200, 1)).get_header_value("Location");
+      post(server, "/jobs?budget_ms=500", endless_scene()).get_header_value("Location");
   EXPECT_TRUE(
       eventually([&] { return json_of(get(server, job)).value("status", "") == "running"; }));
   return job;
