@@ -24,11 +24,11 @@ class PacketLanes {
   HWY_INLINE bool is_active(std::size_t lane) const { return active_[lane] != T(0); }
 
   /// A lane's ray in all lanes.
-  template <class D>
-  HWY_INLINE TreeRays<hn::Vec<D>> ray(D d, std::size_t lane) const {
+  template <template <class> class Origin, class D, class V = hn::Vec<D>>
+  HWY_INLINE TreeRays<V, Origin<V>> ray(D d, std::size_t lane) const {
     const auto at = [&](std::size_t i) HWY_ATTR { return hn::Set(d, values_[i][lane]); };
-    const RayOrigin<hn::Vec<D>> from{
-        {at(0), at(1), at(2)}, {at(3), at(4), at(5)}, at(9), hn::Zero(d), hn::Zero(d)};
+    const Origin<V> from{RayOrigin<V>{
+        {at(0), at(1), at(2)}, {at(3), at(4), at(5)}, at(9), hn::Zero(d), hn::Zero(d)}};
     return tree_rays(d, from, {at(6), at(7), at(8)});
   }
 
@@ -67,9 +67,9 @@ HWY_INLINE auto in_all_lanes(D d, const Block& block, std::size_t i) {
 }
 
 /// One ray against a block: the nearest that it has met.
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>, class Block>
-HWY_INLINE void intersect_block(D d, const Block& block, const TreeRays<V>& ray, T& nearest_t,
-                                T& nearest_id) {
+template <class D, class Origin, class V = hn::Vec<D>, typename T = hn::TFromD<D>, class Block>
+HWY_INLINE void intersect_block(D d, const Block& block, const TreeRays<V, Origin>& ray,
+                                T& nearest_t, T& nearest_id) {
   for (std::size_t i = 0; i < block.count; i += hn::Lanes(d)) {
     V t;
     const auto hit =
@@ -89,9 +89,9 @@ HWY_INLINE void intersect_block(D d, const Block& block, const TreeRays<V>& ray,
 }
 
 /// The packet against the tree's primitives, each ray alone.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>,
-          class Block>
-void intersect_tree_alone(D d, const PacketTree<Block>& tree, const RayOrigin<V>& from,
+template <class D, template <class> class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>, class Block>
+void intersect_tree_alone(D d, const PacketTree<Block>& tree, const Origin<V>& from,
                           const V3<V>& direction, M active, Hit<V>& hit) {
   const EightTag<T> d8;
   const PacketLanes<T> lanes(d, from, direction, active);
@@ -101,7 +101,7 @@ void intersect_tree_alone(D d, const PacketTree<Block>& tree, const RayOrigin<V>
   hn::Store(hit.id, d, nearest_id);
   for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
     if (!lanes.is_active(lane)) continue;
-    const auto ray = lanes.ray(d8, lane);
+    const auto ray = lanes.template ray<Origin>(d8, lane);
     walk_alone(d8, tree, ray, nearest_t[lane], [&](const Block& block) HWY_ATTR {
       intersect_block(d8, block, ray, nearest_t[lane], nearest_id[lane]);
       return false;
@@ -112,13 +112,13 @@ void intersect_tree_alone(D d, const PacketTree<Block>& tree, const RayOrigin<V>
 }
 
 /// The packet against the tree's primitives.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>,
-          class Block>
-void intersect_tree(D d, const PacketTree<Block>& tree, const RayOrigin<V>& from,
+template <class D, template <class> class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>, class Block>
+void intersect_tree(D d, const PacketTree<Block>& tree, const Origin<V>& from,
                     const V3<V>& direction, M active, Hit<V>& hit) {
   if (!go_together(d, direction, active))
     return intersect_tree_alone(d, tree, from, direction, active, hit);
-  const TreeRays<V> rays = tree_rays(d, from, direction);
+  const auto rays = tree_rays(d, from, direction);
   walk_together(d, tree, rays, active, hit.t, [&](const Block& block) HWY_ATTR {
     for (std::size_t i = 0; i < block.count; ++i) {
       V t;
@@ -138,7 +138,7 @@ M occluded_in_tree(D d, const PacketTree<Block>& tree, const RayOrigin<V>& from,
                    const V3<V>& towards, V distance, M lit) {
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
   M rest = lit;
-  const TreeRays<V> rays = tree_rays(d, from, towards);
+  const auto rays = tree_rays(d, from, towards);
   walk_together(d, tree, rays, rest, distance, [&](const Block& block) HWY_ATTR {
     for (std::size_t i = 0; i < block.count; ++i) {
       V t;

@@ -20,16 +20,16 @@ template <typename T>
 using EightTag = hn::CappedTag<T, TreeNode::width>;
 
 /// Rays prepared for a tree: one to a lane, or the same in all lanes.
-template <class V>
+template <class V, class Origin = RayOrigin<V>>
 struct TreeRays {
-  RayOrigin<V> from;
+  Origin from;
   V3<V> direction;
   V3<V> inverse;  ///< 1 / direction, finite
   BasisPacket<V> basis;
 };
 
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE TreeRays<V> tree_rays(D d, const RayOrigin<V>& from, const V3<V>& direction) {
+template <class D, class Origin, class V = hn::Vec<D>>
+HWY_INLINE TreeRays<V, Origin> tree_rays(D d, const Origin& from, const V3<V>& direction) {
   const V one = hn::Set(d, hn::TFromD<D>(1));
   const auto inverse = [&](V slope) HWY_ATTR { return hn::Div(one, without_zero(d, slope)); };
   return {from,
@@ -73,8 +73,8 @@ template <typename T>
 inline constexpr T generous = 1 + 8 * std::numeric_limits<T>::epsilon();
 
 /// One ray against all boxes of a node: a bit for each that it enters before t_max, and where.
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE std::uint32_t enters(D d, const TreeRays<V>& ray, const bool (&backwards)[3],
+template <class D, class Origin, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE std::uint32_t enters(D d, const TreeRays<V, Origin>& ray, const bool (&backwards)[3],
                                 const TreeNode& node, V t_max, T* t_begins) {
   std::uint32_t entered = 0;
   for (std::size_t i = 0; i < TreeNode::width; i += hn::Lanes(d)) {
@@ -100,8 +100,8 @@ HWY_INLINE std::uint32_t enters(D d, const TreeRays<V>& ray, const bool (&backwa
 
 /// Takes one ray, the same in all lanes, to the leaves that it may need, near ones first, until
 /// leaf(block) says that it is settled. `t_max` is read again, so a leaf may lower it.
-template <class D, class V, class Block, typename T = hn::TFromD<D>, class Leaf>
-HWY_INLINE void walk_alone(D d, const PacketTree<Block>& tree, const TreeRays<V>& ray,
+template <class D, class V, class Origin, class Block, typename T = hn::TFromD<D>, class Leaf>
+HWY_INLINE void walk_alone(D d, const PacketTree<Block>& tree, const TreeRays<V, Origin>& ray,
                            const T& t_max, const Leaf& leaf) {
   const bool backwards[3] = {hn::GetLane(ray.inverse.x) < 0, hn::GetLane(ray.inverse.y) < 0,
                              hn::GetLane(ray.inverse.z) < 0};
@@ -125,9 +125,10 @@ HWY_INLINE void walk_alone(D d, const PacketTree<Block>& tree, const TreeRays<V>
 }
 
 /// The lanes that enter the box before t_max.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M enters_child(D d, const TreeRays<V>& rays, const TreeNode& node, std::size_t child,
-                          V t_max, V& t_begin) {
+template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE M enters_child(D d, const TreeRays<V, Origin>& rays, const TreeNode& node,
+                          std::size_t child, V t_max, V& t_begin) {
   const auto along = [&](float place, V origin, V inverse) HWY_ATTR {
     return hn::Mul(hn::Sub(hn::Set(d, static_cast<T>(place)), origin), inverse);
   };
@@ -147,8 +148,9 @@ HWY_INLINE M enters_child(D d, const TreeRays<V>& rays, const TreeNode& node, st
 /// Takes a packet to the leaves that a lane of `active` may need, near ones first, until
 /// leaf(block) says that all is settled. `active` and `t_max` are read again, so a leaf may lower
 /// them.
-template <class D, class V, class M, class Block, typename T = hn::TFromD<D>, class Leaf>
-HWY_INLINE void walk_together(D d, const PacketTree<Block>& tree, const TreeRays<V>& rays,
+template <class D, class V, class Origin, class M, class Block, typename T = hn::TFromD<D>,
+          class Leaf>
+HWY_INLINE void walk_together(D d, const PacketTree<Block>& tree, const TreeRays<V, Origin>& rays,
                               const M& active, const V& t_max, const Leaf& leaf) {
   const V far_away = hn::Set(d, std::numeric_limits<T>::max());
   TreeStack<T> stack;

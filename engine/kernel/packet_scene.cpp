@@ -10,10 +10,14 @@ namespace {
 
 template <typename T>
 PacketMaterials<T> make_materials(const PackedScene& scene, const Features& features) {
-  PacketMaterials<T> materials{{}, features.has_specular, features.uniform_shininess};
+  PacketMaterials<T> materials{{}, {}, features.has_specular, features.uniform_shininess};
   materials.rows.reserve(scene.materials.size());
   for (const Material& material : scene.materials)
     materials.rows.push_back(MaterialRow<T>::of(material, scene.ambient));
+  if (!features.transmits) return materials;
+  materials.glass.reserve(scene.materials.size());
+  for (const Material& material : scene.materials)
+    materials.glass.push_back(GlassRow<T>::of(material));
   return materials;
 }
 
@@ -121,6 +125,7 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
   packed.shadows = scene.shadows;
   packed.materials = make_materials<T>(scene, features);
   packed.reflects = features.reflects;
+  packed.transmits = features.transmits;
   packed.max_depth = features.max_depth;
   return packed;
 }

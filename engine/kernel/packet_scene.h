@@ -3,8 +3,8 @@
 // Everything that needs more than that precision (differences of coordinates, constants of each
 // primitive as the eye or a light sees it) is computed once, in double, when the scene is made.
 //
-// Limits: the eye outside of every object. Then no ray ever starts inside one, because every
-// surface is opaque, and packets model only what is seen from outside.
+// Limits: the eye outside of every object. Then rays start inside of one only where a surface lets
+// them through, and packets of all others model only what is seen from outside.
 #pragma once
 
 #include <tuple>
@@ -54,8 +54,9 @@ struct PacketScene {
   PacketMaterials<T> materials;
   Triple<T> background;
   Shadows shadows;
-  bool reflects;  ///< whether any ray follows another
-  int max_depth;  ///< of rays that follow another
+  bool reflects;   ///< whether any ray follows another
+  bool transmits;  ///< some surface lets rays through
+  int max_depth;   ///< of rays that follow another
 };
 
 /// What no feature or finder asks for is left out. Uses the pool's threads.

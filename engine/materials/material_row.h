@@ -29,10 +29,24 @@ struct MaterialRow {
   }
 };
 
+/// What lets rays through, of one material.
+template <typename T>
+struct GlassRow {
+  T transparency;
+  T ior;
+  T fresnel;  ///< 0 or 1
+  T unused{};
+
+  static GlassRow of(const Glass& glass) {
+    return {finite<T>(glass.transparency), finite<T>(glass.ior), glass.fresnel ? T(1) : T(0)};
+  }
+};
+
 /// The scene's, and what they have in common.
 template <typename T>
 struct PacketMaterials {
   LargeArray<MaterialRow<T>> rows;
+  LargeArray<GlassRow<T>> glass;  ///< likewise, if any lets rays through
   bool has_specular = false;
   std::int32_t uniform_shininess = -1;  ///< the one integer exponent of all specular ones, or -1
 };

@@ -1,7 +1,8 @@
-// How materials answer light, for packets of points. Effects that send rays on have no code here:
-// those rays are followed (kernel/simd/followed_rays-inl.h).
+// How materials answer light and bend rays, for packets. Where the rays go that they send on is in
+// kernel/simd/followed_rays-inl.h and branching_rays-inl.h.
 
 #include "engine/materials/blinn_phong/blinn_phong-inl.h"
+#include "engine/materials/glass/glass-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {

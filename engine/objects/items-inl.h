@@ -9,21 +9,31 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// Sets the normals of the lanes of `own` that hit one of the items: normals(item, lanes).
+/// Calls visit(item, lanes) for the items that the lanes of `own` have hit, whose numbers are
+/// `ids`.
+template <class D, class Items, class Visit, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE void for_each_item(D d, const PrimitiveRows<T>& rows, const Items& items, M own, V ids,
+                              const Visit& visit) {
+  alignas(64) T stored[hn::MaxLanes(D())];
+  hn::Store(ids, d, stored);
+  while (!hn::AllFalse(d, own)) {
+    const T id = stored[hn::FindFirstTrue(d, own)];
+    const M here = hn::And(own, hn::Eq(ids, hn::Set(d, id)));
+    own = hn::AndNot(here, own);
+    const auto index = static_cast<std::size_t>(rows[static_cast<std::size_t>(id)].item);
+    if (index < items.size() && items[index].id == id) visit(items[index], here);
+  }
+}
+
+/// Sets the normals of the lanes of `own` that hit one of the items: normals(item).
 template <class D, class Items, class Normals, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE void set_item_normals(D d, const PrimitiveRows<T>& rows, const Items& items, M own,
                                  RayOrigin<V>& at, const Normals& normals) {
-  alignas(64) T ids[hn::MaxLanes(D())];
-  hn::Store(at.id, d, ids);
-  while (!hn::AllFalse(d, own)) {
-    const T id = ids[hn::FindFirstTrue(d, own)];
-    const M here = hn::And(own, hn::Eq(at.id, hn::Set(d, id)));
-    own = hn::AndNot(here, own);
-    const auto index = static_cast<std::size_t>(rows[static_cast<std::size_t>(id)].item);
-    if (index >= items.size() || items[index].id != id) continue;
-    at.normal = select(here, normals(items[index]), at.normal);
-  }
+  for_each_item(d, rows, items, own, at.id, [&](const auto& item, M here) HWY_ATTR {
+    at.normal = select(here, normals(item), at.normal);
+  });
 }
 
 /// Lanes of `lit` that one of so many items hides from a light: hides(index, lanes).

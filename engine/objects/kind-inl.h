@@ -97,5 +97,13 @@ concept HasOwnNormals = requires(FloatPacket::D d, const PrimitiveRows<float>& r
   own_normals(d, rows, geometry, packet.direction, packet.active, at);
 };
 
+/// Tells of what has an inside only if it has caps, on which side a ray has hit it.
+template <class Kind>
+concept HasOwnSides = requires(const PrimitiveRows<float>& rows,
+                               const Geometry<Kind, float>& geometry, const FloatPacket& packet,
+                               RayOrigin<FloatPacket::V>& at) {
+  own_sides(FloatPacket::D(), rows, geometry, packet.direction, packet.active, packet.active, at);
+};
+
 }  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -15,6 +15,15 @@ struct RayOrigin {
   V v;
 };
 
+/// Rays that may begin inside of solids, to which these then have a way out.
+template <class V>
+struct InnerOrigin : RayOrigin<V> {};
+
+template <class Origin>
+inline constexpr bool may_be_inside = false;
+template <class V>
+inline constexpr bool may_be_inside<InnerOrigin<V>> = true;
+
 /// The nearest primitive so far. `id` -1: none.
 template <class V>
 struct Hit {
@@ -46,6 +55,40 @@ HWY_INLINE M is_nearer(V nearest_t, V nearest_id, V t, V id, M is_hit) {
 template <class V, class M>
 HWY_INLINE M is_nearer(const Hit<V>& hit, V t, V id, M is_hit) {
   return is_nearer(hit.t, hit.id, t, id, is_hit);
+}
+
+/// Where rays are within convex solids, one for each lane: where they come in and where out, of
+/// which those that are rounding alone are less than `noise`. What begins on an end, though of
+/// something else, has come in there.
+template <class V, class M>
+struct Chords {
+  M is_there;
+  V enter;
+  V leave;
+  V noise;
+  M enters_end;
+};
+
+/// Lanes that meet their solids from outside or inside, and where. `id` is the solid's; `outward`
+/// is positive where the ray leaves it outwards.
+template <class D, class V, class M>
+HWY_INLINE M meet_solid(D d, const Chords<V, M>& chords, const InnerOrigin<V>& from, V id,
+                        V outward, V& t) {
+  const V zero = hn::Zero(d);
+  const M is_left = hn::Eq(from.id, id);
+  const V latest = hn::IfThenElse(chords.enters_end, chords.noise, hn::Neg(chords.noise));
+  const M amid = hn::And(hn::Lt(chords.enter, latest), hn::Gt(chords.leave, chords.noise));
+  const M inside = hn::Or(hn::AndNot(is_left, amid), hn::And(is_left, hn::Lt(outward, zero)));
+  const M outside = hn::AndNot(is_left, hn::Gt(hn::Add(chords.enter, chords.leave), zero));
+  t = hn::Max(hn::IfThenElse(inside, chords.leave, chords.enter), zero);
+  return hn::And(chords.is_there, hn::Or(inside, outside));
+}
+
+/// How far rays' places are rounded by, a few times over, on solids of that size.
+template <class D, class V, typename T = hn::TFromD<D>>
+HWY_INLINE V place_noise(D d, const V3<V>& point, V size) {
+  const V reach = hn::Add(hn::Add(hn::Abs(point.x), hn::Abs(point.y)), hn::Abs(point.z));
+  return hn::Mul(hn::Set(d, 64 * std::numeric_limits<T>::epsilon()), hn::Add(reach, size));
 }
 
 /// Whether a lane of `active` sees nothing yet that is nearer than `distance`.

@@ -52,11 +52,15 @@ FinderRow with_each(Finder finder) {
 }  // namespace
 
 Choice<Kernel> choose_kernel(const Features& features, const SceneStatistics& statistics) {
-  if (features.transmits)
+  bool finds_ways_out = true;
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    if (Kind::search == Search::own && features.transmitting[kind_index<Kind>])
+      finds_ways_out = false;
+  });
+  if (!finds_ways_out)
     return {Kernel::single_rays,
-            because("some surface lets light through, so rays begin inside of objects and branch, "
-                    "which only the reference models: one ray at a time, in double, several times "
-                    "slower")};
+            because("light comes through spheres of a square, inside of which only the reference "
+                    "follows rays: one at a time, in double, several times slower")};
   if (statistics.nearest > 0)
     return {Kernel::packets,
             because("the eye is outside of everything, so neighbouring rays go together")};

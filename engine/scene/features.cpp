@@ -43,7 +43,10 @@ std::vector<Light> lights_on(const std::vector<Material>& used, const Scene& sce
 
 void count_primitives(const Scene& scene, Features& features) {
   for (const Object& object : scene.objects) {
-    features.primitives[kind_of(object.shape)] += primitive_count(object);
+    const std::size_t kind = kind_of(object.shape);
+    features.primitives[kind] += primitive_count(object);
+    if (primitive_count(object) > 0 && scene.materials[object.material].transparency > 0)
+      features.transmitting[kind] = true;
     std::visit(
         [&]<typename Document>(const Document& shape) {
           if constexpr (HasCornerValues<Document>) {

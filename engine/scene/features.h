@@ -38,7 +38,9 @@ struct Features {
   double reflectivity = 0;  ///< the largest in use; 0 if nothing reflects
   bool transmits = false;   ///< some surface lets light through
   double transparency = 0;  ///< the largest in use
-  int max_depth = 0;        ///< rays that follow another in a row; 0 if none does
+  /// Kinds of which some lets light through.
+  std::array<bool, ObjectKinds::count> transmitting{};
+  int max_depth = 0;  ///< rays that follow another in a row; 0 if none does
 
   std::size_t primitive_count() const;
   std::size_t light_count() const;

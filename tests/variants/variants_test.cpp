@@ -94,7 +94,6 @@ std::vector<NamedScene> scenes() {
   for (const auto& entry : std::filesystem::directory_iterator(SCENES_DIRECTORY)) {
     std::ifstream file(entry.path(), std::ios::binary);
     const Scene scene = prepared({std::istreambuf_iterator<char>(file), {}});
-    if (find_features(scene).transmits) continue;  // only the reference models glass
     scenes.push_back({entry.path().stem().string(), scene});
   }
   const std::string matt = R"({"shininess": 20})";

@@ -45,6 +45,15 @@ class EyeRays {
     return shade_packet(d, scene_, packet, hit, active, scene_.reflects, followed);
   }
 
+  /// The same where surfaces let rays through.
+  HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Hit<V>& hit, hn::Mask<D> active,
+                         std::size_t first, RayStack<T>& followed) const {
+    const Packet<V> packet{origin(d), direction, hn::Set(d, T(1)),
+                           hn::Iota(d, static_cast<T>(first))};
+    const InnerPacket<V> outside{packet, hn::Zero(d), hn::Set(d, static_cast<T>(scene_.max_depth))};
+    return shade_packet(d, scene_, outside, hit, active, followed);
+  }
+
   const PacketScene<T>& scene() const { return scene_; }
 
  private:
@@ -92,6 +101,39 @@ HWY_INLINE void fetch_for_shading(D d, const PacketScene<T>& scene, const Hits<T
   prefetch_light_cells(d, scene, scale(direction, hn::Load(d, hits.t + at)), hit);
 }
 
+/// The colours of what packets have hit; the rays that follow are kept in `followed`.
+template <class D, class Rays, class Followed, typename T = hn::TFromD<D>>
+HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Rays& rays, const Hits<T>& hits,
+                           bool fetches, Followed& followed, BlockColours<T>& colours) {
+  using V = hn::Vec<D>;
+  const PacketScene<T>& scene = eye.scene();
+  if (fetches) fetch_for_shading(d, scene, hits, rays, 0);
+  for (int i = 0; i < rays.count(); ++i) {
+    if (fetches) fetch_for_shading(d, scene, hits, rays, i + 1);
+    if (!rays.is_in(i)) continue;
+    const std::size_t at = static_cast<std::size_t>(i) * PacketShape<D>::lanes;
+    const V none = hn::Set(d, T(-1));
+    Hit<V> hit{hn::Load(d, hits.t + at), hn::Load(d, hits.id + at), none, none};
+    if (scene.has_own_normals) {
+      hit.u = hn::Load(d, hits.u + at);
+      hit.v = hn::Load(d, hits.v + at);
+      hit.normal = load(d, hits.normal_x + at, hits.normal_y + at, hits.normal_z + at);
+    }
+    const V3<V> direction =
+        load(d, hits.direction_x + at, hits.direction_y + at, hits.direction_z + at);
+    store(d, eye.shade(d, direction, hit, rays.active(d, i), at, followed), at, colours);
+  }
+}
+
+/// The same where surfaces let rays through, and what those that follow see.
+template <class D, class Rays, typename T = hn::TFromD<D>>
+HWY_NOINLINE void shade_and_branch(D d, const EyeRays<D>& eye, const Rays& rays,
+                                   const Hits<T>& hits, bool fetches, BlockColours<T>& colours) {
+  RayStack<T> followed;
+  shade_hits(d, eye, rays, hits, fetches, followed, colours);
+  trace_followed(eye.scene(), followed, colours);
+}
+
 /// The colours that packets of rays from the eye see, not yet clamped; at most as many as a block
 /// has pixels. If `fetches`, what shading a packet will need is fetched before its turn. `rays` has
 /// count() packets, and for the i-th of them, if is_in(i), direction(d, i), the active(d, i) lanes,
@@ -105,7 +147,6 @@ HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool
   using V = hn::Vec<D>;
   constexpr int lanes = PacketShape<D>::lanes;
   const PacketScene<T>& scene = eye.scene();
-  FollowedRays<T> followed;
   Hits<T> hits;
   for (int i = 0; i < rays.count(); ++i) {
     if (!rays.is_in(i)) continue;
@@ -125,22 +166,9 @@ HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool
     hn::Store(hit.normal.y, d, hits.normal_y + at);
     hn::Store(hit.normal.z, d, hits.normal_z + at);
   }
-  if (fetches) fetch_for_shading(d, scene, hits, rays, 0);
-  for (int i = 0; i < rays.count(); ++i) {
-    if (fetches) fetch_for_shading(d, scene, hits, rays, i + 1);
-    if (!rays.is_in(i)) continue;
-    const std::size_t at = static_cast<std::size_t>(i) * lanes;
-    const V none = hn::Set(d, T(-1));
-    Hit<V> hit{hn::Load(d, hits.t + at), hn::Load(d, hits.id + at), none, none};
-    if (scene.has_own_normals) {
-      hit.u = hn::Load(d, hits.u + at);
-      hit.v = hn::Load(d, hits.v + at);
-      hit.normal = load(d, hits.normal_x + at, hits.normal_y + at, hits.normal_z + at);
-    }
-    const V3<V> direction =
-        load(d, hits.direction_x + at, hits.direction_y + at, hits.direction_z + at);
-    store(d, eye.shade(d, direction, hit, rays.active(d, i), at, followed), at, colours);
-  }
+  if (HWY_UNLIKELY(scene.transmits)) return shade_and_branch(d, eye, rays, hits, fetches, colours);
+  FollowedRays<T> followed;
+  shade_hits(d, eye, rays, hits, fetches, followed, colours);
   if (followed.count > 0) trace_followed(scene, followed, colours);
 }
 

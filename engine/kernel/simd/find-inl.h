@@ -42,9 +42,9 @@ HWY_INLINE void intersect_from_eye(D d, const PacketScene<T>& scene,
 }
 
 /// Rays that follow others against one kind.
-template <class D, class Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+template <class D, class Kind, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
-HWY_INLINE void intersect_followed(D d, const Geometry<Kind, T>& geometry, const RayOrigin<V>& from,
+HWY_INLINE void intersect_followed(D d, const Geometry<Kind, T>& geometry, const Origin& from,
                                    const V3<V>& direction, M active, Hit<V>& hit) {
   if constexpr (Kind::search == Search::own) {
     intersect_own<true>(d, geometry, from, direction, active, hit);
@@ -55,6 +55,19 @@ HWY_INLINE void intersect_followed(D d, const Geometry<Kind, T>& geometry, const
     for (const auto& item : geometry.items)
       intersect_item(d, geometry, item, from, direction, active, hit);
   }
+}
+
+/// What rays that follow others meet nearer than t_max.
+template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE Hit<V> find_followed(D d, const PacketScene<T>& scene, const Origin& from,
+                                const V3<V>& direction, V t_max, M active) {
+  const V none = hn::Set(d, T(-1));
+  Hit<V> hit{t_max, none, none, none};
+  for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
+    intersect_followed(d, geometry, from, direction, active, hit);
+  });
+  return hit;
 }
 
 /// Lanes of `lit` from which something of one kind stands before the light.

@@ -37,7 +37,6 @@ template <typename T>
 class FollowedRays {
  public:
   int count = 0;
-  alignas(64) T pixel[block_pixels + 64];
 
   /// Adds the lanes of `mask`, at least one.
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
@@ -50,9 +49,8 @@ class FollowedRays {
                                     rays.from.point.x,  rays.from.point.y,  rays.from.point.z,
                                     rays.from.normal.x, rays.from.normal.y, rays.from.normal.z,
                                     rays.from.id,       rays.from.u,        rays.from.v,
-                                    rays.weight};
+                                    rays.weight,        rays.pixel};
     for (std::size_t i = 0; i < column_count; ++i) keep(values[i], columns_[i]);
-    keep(rays.pixel, pixel);
     count += static_cast<int>(count_true(d, mask));
   }
 
@@ -66,13 +64,29 @@ class FollowedRays {
     return {{{at(3), at(4), at(5)}, {at(6), at(7), at(8)}, at(9), at(10), at(11)},
             {at(0), at(1), at(2)},
             at(12),
-            hn::IfThenElseZero(active, hn::LoadU(d, pixel + i))};
+            at(13)};
   }
 
  private:
-  static constexpr std::size_t column_count = 13;
+  static constexpr std::size_t column_count = 14;
   alignas(64) T columns_[column_count][block_pixels + 64];
 };
+
+/// Where mirrors send rays of such directions.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V3<V> mirrored(D d, const PacketScene<T>& scene, const Surface<D>& surface,
+                          const V3<V>& incoming) {
+  const auto reflected = [&](const V3<V>& normal) HWY_ATTR {
+    const V twice = hn::Mul(hn::Set(d, T(-2)), dot(incoming, normal));
+    return mul_add(normal, twice, incoming);
+  };
+  V3<V> direction = reflected(surface.normal);
+  if (!scene.corners.empty()) {  // above the surface
+    const M above = hn::Gt(dot(direction, surface.at.normal), hn::Zero(d));
+    direction = select(above, direction, reflected(surface.at.normal));
+  }
+  return unit(d, direction);
+}
 
 /// Adds the rays that a packet's mirroring surfaces send on.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
@@ -81,16 +95,7 @@ HWY_INLINE void mirror(D d, const PacketScene<T>& scene, const Surface<D>& surfa
   const V weight = hn::Mul(packet.weight, surface.material(d, &MaterialRow<T>::reflectivity));
   const M mirrors = hn::And(is_hit, hn::Gt(weight, hn::Zero(d)));
   if (hn::AllFalse(d, mirrors)) return;
-  const auto reflected = [&](const V3<V>& normal) HWY_ATTR {
-    const V twice = hn::Mul(hn::Set(d, T(-2)), dot(packet.direction, normal));
-    return mul_add(normal, twice, packet.direction);
-  };
-  V3<V> direction = reflected(surface.normal);
-  if (!scene.corners.empty()) {  // above the surface
-    const M above = hn::Gt(dot(direction, surface.at.normal), hn::Zero(d));
-    direction = select(above, direction, reflected(surface.at.normal));
-  }
-  direction = unit(d, direction);
+  const V3<V> direction = mirrored(d, scene, surface, packet.direction);
   followed.add(d, Packet<V>{surface.at, direction, weight, packet.pixel}, mirrors);
 }
 
@@ -105,9 +110,29 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
   if (hn::AllFalse(d, is_hit)) return background;
   const Surface<D> surface = surface_at(d, scene, packet.from, packet.direction, hit, is_hit);
   const V3<V> colour =
-      select(is_hit, shade(d, scene, surface, negate(packet.direction), is_hit), background);
+      select(is_hit, shade(d, scene, surface, negate(packet.direction), is_hit, OpaqueSurfaces()),
+             background);
   if (follows) mirror(d, scene, surface, packet, is_hit, followed);
   return colour;
+}
+
+/// Adds the colours that a packet's rays see to their pixels.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void add_to_pixels(D d, const V3<V>& colour, const Packet<V>& packet, M active,
+                              BlockColours<T>& colours) {
+  alignas(64) T pixels[hn::MaxLanes(D())];
+  alignas(64) T weighted[3][hn::MaxLanes(D())];
+  hn::Store(packet.pixel, d, pixels);
+  hn::Store(hn::Mul(colour.x, packet.weight), d, weighted[0]);
+  hn::Store(hn::Mul(colour.y, packet.weight), d, weighted[1]);
+  hn::Store(hn::Mul(colour.z, packet.weight), d, weighted[2]);
+  const std::size_t count = count_true(d, active);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const auto pixel = static_cast<std::size_t>(pixels[lane]);
+    colours.red[pixel] += weighted[0][lane];
+    colours.green[pixel] += weighted[1][lane];
+    colours.blue[pixel] += weighted[2][lane];
+  }
 }
 
 /// One step of followed rays: adds what they see, and keeps those that follow them.
@@ -117,26 +142,14 @@ void trace_step(const PacketScene<T>& scene, const FollowedRays<T>& rays, bool f
   const hn::ScalableTag<T> d;
   using V = hn::Vec<decltype(d)>;
   const int lanes = static_cast<int>(hn::Lanes(d));
+  const V far_away = hn::Set(d, std::numeric_limits<T>::max());
   next.count = 0;
   for (int i = 0; i < rays.count; i += lanes) {
     const auto active = hn::FirstN(d, static_cast<std::size_t>(rays.count - i));
     const Packet<V> packet = rays.packet(d, i, active);
-    const V none = hn::Set(d, T(-1));
-    Hit<V> hit{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
-    for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
-      intersect_followed(d, geometry, packet.from, packet.direction, active, hit);
-    });
+    const Hit<V> hit = find_followed(d, scene, packet.from, packet.direction, far_away, active);
     const V3<V> colour = shade_packet(d, scene, packet, hit, active, follows, next);
-    alignas(64) T weighted[3][HWY_MAX_BYTES / sizeof(T)];
-    hn::Store(hn::Mul(colour.x, packet.weight), d, weighted[0]);
-    hn::Store(hn::Mul(colour.y, packet.weight), d, weighted[1]);
-    hn::Store(hn::Mul(colour.z, packet.weight), d, weighted[2]);
-    for (int lane = 0; lane < lanes && i + lane < rays.count; ++lane) {
-      const auto pixel = static_cast<std::size_t>(rays.pixel[i + lane]);
-      colours.red[pixel] += weighted[0][lane];
-      colours.green[pixel] += weighted[1][lane];
-      colours.blue[pixel] += weighted[2][lane];
-    }
+    add_to_pixels(d, colour, packet, active, colours);
   }
 }
 

@@ -23,6 +23,8 @@
 #include "engine/kernel/simd/surface-inl.h"
 #include "engine/kernel/simd/shade-inl.h"
 #include "engine/kernel/simd/followed_rays-inl.h"
+#include "engine/kernel/simd/transmission-inl.h"
+#include "engine/kernel/simd/branching_rays-inl.h"
 #include "engine/kernel/simd/eye-inl.h"
 #include "engine/kernel/simd/candidates-inl.h"
 #include "engine/kernel/simd/resolve-inl.h"

@@ -3,10 +3,27 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// The colour of the packet's points, without what they mirror; rubbish in lanes not `active`.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+/// What stands before a light where no surface lets any through: that hides it.
+struct OpaqueSurfaces {
+  /// Lanes of `lit` that the light reaches.
+  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+  HWY_INLINE M reached(D d, const PacketScene<T>& scene, const PacketLight<T>& light,
+                       const ShadowRays<V>& rays, M lit) const {
+    return hn::AndNot(occluded(d, scene, light, rays, lit), lit);
+  }
+  /// What is left of the light that would arrive.
+  template <class V>
+  HWY_INLINE V weakened(V share) const {
+    return share;
+  }
+};
+
+/// The colour of the packet's points, without what they mirror or show behind them; rubbish in
+/// lanes not `active`. `between` tells what stands before a light.
+template <class D, class Between, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surface,
-                       const V3<V>& view, M active) {
+                       const V3<V>& view, M active, Between&& between) {
   const RayOrigin<V>& point = surface.at;
   const V zero = hn::Zero(d);
   const MaterialPacket<D> material(d, scene.materials, surface.material, surface.normal, view);
@@ -23,10 +40,11 @@ HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surfa
     if (hn::AllFalse(d, lit)) continue;
     if (scene.shadows != Shadows::off) {
       const ShadowRays<V> rays{point, arriving.towards, arriving.path, incidence};
-      lit = hn::AndNot(occluded(d, scene, light, rays, lit), lit);
+      lit = between.reached(d, scene, light, rays, lit);
       if (hn::AllFalse(d, lit)) continue;
     }
-    const V share = hn::IfThenElseZero(lit, material.share(d, arriving.towards, incidence));
+    const V share =
+        hn::IfThenElseZero(lit, between.weakened(material.share(d, arriving.towards, incidence)));
     if (ambient_needs_light) ambient = hn::Add(ambient, hn::IfThenElseZero(lit, material.ambient));
     sum = mul_add(arriving.emission, share, sum);
   }

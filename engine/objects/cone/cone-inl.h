@@ -218,18 +218,45 @@ HWY_INLINE M intersect_cones(D d, const Cones<V>& c, const RayOrigin<V>& from,
   return is_hit;
 }
 
+/// The same of rays that may begin inside.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M intersect_cones(D d, const Cones<V>& c, const InnerOrigin<V>& from,
+                             const V3<V>& direction, M active, V& t, V& leave) {
+  const M is_closed = hn::Gt(c.has_caps, hn::Zero(d));
+  const M is_hit = hn::AndNot(
+      is_closed,
+      intersect_cones(d, c, static_cast<const RayOrigin<V>&>(from), direction, active, t, leave));
+  const AlongCone<V> g = direction_along(c, direction);
+  const AlongCone<V> f = place_along(c, from.point);
+  const V across2 = hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v));
+  const V power = hn::NegMulAdd(f.girth, f.girth, across2);
+  const ConeChords<V, M> found = chords_of(d, c, f, g, power);
+  leave = found.leave;
+  const AlongCone<V> n = direction_along(c, from.normal);
+  const V half = hn::Set(d, T(0.5));
+  const V from_middle = hn::NegMulAdd(half, hn::Add(c.low, c.high), f.w);
+  const V outward = hn::MulAdd(f.u, n.u, hn::MulAdd(f.v, n.v, hn::Mul(from_middle, n.w)));
+  const Chords<V, M> chords{found.is_there, found.enter, found.leave,
+                            place_noise(d, from.point, hn::Sqrt(across2)), found.enters_disc};
+  V t_closed;
+  const M hits_closed =
+      hn::And(hn::And(active, is_closed), meet_solid(d, chords, from, c.id, outward, t_closed));
+  t = hn::IfThenElse(is_closed, t_closed, t);
+  return hn::Or(is_hit, hits_closed);
+}
+
 /// What finders/tree-inl.h asks for: lanes whose rays meet their cones, at t.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-HWY_INLINE M intersect(D d, const Cones<V>& c, const TreeRays<V>& rays, M active, V& t) {
+template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M intersect(D d, const Cones<V>& c, const TreeRays<V, Origin>& rays, M active, V& t) {
   V leave;
   return intersect_cones(d, c, rays.from, rays.direction, active, t, leave);
 }
 
 /// The packet against one cone.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
 HWY_INLINE void intersect_item(D d, const Geometry<ConeKind, T>&, const ConeItem<T>& item,
-                               const RayOrigin<V>& from, const V3<V>& direction, M active,
-                               Hit<V>& hit) {
+                               const Origin& from, const V3<V>& direction, M active, Hit<V>& hit) {
   const Cones<V> c = in_all_lanes(d, item);
   V t;
   V leave;
@@ -296,6 +323,46 @@ HWY_NOINLINE void own_normals(D d, const PrimitiveRows<T>& rows, const Geometry<
                               const V3<V>& direction, M own, RayOrigin<V>& at) {
   set_item_normals(d, rows, cones.items, own, at, [&](const ConeItem<T>& item) HWY_ATTR {
     return normals_at(d, item, at.point, direction);
+  });
+}
+
+/// Lanes whose rays came to a closed cone from within: the nearest of its surfaces looks their way.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M is_met_from_within(D d, const ConeItem<T>& item, const V3<V>& points,
+                                const V3<V>& direction) {
+  const V zero = hn::Zero(d);
+  const Cones<V> c = in_all_lanes(d, item);
+  const AlongCone<V> f = place_along(c, points);
+  const AlongCone<V> g = direction_along(c, direction);
+  const V across = hn::Sqrt(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)));
+  const V off_side = hn::Abs(hn::Sub(across, f.girth));
+  const V nowhere = hn::Set(d, std::numeric_limits<T>::max());
+  const auto off = [&](V end, V girth2) HWY_ATTR {  // a tip is none
+    return hn::IfThenElse(hn::Gt(girth2, zero), hn::Abs(hn::Sub(f.w, end)), nowhere);
+  };
+  const V off_low = off(c.low, c.low_girth2);
+  const V off_high = off(c.high, c.high_girth2);
+  const V along_side = hn::NegMulAdd(across, g.girth, hn::MulAdd(f.u, g.u, hn::Mul(f.v, g.v)));
+  const V along_cap = hn::IfThenElse(hn::Lt(off_low, off_high), hn::Neg(g.w), g.w);
+  const M is_cap = hn::Lt(hn::Min(off_low, off_high), off_side);
+  return hn::Gt(hn::IfThenElse(is_cap, along_cap, along_side), zero);
+}
+
+/// Tells of the lanes of `own` that hit a cone on which side, as set_side() has it; those of
+/// `within` may have come from inside of something.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_NOINLINE void own_sides(D d, const PrimitiveRows<T>& rows, const Geometry<ConeKind, T>& cones,
+                            const V3<V>& direction, M own, M within, RayOrigin<V>& at) {
+  for_each_item(d, rows, cones.items, own, at.id, [&](const ConeItem<T>& item, M here) HWY_ATTR {
+    at.u = hn::IfThenElse(here, hn::Set(d, T(item.has_caps - 1)), at.u);
+    if (!(item.has_caps > 0)) return;
+    const M leaves =
+        hn::And(hn::And(here, within), is_met_from_within(d, item, at.point, direction));
+    if (hn::AllFalse(d, leaves)) return;
+    // As it would be met by a ray that goes back.
+    const V3<V> outwards = normals_at(d, item, at.point, negate(direction));
+    at.normal = select(leaves, negate(outwards), at.normal);
+    at.u = hn::IfThenElse(leaves, hn::Set(d, T(1)), at.u);
   });
 }
 

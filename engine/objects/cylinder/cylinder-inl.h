@@ -176,18 +176,47 @@ HWY_INLINE M intersect_cylinders(D d, const Cylinders<V>& c, const RayOrigin<V>&
   return is_hit;
 }
 
+/// The same of rays that may begin inside.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M intersect_cylinders(D d, const Cylinders<V>& c, const InnerOrigin<V>& from,
+                                 const V3<V>& direction, M active, V& t, V& leave) {
+  const M is_closed = hn::Gt(c.has_caps, hn::Zero(d));
+  M is_hit = hn::AndNot(is_closed, intersect_cylinders(d, c, static_cast<const RayOrigin<V>&>(from),
+                                                       direction, active, t, leave));
+  const InAxes<V> g = in_axes(c, direction);
+  InAxes<V> f = in_axes(c, from.point);
+  f.v = hn::Sub(f.v, c.distance);
+  const V power = hn::Sub(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)), c.radius2);
+  const CylinderSpans<V, M> spans = spans_of(d, c, f, g, power);
+  const V enter = hn::Max(spans.enter_side, spans.enter_ends);
+  leave = hn::Min(spans.leave_side, spans.leave_ends);
+  const InAxes<V> n = in_axes(c, from.normal);
+  const V half = hn::Set(d, T(0.5));
+  const V from_middle = hn::NegMulAdd(half, hn::Add(c.low, c.high), f.w);
+  const V outward = hn::MulAdd(f.u, n.u, hn::MulAdd(f.v, n.v, hn::Mul(from_middle, n.w)));
+  const V noise = place_noise(d, from.point, hn::Sqrt(hn::Max(c.radius2, hn::Zero(d))));
+  const Chords<V, M> chords{hn::And(spans.crosses, hn::Le(enter, leave)), enter, leave, noise,
+                            hn::Gt(spans.enter_ends, spans.enter_side)};
+  V t_closed;
+  const M hits_closed =
+      hn::And(hn::And(active, is_closed), meet_solid(d, chords, from, c.id, outward, t_closed));
+  t = hn::IfThenElse(is_closed, t_closed, t);
+  return hn::Or(is_hit, hits_closed);
+}
+
 /// What finders/tree-inl.h asks for: lanes whose rays meet their cylinders, at t.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-HWY_INLINE M intersect(D d, const Cylinders<V>& c, const TreeRays<V>& rays, M active, V& t) {
+template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M intersect(D d, const Cylinders<V>& c, const TreeRays<V, Origin>& rays, M active,
+                       V& t) {
   V leave;
   return intersect_cylinders(d, c, rays.from, rays.direction, active, t, leave);
 }
 
 /// The packet against one cylinder.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
 HWY_INLINE void intersect_item(D d, const Geometry<CylinderKind, T>&, const CylinderItem<T>& item,
-                               const RayOrigin<V>& from, const V3<V>& direction, M active,
-                               Hit<V>& hit) {
+                               const Origin& from, const V3<V>& direction, M active, Hit<V>& hit) {
   const Cylinders<V> c = in_all_lanes(d, item);
   V t;
   V leave;
@@ -289,6 +318,45 @@ HWY_NOINLINE void own_normals(D d, const PrimitiveRows<T>& rows,
   set_item_normals(d, rows, cylinders.items, own, at, [&](const CylinderItem<T>& item) HWY_ATTR {
     return normals_at(d, item, at.point, direction);
   });
+}
+
+/// Lanes whose rays came to a closed cylinder from within: the nearest of its surfaces looks their
+/// way.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M is_met_from_within(D d, const CylinderItem<T>& item, const V3<V>& points,
+                                const V3<V>& direction) {
+  const Cylinders<V> c = in_all_lanes(d, item);
+  InAxes<V> f = in_axes(c, points);
+  f.v = hn::Sub(f.v, c.distance);
+  const InAxes<V> g = in_axes(c, direction);
+  const V radius = hn::Sqrt(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)));
+  const V off_side = hn::Abs(hn::Sub(radius, hn::Sqrt(c.radius2)));
+  const V off_low = hn::Abs(hn::Sub(f.w, c.low));
+  const V off_high = hn::Abs(hn::Sub(f.w, c.high));
+  const V along_side = hn::MulAdd(f.u, g.u, hn::Mul(f.v, g.v));
+  const V along_cap = hn::IfThenElse(hn::Lt(off_low, off_high), hn::Neg(g.w), g.w);
+  const M is_cap = hn::Lt(hn::Min(off_low, off_high), off_side);
+  return hn::Gt(hn::IfThenElse(is_cap, along_cap, along_side), hn::Zero(d));
+}
+
+/// Tells of the lanes of `own` that hit a cylinder on which side, as set_side() has it; those of
+/// `within` may have come from inside of something.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_NOINLINE void own_sides(D d, const PrimitiveRows<T>& rows,
+                            const Geometry<CylinderKind, T>& cylinders, const V3<V>& direction,
+                            M own, M within, RayOrigin<V>& at) {
+  for_each_item(
+      d, rows, cylinders.items, own, at.id, [&](const CylinderItem<T>& item, M here) HWY_ATTR {
+        at.u = hn::IfThenElse(here, hn::Set(d, T(item.has_caps - 1)), at.u);
+        if (!(item.has_caps > 0)) return;
+        const M leaves =
+            hn::And(hn::And(here, within), is_met_from_within(d, item, at.point, direction));
+        if (hn::AllFalse(d, leaves)) return;
+        // As it would be met by a ray that goes back.
+        const V3<V> outwards = normals_at(d, item, at.point, negate(direction));
+        at.normal = select(leaves, negate(outwards), at.normal);
+        at.u = hn::IfThenElse(leaves, hn::Set(d, T(1)), at.u);
+      });
 }
 
 /// Lanes from which a closed cylinder hides its distant light; the caller leaves out its own

@@ -97,17 +97,40 @@ HWY_INLINE M intersect(D d, const Spheres<V>& spheres, const RayOrigin<V>& from,
   t = hn::Div(c, hn::Add(b, hn::Sqrt(hn::Max(discriminant, hn::Zero(d)))));
   return hit;
 }
-/// What finders/tree-inl.h asks for: lanes whose rays meet their spheres, at t.
+/// The same of rays that may begin inside.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-HWY_INLINE M intersect(D d, const Spheres<V>& spheres, const TreeRays<V>& rays, M active, V& t) {
+HWY_INLINE M intersect(D d, const Spheres<V>& spheres, const InnerOrigin<V>& from,
+                       const V3<V>& direction, M active, V& t) {
+  const V zero = hn::Zero(d);
+  const V3<V> f = sub(from.point, spheres.center);
+  const V b = hn::Neg(dot(f, direction));
+  const V3<V> l = mul_add(direction, b, f);
+  const V discriminant = hn::Sub(spheres.radius2, dot(l, l));
+  const M is_left = hn::Eq(from.id, spheres.id);
+  const M is_there =
+      hn::Or(hn::AndNot(is_left, hn::Ge(discriminant, zero)), hn::And(is_left, hn::Gt(b, zero)));
+  const V q = hn::Add(b, hn::CopySign(hn::Sqrt(hn::Max(discriminant, zero)), b));
+  const V other = hn::Div(hn::Sub(dot(f, f), spheres.radius2), q);
+  const M ahead = hn::Ge(b, zero);
+  // From one side of the surface to the other: twice to the middle, however short that is.
+  const V leave = hn::IfThenElse(is_left, hn::Add(b, b), hn::IfThenElse(ahead, q, other));
+  const V noise = place_noise(d, from.point, hn::Sqrt(spheres.radius2));
+  const Chords<V, M> chords{is_there, hn::IfThenElse(ahead, other, q), leave, noise,
+                            hn::Lt(zero, zero)};
+  return hn::And(active, meet_solid(d, chords, from, spheres.id, dot(from.normal, f), t));
+}
+/// What finders/tree-inl.h asks for: lanes whose rays meet their spheres, at t.
+template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M intersect(D d, const Spheres<V>& spheres, const TreeRays<V, Origin>& rays, M active,
+                       V& t) {
   return intersect(d, spheres, rays.from, rays.direction, active, t);
 }
 
 /// The packet against one sphere.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
 HWY_INLINE void intersect_item(D d, const Geometry<SphereKind, T>&, const SphereItem<T>& sphere,
-                               const RayOrigin<V>& from, const V3<V>& direction, M active,
-                               Hit<V>& hit) {
+                               const Origin& from, const V3<V>& direction, M active, Hit<V>& hit) {
   const V id = hn::Set(d, sphere.id);
   V t;
   const M is_hit =

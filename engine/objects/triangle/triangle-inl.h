@@ -88,9 +88,9 @@ HWY_INLINE auto lanes_of(const TriangleBlock<T>& block, Get get) {
       get(block.height), get(block.id)};
 }
 /// What finders/tree-inl.h asks for: lanes whose rays meet their triangles, at t.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-HWY_INLINE M intersect(D d, const Triangles<V>& triangles, const TreeRays<V>& rays, M active,
-                       V& t) {
+template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M intersect(D d, const Triangles<V>& triangles, const TreeRays<V, Origin>& rays,
+                       M active, V& t) {
   return intersect(d, triangles, rays.from, rays.direction, rays.basis, active, t);
 }
 
