@@ -26,7 +26,7 @@ define test_in
 	$(3) ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
 endef
 
-.PHONY: all test check sanitize tsan bench tradeoff extremes contracts fuzz cluster-simulation load soak chaos install \
+.PHONY: all test check sanitize tsan bench tradeoff extremes contracts kernels fuzz cluster-simulation load soak chaos install \
   clean help
 
 all:
@@ -96,6 +96,13 @@ contracts:
 	build/raytracer_random_contracts --seed $(SEED) --scenes $(SCENES) \
 	  --commit "$(commit)"
 
+# Every kernel of this machine against the reference, on random scenes.
+kernels:
+	.ci/install build test
+	$(call configure,build,-DRAYTRACER_TESTS=ON)
+	@cmake --build build --parallel $(JOBS) --target raytracer_random_kernels
+	build/raytracer_random_kernels --seed $(SEED) --scenes $(SCENES)
+
 # They start from the shipped scenes, the extremes and the tests' files. A finding is left in build-fuzz.
 fuzz_sanitizers = address$(comma)undefined$(comma)fuzzer-no-link
 fuzz_seconds ?= 60
@@ -157,6 +164,7 @@ help:
 	@echo "make sanitize  all tests with AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make tsan      all tests with ThreadSanitizer"
 	@echo "make tradeoff  error against time beside other renderers; SCENE=FILE for any document"
+	@echo "make kernels   every kernel against the reference, on random scenes (SEED=$(SEED) SCENES=$(SCENES))"
 	@echo "make contracts targets on random scenes (SEED=$(SEED) SCENES=$(SCENES)): are they kept, and told truly?"
 	@echo "make bench     times beside other renderers; SCENE=FILE for any document"
 	@echo "make extremes  scenes at the extremes against exact pictures, other renderers beside it"

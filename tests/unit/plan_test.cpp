@@ -94,18 +94,23 @@ TEST(Plan, finds_many_spheres_by_what_their_rays_share) {
   EXPECT_EQ(finder_for(plan, "1,000 spheres", "followed"), "tree of boxes");
 }
 
-TEST(Plan, leaves_glass_to_the_reference_and_nothing_else) {
+TEST(Plan, follows_rays_through_glass_but_that_of_squares) {
   Scene scene = scene_with({{many_spheres(5), 1}});
   EXPECT_EQ(explained(scene)["kernel"]["choice"], "packets of rays");
   EXPECT_EQ(explained(scene)["features"]["refractions"], 0);
   Material glass;
   glass.transparency = 0.5;
   edit(scene.materials, [&](auto& materials) { materials[1] = glass; });
-  EXPECT_EQ(explained(scene)["kernel"]["choice"], "one ray at a time");
+  EXPECT_EQ(explained(scene)["kernel"]["choice"], "packets of rays");
   EXPECT_EQ(explained(scene)["features"]["refractions"], 5);
   EXPECT_EQ(explained(scene)["features"]["reflections"], 0);
   edit(scene.objects, [](auto& objects) { objects[0].material = 0; });
-  EXPECT_EQ(explained(scene)["kernel"]["choice"], "packets of rays") << "it is nowhere used";
+  EXPECT_EQ(explained(scene)["features"]["refractions"], 0) << "it is nowhere used";
+  Scene square = scene_with({{SphereSquare{{}, 1, 10}, 1}});
+  square.materials = scene.materials;
+  EXPECT_EQ(explained(square)["kernel"]["choice"], "one ray at a time");
+  edit(square.objects, [](auto& objects) { objects[0].material = 0; });
+  EXPECT_EQ(explained(square)["kernel"]["choice"], "packets of rays");
 }
 
 TEST(Plan, walks_a_square_whatever_its_size) {

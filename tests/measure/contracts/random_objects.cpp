@@ -107,6 +107,56 @@ RandomObject cylinders(Dice& dice, double half) {
                       radius / half, has_colors ? " in colors" : "")};
 }
 
+/// Also those that end in a point.
+RandomObject cone(Dice& dice, double half) {
+  const Vec3 from = dice.point(half);
+  const Vec3 to = from + half * dice.of_any_size(0.05, 1.5) * dice.direction();
+  const double radius = half * dice.of_any_size(0.02, 0.5);
+  const double other = dice.happens(0.5) ? 0 : radius * dice.within(0, 1.5);
+  const bool caps = dice.happens(0.6);
+  return {{{"type", "cone"},
+           {"from", json_of(from)},
+           {"to", json_of(to)},
+           {"radius_from", json_of(radius)},
+           {"radius_to", json_of(other)},
+           {"caps", caps}},
+          fmt::format("{} cone of radius {:.2g}", caps ? "closed" : "open", radius / half)};
+}
+
+/// Spikes or frusta, of the material's colour or of their own.
+RandomObject cones(Dice& dice, double half) {
+  const int count = dice.count_of_any_size(3, most_cylinders);
+  const double spacing = 2 * half / std::cbrt(count);
+  const double length = spacing * dice.of_any_size(0.2, 3);
+  const double radius = spacing * dice.of_any_size(0.02, 0.4);
+  const bool are_pointed = dice.happens(0.5);
+  const bool caps = dice.happens(0.6);
+  const bool has_colors = dice.happens(0.5);
+  json from = json::array();
+  json to = json::array();
+  json radii_from = json::array();
+  json radii_to = json::array();
+  json colors = json::array();
+  for (int i = 0; i < count; ++i) {
+    const Vec3 end = dice.point(half);
+    from.push_back(json_of(end));
+    to.push_back(json_of(end + length * dice.within(0.3, 1.7) * dice.direction()));
+    radii_from.push_back(json_of(radius * dice.within(0.4, 1.6)));
+    radii_to.push_back(json_of(are_pointed ? 0 : radius * dice.within(0, 1.6)));
+    colors.push_back(json_of(dice.point(0.5) + Vec3{0.5, 0.5, 0.5}));
+  }
+  json object{{"type", "cones"},
+              {"from", std::move(from)},
+              {"to", std::move(to)},
+              {"radius_from", std::move(radii_from)},
+              {"radius_to", std::move(radii_to)},
+              {"caps", caps}};
+  if (has_colors) object["colors"] = std::move(colors);
+  return {std::move(object), fmt::format("{} {} {}cones of radius {:.2g}{}", count,
+                                         caps ? "closed" : "open", are_pointed ? "pointed " : "",
+                                         radius / half, has_colors ? " in colors" : "")};
+}
+
 /// A floor or a wall, or anywhere.
 RandomObject plane(Dice& dice, double half) {
   const double away = half * dice.within(0.8, 1.3);
@@ -158,7 +208,7 @@ RandomObject triangles(Dice& dice, double half) {
   return std::move(mesh).done("triangles");
 }
 
-/// Waves in two directions, and a share of chance.
+/// Waves in two directions, and a share of chance; flat or smoothly shaded, in one colour or many.
 RandomObject bumpy_grid(Dice& dice, double half) {
   const int across = dice.count_of_any_size(1, 31);
   const int along = dice.count_of_any_size(1, 31);
@@ -167,6 +217,10 @@ RandomObject bumpy_grid(Dice& dice, double half) {
   const double roughness = half * dice.within(0, 0.1);
   const double level = half * dice.within(-0.9, 0.5);
   const Vec3 waves{dice.within(0.5, 6), dice.within(0, 6), dice.within(0.5, 6)};
+  const bool is_smooth = dice.happens(0.4);
+  const bool has_colors = dice.happens(0.3);
+  json normals = json::array();
+  json colors = json::array();
   MeshJson mesh;
   for (int row = 0; row <= along; ++row)
     for (int column = 0; column <= across; ++column) {
@@ -174,6 +228,12 @@ RandomObject bumpy_grid(Dice& dice, double half) {
       const double v = 2.0 * row / along - 1;
       const double bump = height * std::sin(waves.x * u + waves.y) * std::cos(waves.z * v);
       mesh.add_vertex({side * u, level + bump + roughness * dice.within(-1, 1), side * v});
+      const double slope_u =
+          height * waves.x * std::cos(waves.x * u + waves.y) * std::cos(waves.z * v);
+      const double slope_v =
+          -height * waves.z * std::sin(waves.x * u + waves.y) * std::sin(waves.z * v);
+      normals.push_back(json_of(unit(Vec3{-slope_u / side, 1, -slope_v / side})));
+      colors.push_back(json_of(dice.point(0.5) + Vec3{0.5, 0.5, 0.5}));
     }
   const auto index = [&](int column, int row) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(across + 1) +
@@ -184,7 +244,12 @@ RandomObject bumpy_grid(Dice& dice, double half) {
       mesh.add_triangle(index(column, row), index(column + 1, row), index(column, row + 1));
       mesh.add_triangle(index(column + 1, row + 1), index(column, row + 1), index(column + 1, row));
     }
-  return std::move(mesh).done("bumpy grid");
+  RandomObject grid = std::move(mesh).done("bumpy grid");
+  if (is_smooth) grid.object["normals"] = std::move(normals);
+  if (has_colors) grid.object["colors"] = std::move(colors);
+  if (is_smooth) grid.words += ", smooth";
+  if (has_colors) grid.words += ", in colors";
+  return grid;
 }
 
 /// Straight, or each turned by an angle about the vertical.
@@ -218,15 +283,17 @@ RandomObject boxes(Dice& dice, double half) {
 }  // namespace
 
 std::span<const ObjectKind> object_kinds() {
-  static constexpr std::array<ObjectKind, 9> kinds{{{"sphere of", sphere},
-                                                    {"spheres", spheres},
-                                                    {"sphere_square", sphere_square},
-                                                    {"cylinder of", cylinder},
-                                                    {"cylinders", cylinders},
-                                                    {"plane", plane},
-                                                    {"triangles", triangles},
-                                                    {"bumpy grid", bumpy_grid},
-                                                    {"boxes", boxes}}};
+  static constexpr std::array<ObjectKind, 11> kinds{{{"sphere of", sphere},
+                                                     {"spheres", spheres},
+                                                     {"sphere_square", sphere_square},
+                                                     {"cylinder of", cylinder},
+                                                     {"cylinders", cylinders},
+                                                     {"cone of", cone},
+                                                     {"cones", cones},
+                                                     {"plane", plane},
+                                                     {"triangles", triangles},
+                                                     {"bumpy grid", bumpy_grid},
+                                                     {"boxes", boxes}}};
   return kinds;
 }
 

@@ -66,36 +66,52 @@ json light(Dice& dice, double half, int count) {
           : json{{"type", "point"},
                  {"position", json_of(distance * from)},
                  {"intensity", json_of(strength * 4 * std::numbers::pi * distance * distance)}};
+  if (!is_distant && dice.happens(0.2)) {
+    light["falloff"] = "none";
+    light["intensity"] = json_of(strength);
+  }
   if (dice.happens(0.6)) light["color"] = json_of(Vec3{0.75, 0.75, 0.75} + dice.point(0.25));
   return light;
 }
 
-json material(Dice& dice, bool may_mirror) {
+/// What some materials of a scene may do with rays.
+struct Effects {
+  bool mirrors;
+  bool glass;
+};
+
+json material(Dice& dice, const Effects& effects) {
   json material{{"color", color(dice)}};
   if (dice.happens(0.5)) material["ka"] = json_of(dice.within(0, 1));
   if (dice.happens(0.8)) material["kd"] = json_of(dice.within(0.2, 1));
   material["ks"] = dice.happens(0.6) ? json_of(dice.within(0.1, 1)) : json(0);
   material["shininess"] = json_of(dice.of_any_size(1, 500));
-  if (may_mirror && dice.happens(0.5)) material["reflectivity"] = json_of(dice.within(0.05, 0.9));
+  if (effects.mirrors && dice.happens(0.5))
+    material["reflectivity"] = json_of(dice.within(0.05, 0.9));
+  if (effects.glass && dice.happens(0.5)) {
+    material["transparency"] = json_of(dice.within(0.2, 1));
+    material["ior"] = json_of(dice.within(1, 2));
+    material["fresnel"] = dice.happens(0.5);
+  }
   return material;
 }
 
-json materials(Dice& dice, bool may_mirror) {
+json materials(Dice& dice, const Effects& effects) {
   constexpr std::array names{"first", "second", "third", "fourth"};
   json materials = json::object();
   const int count = dice.count(1, static_cast<int>(names.size()));
   for (int i = 0; i < count; ++i)
-    materials[names[static_cast<std::size_t>(i)]] = material(dice, may_mirror);
+    materials[names[static_cast<std::size_t>(i)]] = material(dice, effects);
   return materials;
 }
 
 /// By name, in place, or the default.
-void give_material(Dice& dice, const json& named, bool may_mirror, json& object) {
+void give_material(Dice& dice, const json& named, const Effects& effects, json& object) {
   const auto index = dice.count(0, static_cast<int>(named.size()) - 1);
   if (dice.happens(0.85))
     object["material"] = std::next(named.begin(), index).key();
   else if (dice.happens(0.7))
-    object["material"] = material(dice, may_mirror);
+    object["material"] = material(dice, effects);
 }
 
 /// A second plane adds little, and one between the eye and the cube's middle hides the rest.
@@ -108,8 +124,8 @@ bool is_wanted(const json& object, const json& others, const Vec3& eye) {
   return dot(eye - point, normal) * dot(-point, normal) > 0;
 }
 
-bool has_mirrors(const json& document) {
-  return document.dump().find("reflectivity") != std::string::npos;
+bool says(const json& document, const char* field) {
+  return document.dump().find(field) != std::string::npos;
 }
 
 }  // namespace
@@ -117,7 +133,7 @@ bool has_mirrors(const json& document) {
 RandomScene random_scene(std::uint64_t seed) {
   Dice dice(seed);
   const double half = dice.of_any_size(1, 30);
-  const bool may_mirror = dice.happens(0.4);
+  const Effects effects{dice.happens(0.4), dice.happens(0.25)};
   json document;
   document["camera"] = camera(dice, half);
   document["background"] = dice.happens(0.2) ? json::array({0, 0, 0}) : color(dice);
@@ -126,7 +142,7 @@ RandomScene random_scene(std::uint64_t seed) {
   const int light_count = dice.count(1, 5);
   for (int i = 0; i < light_count; ++i)
     document["lights"].push_back(light(dice, half, light_count));
-  const json named = materials(dice, may_mirror);
+  const json named = materials(dice, effects);
   document["materials"] = named;
   const auto object_count = static_cast<std::size_t>(dice.count(1, 5));
   const Vec3 eye = vec_of(document["camera"]["origin"]);
@@ -135,7 +151,7 @@ RandomScene random_scene(std::uint64_t seed) {
   while (objects.size() < object_count) {
     RandomObject drawn = one_of(dice, object_kinds()).draw(dice, half);
     if (!is_wanted(drawn.object, objects, eye)) continue;
-    give_material(dice, named, may_mirror, drawn.object);
+    give_material(dice, named, effects, drawn.object);
     objects.push_back(std::move(drawn.object));
     words += (words.empty() ? "" : ", ") + drawn.words;
   }
@@ -144,10 +160,11 @@ RandomScene random_scene(std::uint64_t seed) {
 
   const json& view = document["camera"];
   std::string summary = fmt::format(
-      "{} x {}: {}; {} light{}, shadows {}, {}{}", view["width"].get<int>(),
+      "{} x {}: {}; {} light{}, shadows {}, {}{}{}", view["width"].get<int>(),
       view["height"].get<int>(), words, light_count, light_count == 1 ? "" : "s",
       document["shadows"].get<std::string>(), document["render"]["transfer"].get<std::string>(),
-      has_mirrors(document) ? ", mirrors" : "");
+      says(document, "reflectivity") ? ", mirrors" : "",
+      says(document, "transparency") ? ", glass" : "");
   document["name"] = fmt::format("Random scene {}", seed);
   document["description"] = summary;
   return {document.dump() + '\n', std::move(summary)};
