@@ -46,7 +46,7 @@ struct LightPlane {
   T u_low{};
   T v_low{};
   T cells_per_unit{};
-  T noise{};  ///< what a place may be off by
+  T noise{};  ///< what a place may be off by, as far as it is across the light's direction
   int columns = 0;
   int rows = 0;
 };
@@ -102,10 +102,10 @@ struct ShadowSpread {
     highest = std::max(highest, other.highest);
   }
 
-  /// The largest coordinate, in size.
-  double reach() const {
-    return std::max({std::abs(all.u_low), std::abs(all.v_low), std::abs(all.u_high),
-                     std::abs(all.v_high), highest});
+  /// The largest coordinate across the light's direction, in size.
+  double across() const {
+    return std::max(
+        {std::abs(all.u_low), std::abs(all.v_low), std::abs(all.u_high), std::abs(all.v_high)});
   }
 };
 
@@ -127,10 +127,10 @@ PlannedPlane<T> plan_light_plane(const Vec3& towards, std::span<const Primitive>
   ShadowSpread spread;
   for (const ShadowSpread& part : parts) spread.include(part);
 
-  const double reach = spread.reach();
+  const double across = spread.across();
   constexpr auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
   constexpr double not_zero = 1e-30;
-  const double margin = 64 * epsilon * reach;
+  const double margin = 64 * epsilon * std::max(across, spread.highest);
   const auto count = static_cast<double>(primitives.size());
   const double width = spread.all.u_high - spread.all.u_low;
   const double height = spread.all.v_high - spread.all.v_low;
@@ -140,7 +140,7 @@ PlannedPlane<T> plan_light_plane(const Vec3& towards, std::span<const Primitive>
                                 height / widths.most_across, 4 * margin, not_zero});
   return {
       {in_precision<T>(axes), static_cast<T>(spread.all.u_low), static_cast<T>(spread.all.v_low),
-       static_cast<T>(1 / cell), static_cast<T>(8 * epsilon * reach),
+       static_cast<T>(1 / cell), static_cast<T>(8 * epsilon * across),
        static_cast<int>(width / cell) + 1, static_cast<int>(height / cell) + 1},
       axes,
       spread.all.u_low,

@@ -1,4 +1,4 @@
-// Shadows of point lights where what is lit is far, or the light is.
+// Shadows where what is lit, what stands before the light, or a point light is far.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -106,6 +106,20 @@ TEST(LampShadow, of_a_far_lamp_is_that_of_the_reference) {
             << count << " balls, " << far << ", " << precision;
     }
   }
+}
+
+/// Their edges are as sharp as single has places near the eye, however far it is along the light.
+TEST(DistantShadow, of_a_mesh_is_no_wider_for_its_height) {
+  const Vec3 above = Vec3{-0.3, 1, -0.2} * 2e5;
+  const json sheet = mesh_json({above + Vec3{0, 0, -3}, above + Vec3{3, 0, -3},
+                                above + Vec3{3, 0, 3}, above + Vec3{0, 0, 3}},
+                               {{0, 1, 2}, {0, 2, 3}});
+  const json text = document(camera_json(100, 80, 0.4, {0.3, 1, -0.4}, {0, 0, 0}),
+                             {plane_json({0, 0, 0}, {0, 1, 0}), sheet}, {distant_json(-above)});
+  const Image exact = image_of(in_precision(text, "double"));
+  EXPECT_GT(count_lit(exact), 2000);
+  EXPECT_LT(count_lit(exact), 6000);
+  EXPECT_LE(count_different(image_of(in_precision(text, "single")), exact, 1.0 / 255), 2);
 }
 
 /// A lamp in a tilted plane that passes near the eye lights what is before it.

@@ -29,8 +29,8 @@ HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surfa
   const MaterialPacket<D> material(d, scene.materials, surface.material, surface.normal, view);
   const bool ambient_needs_light = scene.shadows == Shadows::black;
 
-  V ambient = ambient_needs_light ? zero : material.ambient;
-  V3<V> sum{zero, zero, zero};
+  const V unlit = ambient_needs_light ? zero : material.ambient;
+  V3<V> sum{unlit, unlit, unlit};
   for (const PacketLight<T>& light : scene.lights) {
     const ArrivingLights<V> arriving = arriving_light(d, light, point.point);
     const V incidence = dot(surface.normal, arriving.towards);
@@ -45,12 +45,11 @@ HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surfa
     }
     const V share =
         hn::IfThenElseZero(lit, between.weakened(material.share(d, arriving.towards, incidence)));
-    if (ambient_needs_light) ambient = hn::Add(ambient, hn::IfThenElseZero(lit, material.ambient));
-    sum = mul_add(arriving.emission, share, sum);
+    const V ambient = ambient_needs_light ? hn::IfThenElseZero(lit, material.ambient) : zero;
+    sum = add(sum, mul_add(arriving.emission, share, V3<V>{ambient, ambient, ambient}));
   }
   const V3<V>& colour = surface.color;
-  return {hn::Mul(hn::Add(sum.x, ambient), colour.x), hn::Mul(hn::Add(sum.y, ambient), colour.y),
-          hn::Mul(hn::Add(sum.z, ambient), colour.z)};
+  return {hn::Mul(sum.x, colour.x), hn::Mul(sum.y, colour.y), hn::Mul(sum.z, colour.z)};
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

@@ -61,7 +61,6 @@ class BlinnPhongPacket {
         rows_(rows),
         normal_(normal),
         view_(view),
-        facing_(dot(view, normal)),
         kd_(rows(d, &MaterialRow<T>::kd)),
         ks_(rows(d, &MaterialRow<T>::ks)) {}
 
@@ -69,16 +68,16 @@ class BlinnPhongPacket {
   HWY_INLINE V share(D d, const V3<V>& towards, V incidence) const {
     const V diffuse = hn::Mul(kd_, incidence);
     if (!materials_.has_specular) return diffuse;
-    return hn::MulAdd(ks_, highlight(d, towards, incidence), diffuse);
+    return hn::MulAdd(ks_, highlight(d, towards), diffuse);
   }
 
  private:
-  HWY_INLINE V highlight(D d, const V3<V>& towards, V incidence) const {
+  HWY_INLINE V highlight(D d, const V3<V>& towards) const {
     const V3<V> halfway = add(towards, view_);
     if (materials_.uniform_shininess < 0) return varied_highlight(d, halfway);
     // By the square of the cosine of the angle with the direction halfway to the eye: without a
     // root.
-    const V along = hn::Max(hn::Add(incidence, facing_), hn::Zero(d));
+    const V along = hn::Max(dot(halfway, normal_), hn::Zero(d));
     const V square = hn::Mul(hn::Mul(along, along), inverse(d, dot(halfway, halfway)));
     return power_of_root(d, hn::Min(square, hn::Set(d, T(1))), materials_.uniform_shininess);
   }
@@ -93,7 +92,6 @@ class BlinnPhongPacket {
   const Rows<D, MaterialRow<T>>& rows_;
   const V3<V>& normal_;
   const V3<V> view_;
-  V facing_;  ///< view . normal
   V kd_;
   V ks_;
 };
