@@ -99,9 +99,11 @@ HWY_INLINE void fetch_for_shading(D d, const PacketScene<T>& scene, const Hits<T
 ///
 /// All packets are intersected before any is shaded: chains of dependent operations stay short, and
 /// the processor overlaps several packets.
+///
+/// `cover`, if there is one, gets 1 where a ray has met something, else 0.
 template <class D, class Rays, typename T = hn::TFromD<D>>
 HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool fetches,
-                              BlockColours<T>& colours) {
+                              BlockColours<T>& colours, T* cover) {
   using V = hn::Vec<D>;
   constexpr int lanes = PacketShape<D>::lanes;
   const PacketScene<T>& scene = eye.scene();
@@ -137,6 +139,8 @@ HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool
       hit.v = hn::Load(d, hits.v + at);
       hit.normal = load(d, hits.normal_x + at, hits.normal_y + at, hits.normal_z + at);
     }
+    if (cover != nullptr)
+      hn::Store(hn::IfThenElseZero(hn::Ge(hit.id, hn::Zero(d)), hn::Set(d, T(1))), d, cover + at);
     const V3<V> direction =
         load(d, hits.direction_x + at, hits.direction_y + at, hits.direction_z + at);
     store(d, eye.shade(d, direction, hit, rays.active(d, i), at, followed), at, colours);
