@@ -51,13 +51,14 @@ Delivery::Delivery(const std::optional<OutputFile>& file)
   if (file_) file_->check_writable();
 }
 
-std::string_view Delivery::media_type() const {
-  if (!file_) return into_terminal_ ? ppm_format.media_type : png_format.media_type;
-  return std::find_if(image_formats.begin(), image_formats.end(),
-                      [ending = file_->ending()](const ImageFormat& format) {
-                        return format.ending == ending;
-                      })
-      ->media_type;
+std::string Delivery::media_type() const {
+  if (into_terminal_)
+    return fmt::format("{}, {};q=0.5", ppm_format.media_type, png_format.media_type);
+  if (!file_) return std::string(png_format.media_type);
+  const auto* const format = std::find_if(
+      image_formats.begin(), image_formats.end(),
+      [ending = file_->ending()](const ImageFormat& each) { return each.ending == ending; });
+  return std::string(format->media_type);
 }
 
 void Delivery::operator()(const RenderedImage& image, const std::string& label) const {

@@ -17,8 +17,9 @@ class Delivery {
   /// cannot be written.
   explicit Delivery(const std::optional<OutputFile>& file);
 
-  /// What the image has to be asked for as.
-  std::string_view media_type() const;
+  /// What the image has to be asked for as, in terms of Accept. A terminal takes the cheapest
+  /// that can be had.
+  std::string media_type() const;
 
   /// Delivers it, and says on standard error in one line what became of the scene called `label`.
   void operator()(const RenderedImage& image, const std::string& label) const;

@@ -9,6 +9,7 @@
 
 #include "client/failure.h"
 #include "client/image_format.h"
+#include "client/png.h"
 
 namespace raytracer::client {
 namespace {
@@ -87,26 +88,43 @@ Config configuration(const TerminalInfo& info, ImageSize image, const TerminalSi
   return config;
 }
 
-}  // namespace
+/// What is drawn: rows of pixels, with an alpha channel or without.
+struct Pixels {
+  ImageSize size;
+  ChafaPixelType type;
+  std::size_t pixel_bytes;
+  const unsigned char* bytes;
+};
 
-std::string terminal_picture(std::string_view image, const TerminalSize& window) {
+Pixels pixels_of_ppm(std::string_view image) {
   const std::optional<NetpbmHeader> header = netpbm_header(image, "P6");
-  if (!header) throw ServerError("the server's answer is not the P6 image that was asked for");
-  const ImageSize size = header->size;
-  const std::string_view pixels = image.substr(header->length);
-  const std::size_t row_bytes = 3 * static_cast<std::size_t>(size.width_px);
-  if (pixels.size() != row_bytes * static_cast<std::size_t>(size.height_px))
+  if (!header) throw ServerError("the server's answer is not the image that was asked for");
+  const std::string_view raster = image.substr(header->length);
+  const auto [width, height] = header->size;
+  if (raster.size() != 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
     throw ServerError("the server's image is not whole");
+  return {header->size, CHAFA_PIXEL_RGB8, 3, reinterpret_cast<const unsigned char*>(raster.data())};
+}
 
+std::string drawn(const Pixels& pixels, const TerminalSize& window) {
+  const ImageSize size = pixels.size;
+  const std::size_t row_bytes = pixels.pixel_bytes * static_cast<std::size_t>(size.width_px);
   const TerminalInfo info = terminal_info();
   const Canvas canvas(chafa_canvas_new(configuration(info, size, window).get()));
-  chafa_canvas_draw_all_pixels(canvas.get(), CHAFA_PIXEL_RGB8,
-                               reinterpret_cast<const guint8*>(pixels.data()), size.width_px,
+  chafa_canvas_draw_all_pixels(canvas.get(), pixels.type, pixels.bytes, size.width_px,
                                size.height_px, static_cast<int>(row_bytes));
   GString* const printed = chafa_canvas_print(canvas.get(), info.get());
   std::string text(printed->str, printed->len);
   g_string_free(printed, TRUE);
   return text + '\n';
+}
+
+}  // namespace
+
+std::string terminal_picture(std::string_view image, const TerminalSize& window) {
+  if (const std::optional<PngPixels> png = decode_png(image))
+    return drawn({png->size, CHAFA_PIXEL_RGBA8_UNASSOCIATED, 4, png->rgba.data()}, window);
+  return drawn(pixels_of_ppm(image), window);
 }
 
 }  // namespace raytracer::client

@@ -86,21 +86,24 @@ bool forbids_cache(const httplib::Request& request) {
   return std::find(parts.begin(), parts.end(), "no-cache") != parts.end();
 }
 
-ImageFormat require_format(const httplib::Request& request) {
+ImageFormat require_format(const httplib::Request& request, int channels) {
   const std::string accept = header_list(request, "Accept");
   if (trimmed(accept).empty()) return ImageFormat::png;
   std::optional<ImageFormat> best;
   double best_weight = 0;
+  std::vector<std::string_view> offered;
   for (const ImageFormat format : {ImageFormat::png, ImageFormat::ppm, ImageFormat::pfm}) {
+    if (!holds_channels(format, channels)) continue;
+    offered.push_back(media_type(format));
     const double weight = weight_in(accept, media_type(format));
     if (weight <= best_weight) continue;
     best_weight = weight;
     best = format;
   }
   if (best) return *best;
-  refuse(406, fmt::format("None of the accepted types is offered: {}, {}, {}",
-                          media_type(ImageFormat::png), media_type(ImageFormat::ppm),
-                          media_type(ImageFormat::pfm)));
+  const char* const of = channels == 3 ? "" : " for a picture with a transparent background";
+  refuse(406,
+         fmt::format("None of the accepted types is offered{}: {}", of, fmt::join(offered, ", ")));
 }
 
 bool answer_without_image(Call& call, const Representation& wanted) {

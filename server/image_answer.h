@@ -16,9 +16,9 @@ std::string_view media_type(ImageFormat format);
 
 /// The format that the request's Accept prefers (RFC 9110, 12.5.1): the highest weight, the most
 /// specific range deciding each format's weight and png, ppm, pfm the order of equals. Without the
-/// field everything is accepted; ranges that cannot be read count for nothing. Throws HttpError
-/// 406.
-ImageFormat require_format(const httplib::Request& request);
+/// field everything is accepted; ranges that cannot be read count for nothing. Only formats that
+/// hold an image of so many channels are offered. Throws HttpError 406.
+ImageFormat require_format(const httplib::Request& request, int channels = 3);
 
 /// What is to be answered.
 struct Representation {

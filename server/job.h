@@ -55,6 +55,7 @@ struct JobRequest {
   double parse_ms = 0;
   int width = 0;
   int height = 0;
+  int channels = 3;
 };
 
 /// In how many tasks a picture was rendered, and by how many servers.

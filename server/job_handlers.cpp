@@ -68,7 +68,7 @@ std::optional<Image> image_so_far(const Job& job) {
     const JobState state = job.state();
     if (has_ended(state.status)) return {};
     if (state.progress == 0) {
-      Image black(job.request.width, job.request.height);
+      Image black(job.request.width, job.request.height, job.request.channels);
       std::fill(black.values.begin(), black.values.end(), 0.0F);
       return black;
     }
@@ -114,9 +114,9 @@ void get_job(Services& services, Call& call) {
 }
 
 void get_job_image(Services& services, Call& call) {
-  const ImageFormat format = require_format(call.request);
   const auto job = services.jobs().at(call.captured);
   require_task(*job, JobTask::render);
+  const ImageFormat format = require_format(call.request, job->request.channels);
   if (const std::optional<Image> image = image_so_far(*job))
     return answer_image_so_far(services, call, *image, format);
   const auto& rendering = require_result<Rendering>(*job);

@@ -10,7 +10,8 @@ LocalJob::LocalJob(std::string id, JobTask task, SceneView view)
            .digest = view.picture_digest(),
            .parse_ms = view.parse_ms,
            .width = view.scene.camera.width,
-           .height = view.scene.camera.height}),
+           .height = view.scene.camera.height,
+           .channels = channel_count(view.scene)}),
       view_(std::move(view)) {}
 
 JobState LocalJob::state() const {

@@ -49,15 +49,15 @@ FinishedImage make_image(Services& services, const Call& call, const SceneView& 
 }  // namespace
 
 void post_or_get_render(Services& services, Call& call) {
-  const ImageFormat format = require_format(call.request);
+  require_format(call.request);  // before anything is read
   const SceneView view = read_scene_request(call, read_query(call.request.params), services);
+  const ImageFormat format = require_format(call.request, channel_count(view.scene));
   const Representation wanted = represent(view.picture_digest(), format, services.renderer_id);
   if (answer_without_image(call, wanted)) return;
 
-  const bool needs_floats =
-      holds_floats(format) || sampling_of(view.scene.render) == Sampling::contract;
+  const bool is_of_floats = holds_floats(format) || needs_floats(view.scene);
   const auto make = [&](RenderProgress& progress) {
-    return needs_floats ? make_image<float>(services, call, view, format, progress)
+    return is_of_floats ? make_image<float>(services, call, view, format, progress)
                         : make_image<unsigned char>(services, call, view, format, progress);
   };
   const bool from_cache = !forbids_cache(call.request);

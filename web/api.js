@@ -1,8 +1,11 @@
 // The service's part that the page uses, as functions. Nothing else in the page calls fetch.
 // Addresses are relative, so that the page also works below a prefix, behind a proxy.
+import { readFrame } from "./frame.js";
 import { authorization, newToken } from "./token.js";
 
 const [unauthorized, too_early, too_many] = [401, 409, 429];
+// A PPM takes no time to pack and unpack; a picture with a transparent background is a PNG.
+const frame_types = "image/x-portable-pixmap, image/png;q=0.5";
 const most_attempts = 6;
 const longest_wait_s = 60;  // nobody watches a page for longer
 
@@ -43,10 +46,10 @@ export async function render(what, signal) {
   return ask(`render?${new URLSearchParams(what.query)}`, request, rendering);
 }
 
-/// The bytes of a render as a PPM, which takes no time to pack and unpack.
+/// A render as ImageData.
 export async function renderFrame(what, signal) {
   const address = `render?${new URLSearchParams(what.query)}`;
-  return ask(address, requestOf(what, "image/x-portable-pixmap", signal), (answer) => answer.arrayBuffer());
+  return ask(address, requestOf(what, frame_types, signal), readFrame);
 }
 
 /// What the engine chose for `what` and why, and the time and error to expect.
@@ -73,10 +76,10 @@ export async function jobImage(id, signal) {
   return ask(`jobs/${id}/image`, { signal, headers: { Accept: "image/png" } }, rendering);
 }
 
-/// The bytes of a PPM of the picture as far as it has come; null if there is none at this moment.
+/// ImageData of the picture as far as it has come; null if there is none at this moment.
 export async function jobFrame(id, signal) {
   try {
-    return await ask(`jobs/${id}/image`, { signal, headers: { Accept: "image/x-portable-pixmap" } }, (answer) => answer.arrayBuffer());
+    return await ask(`jobs/${id}/image`, { signal, headers: { Accept: frame_types } }, readFrame);
   } catch (error) {
     if (error.status === too_early) return null;
     throw error;

@@ -7,7 +7,6 @@ import { differenceOf } from "./difference.js";
 import { element } from "./element.js";
 import { withJob } from "./job.js";
 import { withValue } from "./json_edit.js";
-import { readPpm } from "./ppm.js";
 import { duration } from "./units.js";
 import { withView } from "./view.js";
 
@@ -46,7 +45,7 @@ export function createCurvePanel(box, { state, onSettings, onFail }) {
     choosing = new AbortController();
     const { signal } = choosing;
     const size = { width: curve.width, height: curve.height };
-    const frame = async (query, body) => readPpm(await renderFrame({ query: { ...query, ...size }, body }, signal));
+    const frame = (query, body) => renderFrame({ query: { ...query, ...size }, body }, signal);
     const about = element("p", {}, `${nameOf(point)}. Largest error ${errorText(point.max_error)}.`);
     const more = element("p", { className: "reason" }, "Rendering the reference, for the difference from it…");
     try {

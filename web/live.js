@@ -1,21 +1,20 @@
 // The picture while something moves: small promises kept often. One request is under way at a time,
 // each for the newest state, within a time budget; frames that come late are drawn smaller.
-import { readPpm } from "./ppm.js";
 
 const budget_ms = 8;       // of tracing, for each frame
 const late_ms = 42;        // slower than this, and the next frames are smaller: 20 a second need 50 ms
 const early_ms = 22;       // faster than this, and they may grow again
 const scales = [1, 0.75, 0.55, 0.4, 0.28, 0.2];
 const rest_ms = 160;       // without a movement, the hand rests
-const black = 0xff000000;  // in a PPM's words
+const black = 0xff000000;  // as a word of ImageData
 const lasting = 0.7;       // of the mean latency, at each frame
 
-/// `canvas` lies over the picture. `ask(settings, signal)` gives the bytes of a frame of the state of
-/// that moment as a PPM; `size()` is the picture's {width, height}; `onRest()` follows the last
+/// `canvas` lies over the picture. `ask(settings, signal)` gives a frame of the state of that moment
+/// as ImageData; `size()` is the picture's {width, height}; `onRest()` follows the last
 /// movement; `onFrame(perSecond)` each frame, `onFail(error)` a frame that did not come. User Timing has each frame as "frame", from
 /// its request to its drawing, since the movement began.
 export function createLive(canvas, { ask, size, onFrame, onRest, onFail }) {
-  const paper = canvas.getContext("2d", { alpha: false });
+  const paper = canvas.getContext("2d");
   let isDirty = false;   // something moved since the last request
   let running = null;    // the AbortController of the loop
   let timer = 0;
@@ -29,7 +28,7 @@ export function createLive(canvas, { ask, size, onFrame, onRest, onFail }) {
     const settings = {
       width: Math.max(1, Math.round(width * scale)), height: Math.max(1, Math.round(height * scale)), budget_ms,
     };
-    const image = readPpm(await ask(settings, signal));
+    const image = await ask(settings, signal);
     if (signal.aborted) return;
     paint(image);
     const { duration } = performance.measure("frame", { start: started_ms, detail: scale });
@@ -92,14 +91,13 @@ export function createLive(canvas, { ask, size, onFrame, onRest, onFail }) {
       running = null;
     },
 
-    /// Shows a frame that was not asked for here: the bytes of a PPM.
-    show(bytes) {
-      paint(readPpm(bytes));
+    /// Shows a frame that was not asked for here, ImageData.
+    show(frame) {
+      paint(frame);
     },
 
-    /// Shows over what is in sight the bytes of a PPM that is black where there is nothing yet.
-    showPart(bytes) {
-      const part = readPpm(bytes);
+    /// Shows over what is in sight one that is black or transparent where there is nothing yet.
+    showPart(part) {
       const words = new Uint32Array(part.data.buffer);
       for (let pixel = 0; pixel < words.length; pixel += 1)
         if (words[pixel] === black) words[pixel] = 0;

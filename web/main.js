@@ -143,8 +143,8 @@ async function rest(signal) {
         waiting.expect(foreseen.prediction.trace_ms);
         showPlan(at("plan"), foreseen);
       },
-      onPreview: (bytes) => live.show(bytes),
-      onPart: (bytes) => live.showPart(bytes),
+      onPreview: (frame) => live.show(frame),
+      onPart: (frame) => live.showPart(frame),
     }, signal);
     const total_ms = waiting.passed_ms();
     await showPicture(rendering, loaded.name || "scene", total_ms);

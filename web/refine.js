@@ -9,8 +9,8 @@ const widest_px = 1000;           // of a preview
 const worth = 4;                  // times as long the picture has to take, for a preview
 const rest = 3;                   // times as long as a look at the unfinished picture took, until the next
 
-/// `source`: see scene_source.js; `size`: the picture's {width, height}. onPlan(plan), onPreview(bytes
-/// of a PPM) and onPart(bytes of one that is black where it is not done) come before what this
+/// `source`: see scene_source.js; `size`: the picture's {width, height}. onPlan(plan), onPreview(frame)
+/// and onPart(frame that is black or transparent where it is not done), both ImageData, come before what this
 /// resolves to, api.js's render(). Rejects as that does.
 export async function refine({ source, text, view, settings, size, onPlan, onPreview, onPart }, signal) {
   return source.with(text, view, settings, signal, async (what) => {
@@ -35,8 +35,8 @@ function watch(onPart, signal) {
     if (progress === 0 || progress === 1 || begun_ms < next_ms) return;
     next_ms = Infinity;
     try {
-      const bytes = await jobFrame(id, signal);
-      if (bytes && !signal.aborted) onPart(bytes);
+      const frame = await jobFrame(id, signal);
+      if (frame && !signal.aborted) onPart(frame);
     } catch (error) {
       if (!signal.aborted) console.debug(error);  // the job says itself what became of it
     }

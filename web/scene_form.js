@@ -49,6 +49,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
     let isArray = true;
     input.addEventListener("input", () => onEdit(pointer, isArray ? partsOf(input.value) : input.value));
     fields.push({ pointer, read(value) {
+      if (value === transparent) return;  // what it was until then comes back
       isArray = typeof value !== "string";
       const hex = isArray ? hexOf(value ?? [1, 1, 1]) : value;
       if (input.value !== hex) input.value = hex;
@@ -61,6 +62,15 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
     input.addEventListener("input", () => onEdit(pointer, input.checked));
     fields.push({ pointer, read(value) { input.checked = value ?? true; } });
     return input;
+  }
+
+  // A colour, or none.
+  function background(label, pointer) {
+    const input = colour(`${label}, colour`, pointer);
+    const none = element("input", { type: "checkbox", ariaLabel: `${label}, ${transparent}` });
+    none.addEventListener("input", () => onEdit(pointer, none.checked ? transparent : partsOf(input.value)));
+    fields.push({ pointer, read(value) { input.disabled = none.checked = value === transparent; } });
+    return [input, labelled(transparent, none)];
   }
 
   function choice(label, pointer, words) {
@@ -101,7 +111,8 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
         labelled("glossy", slider(`${name}, specular`, `${pointer}/ks`)),
         labelled("mirror", slider(`${name}, reflectivity`, `${pointer}/reflectivity`)),
         labelled("glass", slider(`${name}, transparency`, `${pointer}/transparency`)),
-        labelled("index", number(`${name}, index of refraction`, `${pointer}/ior`, { step: 0.05, min: 1 }))], "material");
+        labelled("index", number(`${name}, index of refraction`, `${pointer}/ior`, { step: 0.05, min: 1 })),
+        labelled("Fresnel", checkbox(`${name}, Fresnel`, `${pointer}/fresnel`))], "material");
     });
     if (materials.length > 0) groups.push(group("Materials", materials));
 
@@ -116,7 +127,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
     });
     if (lights.length > 0) groups.push(group("Lights", lights));
     groups.push(group("Surroundings", [
-      row("Background", "", [colour("Background, colour", "/background")]),
+      row("Background", "", background("Background", "/background")),
       row("Ambient light", "", [labelled("", slider("Ambient light", "/ambient"))], "material")]));
     box.replaceChildren(...groups);
   }
@@ -132,7 +143,8 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
   };
 }
 
-const defaults = { color: [1, 1, 1], background: [0, 0, 0], ambient: 0.2, kd: 0.7, ks: 0.3, reflectivity: 0, transparency: 0, ior: 1.5, intensity: 1 };
+const transparent = "transparent";
+const defaults = { color: [1, 1, 1], background: [0, 0, 0], ambient: 0.2, kd: 0.7, ks: 0.3, reflectivity: 0, transparency: 0, ior: 1.5, fresnel: false, intensity: 1 };
 
 /// What decides which controls there are.
 function shapeOf({ objects, materials, lights }) {

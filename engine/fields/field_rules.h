@@ -90,6 +90,8 @@ struct DirectionRule {
 };
 /// Three numbers in [0, 1], or "#rrggbb".
 struct ColorRule {};
+/// A colour, or "transparent", which is none.
+struct BackgroundRule {};
 
 /// One of some words, in the order of an enumeration.
 template <std::size_t count>

@@ -106,9 +106,9 @@ std::optional<Prediction> predict(const PreparedScene& prepared, const Limits& l
   const bool is_one_thread = is_fixed && is_one_tile(scene, scene.render.samples.value_or(1));
   const std::size_t threads =
       is_one_thread ? 1 : std::min(pool.thread_count(), rehearsal.tile_count);
-  const std::size_t pixel_bytes = 3 * (is_fixed ? sizeof(unsigned char) : sizeof(float));
+  const double value_bytes = needs_floats(scene) ? sizeof(float) : sizeof(unsigned char);
   const double pixels = static_cast<double>(camera.width) * camera.height;
-  const PassModel model{rehearsal, costs, pixels * static_cast<double>(pixel_bytes),
+  const PassModel model{rehearsal, costs, pixels * channel_count(scene) * value_bytes,
                         static_cast<double>(threads)};
   const double fixed = scene.render.samples.value_or(1);
   const int most = most_samples(scene, limits);

@@ -62,7 +62,7 @@ TileValues values_of(const Tile& tile, Image& image) {
   TileValues values;
   for (int y = tile.y_begin; y < tile.y_end; ++y)
     values.insert(values.end(), image.pixel(tile.x_begin, y),
-                  image.pixel(tile.x_begin, y) + std::ptrdiff_t{3} * (tile.x_end - tile.x_begin));
+                  image.pixel(tile.x_begin, y) + image.length_of(tile.x_end - tile.x_begin));
   return values;
 }
 
@@ -79,11 +79,12 @@ double squared_difference(std::span<const float> a, std::span<const float> b) {
   return sum;
 }
 
-/// The sum of c^(2/5) over the pixels of a tile.
-double refinement_sum(const TileValues& one, const TileValues& many) {
+/// The sum of c^(2/5) over the pixels of a tile, of so many values each.
+double refinement_sum(const TileValues& one, const TileValues& many, std::size_t channels) {
   double sum = 0;
-  for (std::size_t i = 0; i < one.size(); i += 3)
-    sum += std::pow(squared_difference(std::span(one).subspan(i, 3), std::span(many).subspan(i, 3)),
+  for (std::size_t i = 0; i < one.size(); i += channels)
+    sum += std::pow(squared_difference(std::span(one).subspan(i, channels),
+                                       std::span(many).subspan(i, channels)),
                     1 / (1 + fall));
   return sum;
 }
@@ -94,8 +95,8 @@ void touch(const Tile& tile, const Canvas& canvas) {
   std::visit(
       [&](auto* image) {
         for (int y = tile.y_begin; y < tile.y_end; ++y)
-          std::fill_n(image->pixel(tile.x_begin, y),
-                      std::ptrdiff_t{3} * (tile.x_end - tile.x_begin), 0);
+          std::fill_n(image->pixel(tile.x_begin, y), image->length_of(tile.x_end - tile.x_begin),
+                      0);
       },
       canvas);
 }
@@ -127,7 +128,7 @@ double error_from_difference(double sum_of_squares, double count, double samples
   return std::sqrt(sum_of_squares / count / (1 + own_share));
 }
 
-Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_count) {
+Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_count, int channels) {
   Rehearsal rehearsal{.tile_count = tile_count};
   double one_ms = 0;
   double compared_one_ms = 0;
@@ -158,7 +159,7 @@ Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_cou
   rehearsal.sample_ms = rehearsal.tile_ms * (growth - 1) / (many_samples - 1);
 
   if (refinement > 0) {
-    const double pixel_count = value_count / 3;
+    const double pixel_count = value_count / channels;
     rehearsal.refined_share =
         std::pow(refinement, (1 + fall) / fall) / (pixel_count * std::pow(one_error2, 1 / fall));
     rehearsal.refined_sample_ms = refining_ms / refinement / (many_samples - 1);
@@ -192,11 +193,11 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
   const SamplePattern one = sample_pattern(1);
   const SamplePattern few = sample_pattern(few_samples);
   const SamplePattern many = sample_pattern(many_samples);
-  Image image(scene.camera.width, scene.camera.height);
-  const bool is_fixed = sampling_of(scene.render) == Sampling::fixed;
-  ByteImage bytes;  // what a render of fixed samples makes
+  Image image(scene.camera.width, scene.camera.height, channel_count(scene));
+  const bool makes_bytes = !needs_floats(scene);
+  ByteImage bytes;  // what most renders of fixed samples make
   Canvas timed = &image;
-  if (is_fixed) {
+  if (makes_bytes) {
     bytes = ByteImage(scene.camera.width, scene.camera.height);
     timed = &bytes;
   }
@@ -230,7 +231,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
         const bool is_late = i > 0 && comparing.elapsed_ms() > Model::pass_limit_ms;
         if (report.one_ms < 0 || is_late || progress.stop) return;
         const Tile& tile = tiles[i].tile;
-        if (is_fixed) trace(one, tile, &image);
+        if (makes_bytes) trace(one, tile, &image);
         const TileValues with_one = values_of(tile, image);
         trace(few, tile, &image);
         const TileValues with_few = values_of(tile, image);
@@ -239,10 +240,10 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
         report.one_error2 = squared_difference(with_one, with_many);
         report.few_error2 = squared_difference(with_few, with_many);
         report.value_count = with_many.size();
-        report.refinement = refinement_sum(with_one, with_many);
+        report.refinement = refinement_sum(with_one, with_many, image.length_of(1));
       },
       progress.stop);
-  return summarize(reports, all.size());
+  return summarize(reports, all.size(), image.channels);
 }
 
 }  // namespace raytracer

@@ -85,7 +85,7 @@ namespace {
 
 }  // namespace
 
-std::string encode_png(int width, int height, std::span<const unsigned char> rgb,
+std::string encode_png(int width, int height, int channels, std::span<const unsigned char> bytes,
                        WorkerPool& pool) {
   constexpr int no_gap_between_rows = 0;
   PngArena own(pool);
@@ -93,7 +93,8 @@ std::string encode_png(int width, int height, std::span<const unsigned char> rgb
   int size = 0;
   const auto deallocate = [&own](unsigned char* memory) { own.deallocate(memory); };
   const std::unique_ptr<unsigned char, decltype(deallocate)> file(
-      stbi_write_png_to_mem(rgb.data(), no_gap_between_rows, width, height, 3, &size), deallocate);
+      stbi_write_png_to_mem(bytes.data(), no_gap_between_rows, width, height, channels, &size),
+      deallocate);
   arena = nullptr;
   if (own.failure) std::rethrow_exception(own.failure);
   if (!file) {

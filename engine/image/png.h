@@ -9,9 +9,10 @@
 
 namespace raytracer {
 
-/// An 8-bit RGB PNG of width x height pixels, three bytes each from the top row down, made on the
-/// pool's threads; the same file however many there are.
+/// An 8-bit PNG of width x height pixels from the top row down, of three bytes each, RGB, or four,
+/// RGBA, made on the pool's threads; the same file however many there are.
 /// Throws std::bad_alloc, or std::runtime_error if the compressor fails.
-std::string encode_png(int width, int height, std::span<const unsigned char> rgb, WorkerPool& pool);
+std::string encode_png(int width, int height, int channels, std::span<const unsigned char> bytes,
+                       WorkerPool& pool);
 
 }  // namespace raytracer

@@ -121,7 +121,7 @@ PackedScene pack_scene(const Scene& scene, WorkerPool* pool) {
   packed.corner_values = find_corner_values(scene);
   for (const Light& light : lights_in_use(scene))
     packed.lights.push_back(pack_light(light, packed.frame));
-  packed.background = scene.background;
+  packed.background = scene.background.value_or(Rgb{});
   packed.ambient = scene.ambient;
   packed.shadows = scene.shadows;
   packed.max_depth = scene.render.max_depth;

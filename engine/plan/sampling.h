@@ -17,6 +17,12 @@ enum class Sampling : std::uint8_t {
 
 Sampling sampling_of(const RenderSettings& settings);
 
+/// Whether an image of 8 bits, too, is made from one of floats: that of a contract is refined, and
+/// from one with a cover the colours have to be found.
+inline bool needs_floats(const Scene& scene) {
+  return sampling_of(scene.render) == Sampling::contract || channel_count(scene) == 4;
+}
+
 /// The samples per pixel of a contract's pilot pass, which tells where more are needed: few tell
 /// little of what is smaller than a pixel.
 int pilot_samples(const SceneStatistics& statistics);

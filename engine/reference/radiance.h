@@ -131,10 +131,17 @@ inline void add_followers(const PackedScene& scene, const WeightedRay& before,
   if (reflectivity > 0) add(point, mirrored(direction, point, shading.normal), reflectivity);
 }
 
-/// The radiance that reaches the eye from `direction` (unit), not yet clamped.
+/// What the eye sees in a direction.
+struct Sight {
+  Rgb radiance;  ///< not yet clamped
+  bool meets_object = false;
+};
+
+/// `direction` is unit.
 template <typename Finder>
-Rgb radiance(const PackedScene& scene, const Finder& finder, const Vec3& direction) {
-  Rgb sum;
+Sight see(const PackedScene& scene, const Finder& finder, const Vec3& direction) {
+  Sight sight;
+  Rgb& sum = sight.radiance;
   std::vector<WeightedRay> rays{{{SurfacePoint{}, direction}}};
   while (!rays.empty()) {
     const WeightedRay current = rays.back();
@@ -145,12 +152,13 @@ Rgb radiance(const PackedScene& scene, const Finder& finder, const Vec3& directi
       sum += current.weight * scene.background;
       continue;
     }
+    sight.meets_object = true;  // others follow only what the eye's ray has met
     const SurfacePoint point = query.point();
     const PointShading shading = shading_at(scene, point);
     sum += current.weight * shade(scene, finder, point, shading, -current.ray.direction);
     if (current.depth < scene.max_depth) add_followers(scene, current, point, shading, rays);
   }
-  return sum;
+  return sight;
 }
 
 }  // namespace raytracer

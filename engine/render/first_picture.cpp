@@ -31,28 +31,41 @@ void for_each_pixel(const Tile& tile, int step, const Visit& visit) {
     for (int x = tile.x_begin; x < tile.x_end; x += step) visit(x, y);
 }
 
-Rgb color_at(const Image& image, int x, int y) {
-  const float* const pixel = image.pixel(x, y);
-  return {pixel[0], pixel[1], pixel[2]};
+/// The values of a pixel; of three channels, the fourth is 0.
+using Values = std::array<double, 4>;
+
+Values values_at(const Image& image, int x, int y) {
+  Values values{};
+  std::copy_n(image.pixel(x, y), image.channels, values.begin());
+  return values;
+}
+
+double squared_distance(const Values& a, const Values& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return sum;
 }
 
 /// Of the first subtile of the block that begins at (x, y).
-Rgb subtile_mean(const Image& image, int x, int y) {
+Values subtile_mean(const Image& image, int x, int y) {
   const Tile subtile = corner_of(image, x, y, subtile_side);
-  Rgb sum;
-  for_each_pixel(subtile, 1, [&](int at_x, int at_y) { sum += color_at(image, at_x, at_y); });
-  return sum / static_cast<double>(count_pixels(subtile));
+  Values mean{};
+  for_each_pixel(subtile, 1, [&](int at_x, int at_y) {
+    const Values values = values_at(image, at_x, at_y);
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += values[i];
+  });
+  for (double& value : mean) value /= count_pixels(subtile);
+  return mean;
 }
 
 /// Has the first subtile of each block of the tile stand for the block.
 void spread_first_subtiles(const Tile& tile, Image& image) {
   for_each_pixel(tile, block_side, [&](int x, int y) {
-    const Rgb mean = subtile_mean(image, x, y);
-    const std::array color{static_cast<float>(mean.x), static_cast<float>(mean.y),
-                           static_cast<float>(mean.z)};
+    const Values mean = subtile_mean(image, x, y);
     for_each_pixel(corner_of(image, x, y, block_side), 1, [&](int to_x, int to_y) {
       if (to_x >= x + subtile_side || to_y >= y + subtile_side)
-        std::copy(color.begin(), color.end(), image.pixel(to_x, to_y));
+        std::transform(mean.begin(), mean.begin() + image.channels, image.pixel(to_x, to_y),
+                       [](double value) { return static_cast<float>(value); });
     });
   });
 }
@@ -61,16 +74,16 @@ void spread_first_subtiles(const Tile& tile, Image& image) {
 /// at (x, y), its channels' sum: what varies within that subtile, and its difference from the
 /// blocks beside it.
 double coarse_error2(const Image& image, int x, int y) {
-  const Rgb mean = subtile_mean(image, x, y);
-  const auto square = [](const Rgb& c) { return dot(c, c); };
+  const Values mean = subtile_mean(image, x, y);
   const Tile subtile = corner_of(image, x, y, subtile_side);
   double within = 0;
-  for_each_pixel(subtile, 1,
-                 [&](int at_x, int at_y) { within += square(color_at(image, at_x, at_y) - mean); });
+  for_each_pixel(subtile, 1, [&](int at_x, int at_y) {
+    within += squared_distance(values_at(image, at_x, at_y), mean);
+  });
   double beside = 0;
   const auto compare = [&](int at_x, int at_y) {
     if (at_x >= 0 && at_y >= 0 && at_x < image.width && at_y < image.height)
-      beside = std::max(beside, square(subtile_mean(image, at_x, at_y) - mean));
+      beside = std::max(beside, squared_distance(subtile_mean(image, at_x, at_y), mean));
   };
   compare(x - block_side, y);
   compare(x + block_side, y);
@@ -85,7 +98,8 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
   const Camera& camera = tracing.scene.camera;
   const auto columns = static_cast<std::size_t>((camera.width + block_side - 1) / block_side);
   const auto rows = static_cast<std::size_t>((camera.height + block_side - 1) / block_side);
-  FirstPicture first{Image(camera.width, camera.height), std::vector<char>(columns * rows, 0)};
+  FirstPicture first{Image(camera.width, camera.height, channel_count(tracing.scene)),
+                     std::vector<char>(columns * rows, 0)};
   const SamplePattern pattern = sample_pattern(1);
   const std::vector<Tile> tiles =
       split_into_tiles(camera.width, camera.height, tracing.plan.tile_side_px.value);

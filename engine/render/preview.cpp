@@ -7,7 +7,7 @@ std::optional<Image> Preview::so_far() const {
   const std::scoped_lock lock(mutex_);
   const bool has_whole = whole_ != nullptr && whole_->width > 0;
   if (pass_ == nullptr) return has_whole ? std::optional(*whole_) : std::nullopt;
-  Image image(pass_->image_.width, pass_->image_.height);
+  Image image(pass_->image_.width, pass_->image_.height, pass_->image_.channels);
   if (has_whole)
     image = *whole_;
   else

@@ -38,7 +38,7 @@ bool render_pilot(int samples, Tracing& tracing, RefinedImage& refined) {
 
 void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering) {
   const RenderSettings& settings = tracing.scene.render;
-  const double values = static_cast<double>(rendering.pixel_count) * 3;
+  const double values = static_cast<double>(rendering.pixel_count) * channel_count(tracing.scene);
   const auto squared = [values](std::optional<double> rmse) {
     return rmse ? *rmse * *rmse * values : 0;
   };

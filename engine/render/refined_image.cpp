@@ -20,12 +20,12 @@ namespace {
 
 /// Replaces an image's pixel, and says by how much: the squared difference, its channels' sum; 0 if
 /// that is no number.
-double replace(float* pixel, const std::array<float, 3>& color) {
+double replace(std::span<float> pixel, const float* values) {
   double change2 = 0;
-  for (const float channel : color) {
-    const double difference = static_cast<double>(channel) - static_cast<double>(*pixel);
+  for (float& channel : pixel) {
+    const double difference = static_cast<double>(*values) - static_cast<double>(channel);
     change2 += difference * difference;
-    *pixel++ = channel;
+    channel = *values++;
   }
   return std::isfinite(change2) ? change2 : 0;
 }
@@ -99,7 +99,8 @@ void RefinedImage::look_for_subpixel_objects() {
   if (!(tracing_.plan.statistics.all.subpixel > 0)) return;
   // A plan packs the scene and looks at all objects, too.
   if (tracing_.is_over_time(tracing_.plan_ms)) return;
-  errors_.set_subpixel(SubpixelObjects(pack_scene(tracing_.scene, &tracing_.pool)));
+  errors_.set_subpixel(
+      SubpixelObjects(pack_scene(tracing_.scene, &tracing_.pool), image_.channels));
 }
 
 double RefinedImage::mean_samples() const {
@@ -145,10 +146,10 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
   const std::vector<char> is_done = run_tasks(tasks, [&](const RefinementTask& task) {
     const Tile tile = errors_.tile_of(task.block);
     const std::size_t count = task.end - task.begin;
-    sample_pixels(tracing_.tracer, patterns_.at(task.samples_per_pixel),
-                  tracing_.scene.render.transfer,
-                  {tile.x_begin, tile.y_begin, std::span(places).subspan(task.begin, count)},
-                  std::span(sampled).subspan(task.begin, count));
+    sample_pixels(
+        tracing_.tracer, patterns_.at(task.samples_per_pixel), tracing_.scene.render.transfer,
+        {tile.x_begin, tile.y_begin, std::span(places).subspan(task.begin, count), image_.channels},
+        std::span(sampled).subspan(task.begin, count));
   });
 
   const auto for_each_done = [&](const auto& visit) {
@@ -164,7 +165,8 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
   double change2 = 0;
   shown_.change([&](Image& image) {
     for_each_done([&](std::uint32_t pixel, int, const SampledPixel& by) {
-      change2 += replace(image.pixel(errors_.x_of(pixel), errors_.y_of(pixel)), by.color);
+      float* const values = image.pixel(errors_.x_of(pixel), errors_.y_of(pixel));
+      change2 += replace({values, image.length_of(1)}, by.values.data());
     });
   });
   for_each_done([&](std::uint32_t pixel, int samples, const SampledPixel& by) {
@@ -179,7 +181,7 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
 bool RefinedImage::refine_all(const SamplePattern& pattern) {
   const auto samples = static_cast<int>(pattern.points.size());
   const std::vector<RefinementTask> tasks = block_tasks(errors_, samples);
-  Image finer(width_, height_);
+  Image finer(width_, height_, image_.channels);
   PixelSpreads spreads(width_, height_);
   std::atomic<std::size_t> not_numbers{0};
   const std::vector<char> is_done = run_tasks(tasks, [&](const RefinementTask& task) {

@@ -37,8 +37,9 @@ bool is_inside(const Tile& region, int width_px, int height_px) {
          region.y_begin >= 0 && region.y_begin < region.y_end && region.y_end <= height_px;
 }
 
-std::size_t row_length(const Tile& region) {
-  return 3 * static_cast<std::size_t>(region.x_end - region.x_begin);
+template <typename Channel>
+std::size_t row_length(const Tile& region, const Raster<Channel>& image) {
+  return image.length_of(region.x_end - region.x_begin);
 }
 
 }  // namespace
@@ -54,6 +55,8 @@ std::optional<RegionRendering<Channel>> render_region(const PreparedScene& scene
   const BuiltScene& built = scene.built();
   if (built.plan.sampling.value == Sampling::contract)
     throw std::logic_error("a contract looks at the whole image");
+  if (sizeof(Channel) == 1 && needs_floats(built.scene))
+    throw std::logic_error("an image with a cover is made of floats");
   const Camera& camera = built.scene.camera;
   if (!is_inside(region, camera.width, camera.height))
     throw std::invalid_argument("the region is not one of this image");
@@ -70,10 +73,11 @@ std::optional<RegionRendering<Channel>> render_region(const PreparedScene& scene
       .error_multiplier = choose_error_multiplier(built.plan.statistics).initial,
       .precision = built.plan.precision.value,
       .beyond = tracing.beyond};
-  part.values.reserve(row_length(region) * static_cast<std::size_t>(region.y_end - region.y_begin));
+  const std::size_t length = row_length(region, *image);
+  part.values.reserve(length * static_cast<std::size_t>(region.y_end - region.y_begin));
   for (int y = region.y_begin; y < region.y_end; ++y) {
     const Channel* const row = image->pixel(region.x_begin, y);
-    part.values.insert(part.values.end(), row, row + row_length(region));
+    part.values.insert(part.values.end(), row, row + length);
   }
   if (errors)
     for_each_block_row(region, camera.width, [&](std::size_t begin, std::size_t count) {
@@ -84,9 +88,9 @@ std::optional<RegionRendering<Channel>> render_region(const PreparedScene& scene
 }
 
 template <typename Channel>
-ImageOfRegions<Channel>::ImageOfRegions(int width_px, int height_px, int samples)
+ImageOfRegions<Channel>::ImageOfRegions(int width_px, int height_px, int samples, int channels)
     : samples_(samples) {
-  rendering_.image = Raster<Channel>(width_px, height_px);
+  rendering_.image = Raster<Channel>(width_px, height_px, channels);
   std::fill(rendering_.image.values.begin(), rendering_.image.values.end(), Channel{0});
   rendering_.pixel_count = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
   rendering_.samples_per_pixel = samples;
@@ -98,19 +102,19 @@ template <typename Channel>
 void ImageOfRegions<Channel>::add(const RegionRendering<Channel>& part) {
   Raster<Channel>& image = rendering_.image;
   const Tile& region = part.region;
+  const std::size_t length = row_length(region, image);
   std::size_t error_count = 0;
   if (!subtile_error2_.empty())
     for_each_block_row(region, image.width,
                        [&](std::size_t, std::size_t count) { error_count += count; });
   if (!is_inside(region, image.width, image.height) ||
-      part.values.size() !=
-          row_length(region) * static_cast<std::size_t>(region.y_end - region.y_begin) ||
+      part.values.size() != length * static_cast<std::size_t>(region.y_end - region.y_begin) ||
       part.subtile_error2.size() != error_count)
     throw std::invalid_argument("the region is not one of this image");
 
   const Channel* from = part.values.data();
-  for (int y = region.y_begin; y < region.y_end; ++y, from += row_length(region))
-    std::copy_n(from, row_length(region), image.pixel(region.x_begin, y));
+  for (int y = region.y_begin; y < region.y_end; ++y, from += length)
+    std::copy_n(from, length, image.pixel(region.x_begin, y));
   const double* error2 = part.subtile_error2.data();
   if (error_count > 0)
     for_each_block_row(region, image.width, [&](std::size_t begin, std::size_t count) {
@@ -124,10 +128,10 @@ void ImageOfRegions<Channel>::add(const RegionRendering<Channel>& part) {
 
 template <typename Channel>
 BasicRendering<Channel> ImageOfRegions<Channel>::finish() && {
-  rendering_.estimated_error =
-      subtile_error2_.empty()
-          ? neighbour_error(rendering_.image, samples_)
-          : rms_of(error_multiplier_ * conservative_sum(subtile_error2_), rendering_.pixel_count);
+  rendering_.estimated_error = subtile_error2_.empty()
+                                   ? neighbour_error(rendering_.image, samples_)
+                                   : rms_of(error_multiplier_ * conservative_sum(subtile_error2_),
+                                            rendering_.image.values.size());
   return std::move(rendering_);
 }
 

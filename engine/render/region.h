@@ -32,7 +32,8 @@ std::vector<Tile> regions_of(int width_px, int height_px, int side_px);
 
 /// Traces one region with as many samples per pixel as the scene says, on the pool's threads;
 /// nothing if `progress.stop` ended it. Throws std::logic_error if the scene has a contract, which
-/// looks at the whole image, or no such region.
+/// looks at the whole image, or bytes are asked for where needs_floats(); std::invalid_argument if
+/// there is no such region.
 template <typename Channel>
 std::optional<RegionRendering<Channel>> render_region(const PreparedScene& scene,
                                                       const Tile& region, WorkerPool& pool,
@@ -43,7 +44,7 @@ template <typename Channel>
 class ImageOfRegions {
  public:
   /// Of an image with so many samples per pixel; black before anything came.
-  ImageOfRegions(int width_px, int height_px, int samples);
+  ImageOfRegions(int width_px, int height_px, int samples, int channels = 3);
 
   /// Each region once. Throws std::invalid_argument if there is no such region in the image.
   void add(const RegionRendering<Channel>& part);

@@ -59,7 +59,7 @@ void render_fixed(Tracing& tracing, BasicRendering<Channel>& rendering) {
   if (!errors) return;
   const double error2 =
       choose_error_multiplier(tracing.plan.statistics).initial * conservative_sum(errors->all());
-  rendering.estimated_error = rms_of(error2, rendering.pixel_count);
+  rendering.estimated_error = rms_of(error2, rendering.image.values.size());
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ Rendering render(const PreparedScene& scene, const Limits& limits, WorkerPool& p
 
 ByteRendering render_bytes(const PreparedScene& scene, const Limits& limits, WorkerPool& pool,
                            RenderProgress& progress) {
-  if (sampling_of(scene.scene().render) == Sampling::contract) {
+  if (needs_floats(scene.scene())) {
     Rendering rendering = render(scene, limits, pool, progress);
     return {rendering, to_bytes(rendering.image, pool)};
   }

@@ -49,8 +49,8 @@ Rendering render(const PreparedScene& scene, const Limits& limits, WorkerPool& p
 Rendering render(const Scene& scene, const Limits& limits, WorkerPool& pool,
                  RenderProgress& progress);
 
-/// Alike, rounded to 8 bits, which is cheaper than floats where no contract refines the image.
-/// There is no preview then.
+/// Alike, rounded to 8 bits, which is cheaper than floats but where needs_floats(). There is no
+/// preview then.
 ByteRendering render_bytes(const PreparedScene& scene, const Limits& limits, WorkerPool& pool,
                            RenderProgress& progress);
 ByteRendering render_bytes(const Scene& scene, const Limits& limits, WorkerPool& pool,

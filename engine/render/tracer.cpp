@@ -16,21 +16,30 @@ Rgb clamped(const Rgb& c) {
   return {channel(c.x), channel(c.y), channel(c.z)};
 }
 
-Rgb encoded(const Rgb& linear, Transfer transfer) {
+/// The mean of samples; those that met nothing are black where the image has a cover, and count as
+/// others where it has none.
+struct Mean {
+  Rgb color;
+  double cover = 1;
+};
+
+Rgb encoded(const Mean& linear, Transfer transfer) {
   // Most images are linear: not a call for each channel of each pixel.
-  if (transfer == Transfer::linear) return linear;
-  return {encode_channel(linear.x, transfer), encode_channel(linear.y, transfer),
-          encode_channel(linear.z, transfer)};
+  if (transfer == Transfer::linear || linear.cover == 0) return linear.color;
+  const Rgb color = linear.color / linear.cover;
+  return linear.cover * Rgb{encode_channel(color.x, transfer), encode_channel(color.y, transfer),
+                            encode_channel(color.z, transfer)};
 }
 
 void store(double channel, float& to) { to = static_cast<float>(channel); }
 void store(double channel, unsigned char& to) { to = to_byte(static_cast<float>(channel)); }
 
-void store(const Rgb& mean, Transfer transfer, auto* pixel) {
+void store(const Mean& mean, Transfer transfer, int channels, auto* pixel) {
   const Rgb color = encoded(mean, transfer);
   store(color.x, pixel[0]);
   store(color.y, pixel[1]);
   store(color.z, pixel[2]);
+  if (channels == 4) store(mean.cover, pixel[3]);
 }
 
 /// Whether a sample of this colour is clamped, and whether it is no number.
@@ -40,9 +49,11 @@ BeyondRange beyond_range(const Rgb& c) {
 }
 
 /// What the means of a pixel's half buffers and the variance of its samples tell.
-PixelSpread spread_of(const Rgb& half_a, const Rgb& half_b, double variance, Transfer transfer) {
+PixelSpread spread_of(const Mean& half_a, const Mean& half_b, double variance, Transfer transfer) {
   const Rgb difference = encoded(half_a, transfer) - encoded(half_b, transfer);
-  const double error2 = SampleErrorModel::half_difference_share * dot(difference, difference);
+  const double uncovered = half_a.cover - half_b.cover;
+  const double error2 = SampleErrorModel::half_difference_share *
+                        (dot(difference, difference) + uncovered * uncovered);
   variance = std::max(variance, error2);
   return {error2 > 0 ? static_cast<float>(error2) : 0,
           variance > 0 ? static_cast<float>(variance) : 0};
@@ -50,40 +61,47 @@ PixelSpread spread_of(const Rgb& half_a, const Rgb& half_b, double variance, Tra
 
 /// What a pixel's samples came to; `spread` only if the pattern has half buffers.
 struct PixelValue {
-  Rgb mean;
+  Mean mean;
   PixelSpread spread{};
   BeyondRange seen{};
 };
 
 /// The halves are compared after the transfer.
 PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& pattern,
-                        Transfer transfer, int x, int y) {
+                        Transfer transfer, int x, int y, int channels) {
   const View& view = tracer.scene->view;
   const SamplePoint moved = jitter_of(x, y);
   PixelValue pixel;
-  Rgb half_a{};
-  Rgb half_b{};
+  Mean half_a{{}, 0};
+  Mean half_b{{}, 0};
   Rgb origin{};        // a sample
   double squares = 0;  // of the others' differences from it
   for (std::size_t i = 0; i < pattern.points.size(); ++i) {
     const SamplePoint& sample = pattern.points[i];
     const double across = away_from_middle(sample.x, pattern.jitter) * moved.x;
     const double up = away_from_middle(sample.y, pattern.jitter) * moved.y;
-    const Rgb color =
-        radiance(*tracer.scene, tracer.finder,
-                 view.direction(x + sample.x + across, view.height - 1 - y + sample.y + up));
-    const Rgb seen = clamped(color);
-    pixel.seen += beyond_range(color);
-    (i < pattern.half_a_count ? half_a : half_b) += seen;
+    const Sight sight =
+        see(*tracer.scene, tracer.finder,
+            view.direction(x + sample.x + across, view.height - 1 - y + sample.y + up));
+    const Rgb seen = clamped(sight.radiance);
+    pixel.seen += beyond_range(sight.radiance);
+    Mean& half = i < pattern.half_a_count ? half_a : half_b;
+    half.color += seen;
+    half.cover += channels == 3 || sight.meets_object ? 1 : 0;
     if (i == 0) origin = seen;
     squares += dot(seen - origin, seen - origin);
   }
   const auto count = static_cast<double>(pattern.points.size());
-  pixel.mean = (half_a + half_b) / count;
+  const auto mean_of = [](const Mean& sum, double of) {
+    return Mean{sum.color / of, sum.cover / of};
+  };
+  pixel.mean = mean_of({half_a.color + half_b.color, half_a.cover + half_b.cover}, count);
   if (!pattern.has_half_buffers()) return pixel;
-  const Rgb shift = pixel.mean - origin;
-  pixel.spread = spread_of(half_a / (count / 2), half_b / (count / 2),
-                           squares / count - dot(shift, shift), transfer);
+  const Rgb shift = pixel.mean.color - origin;
+  const double cover = pixel.mean.cover;
+  const double variance = squares / count - dot(shift, shift) + cover * (1 - cover);
+  pixel.spread =
+      spread_of(mean_of(half_a, count / 2), mean_of(half_b, count / 2), variance, transfer);
   return pixel;
 }
 
@@ -96,10 +114,10 @@ BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, T
       for (int x = tile.x_begin; x < tile.x_end; ++x) {
         const int subtile = tile.subtile_of(x, y);
         if ((tile.subtiles >> subtile & 1) == 0) continue;
-        const PixelValue pixel = sample_pixel(tracer, pattern, told_after, x, y);
+        const PixelValue pixel = sample_pixel(tracer, pattern, told_after, x, y, image->channels);
         beyond.not_numbers += pixel.seen.not_numbers > 0 ? 1 : 0;
         beyond.clamped += pixel.seen.clamped > 0 && pixel.seen.not_numbers == 0 ? 1 : 0;
-        store(pixel.mean, transfer, image->pixel(x, y));
+        store(pixel.mean, transfer, image->channels, image->pixel(x, y));
         if (errors.subtiles != nullptr)
           errors.subtiles->of_block(x - (x - tile.x_begin) % block_side,
                                     y - (y - tile.y_begin) % block_side)[subtile] +=
@@ -115,10 +133,10 @@ BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, T
 void sample(const ReferenceTracer& tracer, const SamplePattern& pattern, Transfer transfer,
             const BlockPixels& pixels, std::span<SampledPixel> results) {
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const PixelValue pixel = sample_pixel(tracer, pattern, Transfer::linear,
-                                          pixels.x_begin + pixels.places[i] % block_side,
-                                          pixels.y_begin + pixels.places[i] / block_side);
-    store(pixel.mean, transfer, results[i].color.data());
+    const PixelValue pixel = sample_pixel(
+        tracer, pattern, Transfer::linear, pixels.x_begin + pixels.places[i] % block_side,
+        pixels.y_begin + pixels.places[i] / block_side, pixels.channels);
+    store(pixel.mean, transfer, pixels.channels, results[i].values.data());
     results[i].spread = pixel.spread;
     results[i].is_number = pixel.seen.not_numbers == 0;
   }

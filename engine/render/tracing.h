@@ -54,7 +54,7 @@ struct Tracing {
   template <typename Channel>
   std::optional<Raster<Channel>> pass(const SamplePattern& pattern, const TileErrors& errors,
                                       const Tile& region) {
-    Raster<Channel> image(scene.camera.width, scene.camera.height);
+    Raster<Channel> image(scene.camera.width, scene.camera.height, channel_count(scene));
     const auto samples = static_cast<int>(pattern.points.size());
     const std::vector<Tile> tiles = split_into_tiles(region, plan.tile_side_px.value);
     std::vector<BeyondRange> beyond_in_tiles(tiles.size());

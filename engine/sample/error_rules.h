@@ -26,9 +26,9 @@ ErrorMultiplier choose_error_multiplier(const SceneStatistics& statistics);
 /// that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself.
 double conservative_sum(std::span<const double> errors2);
 
-/// The rms error over the channels of so many pixels whose squared errors sum up to `error2`.
-inline double rms_of(double error2, std::size_t pixel_count) {
-  return std::sqrt(error2 / (3 * static_cast<double>(pixel_count)));
+/// The rms error of so many values, channels of pixels, whose squared errors sum up to `error2`.
+inline double rms_of(double error2, std::size_t value_count) {
+  return std::sqrt(error2 / static_cast<double>(value_count));
 }
 
 /// 1 / error_power() of pixels one after another, most of which have the samples of the one before.

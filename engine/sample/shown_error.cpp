@@ -38,25 +38,28 @@ struct Curves {
 
 }  // namespace
 
-double ShownError::of_pixel(double linear_error2, const float* pixel) {
+double ShownError::of_pixel(double linear_error2, const float* pixel, int channels) {
   static const Curves curves;
   // The mean of a square over normal deviations: a sixth of it lies at the root of three of their
   // standard deviation to either side, the rest at none (Gauss-Hermite quadrature of three points).
-  constexpr double channels = 3;
   constexpr double outer_place2 = 3;
   constexpr double outer_weight = 1.0 / 6;
-  const double deviation = std::sqrt(outer_place2 * linear_error2 / channels);
+  // A cover is shown as it is, and colours are multiplied by it after the transfer.
+  const bool is_covered = channels == 4 && pixel[3] > 0;
+  const double cover = is_covered ? static_cast<double>(pixel[3]) : 1;
+  const double deviation = std::sqrt(outer_place2 * linear_error2 / channels) / cover;
   double sum = 0;
   for (int channel = 0; channel < 3; ++channel) {
-    const auto shown = static_cast<double>(pixel[channel]);
+    const double shown = static_cast<double>(pixel[channel]) / cover;
     const double root = curves.root_of(shown);
     const double linear = root * root;
     for (const double moved : {linear + deviation, linear - deviation}) {
-      const double change = curves.encoded_square(std::sqrt(std::clamp(moved, 0.0, 1.0))) - shown;
+      const double change =
+          cover * (curves.encoded_square(std::sqrt(std::clamp(moved, 0.0, 1.0))) - shown);
       sum += outer_weight * change * change;
     }
   }
-  return sum;
+  return sum + (channels - 3) * linear_error2 / channels;
 }
 
 }  // namespace raytracer

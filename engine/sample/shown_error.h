@@ -20,11 +20,11 @@ class ShownError {
   /// the mean square of what normal deviations change.
   double operator()(double linear_error2, int x, int y) const {
     if (transfer_ == Transfer::linear || !(linear_error2 > 0)) return linear_error2;
-    return of_pixel(linear_error2, image_.pixel(x, y));
+    return of_pixel(linear_error2, image_.pixel(x, y), image_.channels);
   }
 
  private:
-  static double of_pixel(double linear_error2, const float* pixel);
+  static double of_pixel(double linear_error2, const float* pixel, int channels);
 
   const Image& image_;
   Transfer transfer_;

@@ -9,7 +9,7 @@
 
 namespace raytracer {
 
-SubpixelObjects::SubpixelObjects(const PackedScene& scene) {
+SubpixelObjects::SubpixelObjects(const PackedScene& scene, int channels) : channels_(channels) {
   const View& view = scene.view;
   const auto stride = static_cast<std::size_t>(PixelSpreads::whole_subtiles(view.width));
   pixels_.resize(stride * static_cast<std::size_t>(PixelSpreads::whole_subtiles(view.height)));
@@ -40,10 +40,9 @@ SubpixelObjects::SubpixelObjects(const PackedScene& scene) {
 
 double SubpixelObjects::error2(std::size_t pixel, int samples) const {
   using Model = SampleErrorModel;
-  constexpr double channels = 3;
   const Areas& areas = pixels_[pixel];
   if (areas.sum == 0) return 0;
-  return channels * Model::subpixel_contrast2 * static_cast<double>(areas.sum_of_squares) *
+  return channels_ * Model::subpixel_contrast2 * static_cast<double>(areas.sum_of_squares) *
          std::exp(-samples * static_cast<double>(areas.sum) * Model::subpixel_miss_rate);
 }
 

@@ -17,7 +17,8 @@ namespace raytracer {
 
 class SubpixelObjects {
  public:
-  explicit SubpixelObjects(const PackedScene& scene);
+  /// `channels`: of the image.
+  SubpixelObjects(const PackedScene& scene, int channels);
 
   /// What missing them costs in this pixel, the sum over its values' squared errors, probably.
   /// Pixels are numbered as those of PixelSpreads.
@@ -30,6 +31,7 @@ class SubpixelObjects {
   };
 
   std::vector<Areas> pixels_;
+  int channels_;
 };
 
 }  // namespace raytracer

@@ -79,6 +79,23 @@ int hex_digit(char c) {
   return -1;
 }
 
+/// `wanted` says what it may be.
+std::optional<Rgb> read_color(const Field& field, std::string_view wanted) {
+  if (!field.value.is_string()) return read_triple(field, unit_interval, wanted);
+  const std::string_view text = field.value.get_string().value_unsafe();
+  const bool well_formed =
+      text.size() == 7 && text[0] == '#' &&
+      std::all_of(text.begin() + 1, text.end(), [](char c) { return hex_digit(c) >= 0; });
+  if (!well_formed) {
+    field.refuse(fmt::format("\"{}\" is not a colour: must be {}", text, wanted));
+    return {};
+  }
+  const auto channel = [&](std::size_t at) {
+    return (16 * hex_digit(text[at]) + hex_digit(text[at + 1])) / 255.0;
+  };
+  return Rgb{channel(1), channel(3), channel(5)};
+}
+
 }  // namespace
 
 std::optional<std::string_view> read_string(const Field& field) {
@@ -164,20 +181,16 @@ std::optional<Vec3> read(const Field& field, const DirectionRule& rule) {
 }
 
 std::optional<Rgb> read(const Field& field, const ColorRule&) {
-  constexpr std::string_view wanted = "three numbers from 0 to 1 or \"#rrggbb\"";
-  if (!field.value.is_string()) return read_triple(field, unit_interval, wanted);
-  const std::string_view text = field.value.get_string().value_unsafe();
-  const bool well_formed =
-      text.size() == 7 && text[0] == '#' &&
-      std::all_of(text.begin() + 1, text.end(), [](char c) { return hex_digit(c) >= 0; });
-  if (!well_formed) {
-    field.refuse(fmt::format("\"{}\" is not a colour: must be {}", text, wanted));
-    return {};
-  }
-  const auto channel = [&](std::size_t at) {
-    return (16 * hex_digit(text[at]) + hex_digit(text[at + 1])) / 255.0;
-  };
-  return Rgb{channel(1), channel(3), channel(5)};
+  return read_color(field, "three numbers from 0 to 1 or \"#rrggbb\"");
+}
+
+std::optional<std::optional<Rgb>> read(const Field& field, const BackgroundRule&) {
+  if (field.value.is_string() && field.value.get_string().value_unsafe() == "transparent")
+    return std::optional<Rgb>();
+  const std::optional<Rgb> color =
+      read_color(field, "three numbers from 0 to 1, \"#rrggbb\" or \"transparent\"");
+  if (!color) return {};
+  return color;
 }
 
 std::optional<std::size_t> read_choice(const Field& field,

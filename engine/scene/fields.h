@@ -113,6 +113,7 @@ std::optional<Vec3> read(const Field& field, const PointRule& rule);
 std::optional<Vec3> read(const Field& field, const OtherPointRule& rule);
 std::optional<Vec3> read(const Field& field, const DirectionRule& rule);
 std::optional<Rgb> read(const Field& field, const ColorRule& rule);
+std::optional<std::optional<Rgb>> read(const Field& field, const BackgroundRule& rule);
 std::optional<std::vector<Vec3>> read(const Field& field, const PointsRule& rule);
 std::optional<std::vector<Vec3>> read(const Field& field, const OtherPointPerItemRule& rule);
 std::optional<std::vector<Vec3>> read(const Field& field, const DirectionPerItemRule& rule);

@@ -55,7 +55,7 @@ struct RenderSettings {
 
 struct Scene {
   Camera camera;
-  Rgb background;
+  std::optional<Rgb> background = Rgb{};  ///< none: transparent, and black to whatever looks at it
   double ambient = 0.2;
   Shadows shadows = Shadows::black;
   SharedArray<Light> lights;
@@ -65,12 +65,17 @@ struct Scene {
 
   /// Those that are no structures of their own.
   static constexpr auto fields = std::tuple(
-      optional("background", &Scene::background, ColorRule{}),
+      optional("background", &Scene::background, BackgroundRule{},
+               "What a ray sees that meets no object. \"transparent\": black, and the image has a "
+               "fourth channel, the share of a pixel's samples that meet an object."),
       optional("ambient", &Scene::ambient, NumberRule{not_negative},
                "Constant light, everywhere and from everywhere."),
       optional("shadows", &Scene::shadows, ChoiceRule{"black", "ambient", "off"},
                "What a surface that a light does not reach shows of that light's ambient part: "
                "nothing, all of it, or as if nothing were in the way."));
 };
+
+/// Of the scene's image: the fourth is its cover (engine/image/image.h).
+inline int channel_count(const Scene& scene) { return scene.background ? 3 : 4; }
 
 }  // namespace raytracer

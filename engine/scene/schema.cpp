@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 
@@ -46,6 +47,9 @@ struct SchemaOf {
   Json operator()(const OtherPointRule&) const { return reference("point"); }
   Json operator()(const DirectionRule&) const { return reference("direction"); }
   Json operator()(const ColorRule&) const { return reference("color"); }
+  Json operator()(const BackgroundRule&) const {
+    return {{"oneOf", {reference("color"), {{"const", "transparent"}}}}};
+  }
   template <std::size_t count>
   Json operator()(const ChoiceRule<count>& rule) const {
     return {{"enum", rule.words}};
@@ -73,6 +77,8 @@ Json default_json(const Value& value, const Rule& rule) {
     return rule.words[static_cast<std::size_t>(value)];
   else if constexpr (std::is_same_v<Value, Vec3>)
     return {value.x, value.y, value.z};
+  else if constexpr (std::is_same_v<Value, std::optional<Vec3>>)
+    return default_json(*value, rule);
   else if constexpr (std::is_arithmetic_v<Value>)
     return value;
   else

@@ -11,9 +11,10 @@ Difference difference(const Image& image, const Image& reference) {
   Difference result;
   double squares = 0;
   std::size_t off_count = 0;
-  for (std::size_t pixel = 0; pixel < image.values.size(); pixel += 3) {
+  const std::size_t channels = image.length_of(1);
+  for (std::size_t pixel = 0; pixel < image.values.size(); pixel += channels) {
     double largest = 0;
-    for (std::size_t i = pixel; i < pixel + 3; ++i) {
+    for (std::size_t i = pixel; i < pixel + channels; ++i) {
       const double apart =
           std::abs(static_cast<double>(image.values[i]) - static_cast<double>(reference.values[i]));
       squares += apart * apart;
@@ -22,9 +23,9 @@ Difference difference(const Image& image, const Image& reference) {
     result.max_error = std::max(result.max_error, largest);
     if (largest > visible) ++off_count;
   }
-  const auto channel_count = static_cast<double>(image.values.size());
-  result.rmse = std::sqrt(squares / channel_count);
-  result.off_share = 3 * static_cast<double>(off_count) / channel_count;
+  const auto value_count = static_cast<double>(image.values.size());
+  result.rmse = std::sqrt(squares / value_count);
+  result.off_share = static_cast<double>(channels * off_count) / value_count;
   return result;
 }
 

@@ -43,7 +43,7 @@ void Collector::add(const JobRecord& record, StoredMessage message) {
   const auto add_region = [&]<typename Channel>(const RegionRendering<Channel>& part) {
     using Whole = ImageOfRegions<Channel>;
     if (!std::holds_alternative<Whole>(made_))
-      made_.emplace<Whole>(record.width, record.height, record.samples);
+      made_.emplace<Whole>(record.width, record.height, record.samples, record.channels);
     try {
       std::get<Whole>(made_).add(part);
     } catch (const std::invalid_argument& error) {

@@ -29,7 +29,8 @@ TaskCut cut_into_tasks(const PreparedScene& scene, const Prediction& prediction,
   if (scene.plan().sampling.value == Sampling::contract) return cut;
   const double pixels = static_cast<double>(camera.width) * camera.height;
   const double thread_ms = prediction.trace_ms * static_cast<double>(prediction.thread_count);
-  const double pixel_bytes = 3 * (is_8_bit ? 1 : sizeof(float)) + error_bytes_per_pixel;
+  const double value_bytes = is_8_bit ? 1 : sizeof(float);
+  const double pixel_bytes = channel_count(scene.scene()) * value_bytes + error_bytes_per_pixel;
   const double tasks = std::max({thread_ms / task_ms, pixels * pixel_bytes / most_bytes, 1.0});
   const auto blocks = static_cast<int>(std::sqrt(pixels / tasks) / region_unit_px);
   const int whole = std::max(camera.width, camera.height) / region_unit_px + 1;

@@ -25,6 +25,7 @@ struct JobRecord {
   double predicted_ms = 0;  ///< that it traces for, on the front that cut it
   int width = 0;
   int height = 0;
+  int channels = 3;
   int samples = 1;
   std::int64_t accepted_ms = 0;  ///< since 1970
   int side_px = 0;               ///< of its regions; 0: one task makes the whole

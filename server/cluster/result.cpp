@@ -54,6 +54,7 @@ Json header_of(const Rendering& rendering) {
   Json json{{"kind", "whole"},
             {"width", rendering.image.width},
             {"height", rendering.image.height},
+            {"channels", rendering.image.channels},
             {"samples", rendering.samples_per_pixel},
             {"is_single", rendering.precision == Precision::single_precision},
             {"beyond", to_json(rendering.beyond)},
@@ -87,6 +88,7 @@ Rendering whole_in(const Json& header, std::string_view bytes) {
   Rendering rendering;
   rendering.image.width = header.at("width");
   rendering.image.height = header.at("height");
+  rendering.image.channels = header.at("channels");
   rendering.pixel_count = static_cast<std::size_t>(rendering.image.width) *
                           static_cast<std::size_t>(rendering.image.height);
   rendering.samples_per_pixel = header.at("samples");
@@ -97,8 +99,10 @@ Rendering whole_in(const Json& header, std::string_view bytes) {
   rendering.build_ms = header.at("build_ms");
   rendering.trace_ms = header.at("trace_ms");
   if (header.contains("error")) rendering.estimated_error = header["error"].get<double>();
-  require_length(rendering.image.width >= 0 && rendering.image.height >= 0);
-  take(bytes, rendering.image.values, 3 * rendering.pixel_count);
+  const Image& image = rendering.image;
+  require_length(image.width >= 0 && image.height >= 0 &&
+                 (image.channels == 3 || image.channels == 4));
+  take(bytes, rendering.image.values, image.length_of(1) * rendering.pixel_count);
   require_length(bytes.empty());
   return rendering;
 }

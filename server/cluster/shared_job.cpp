@@ -22,7 +22,8 @@ SharedJob::SharedJob(const JobRecord& record, ClusterStore& store, News& news)
            .digest = record.picture_digest,
            .parse_ms = record.parse_ms,
            .width = record.width,
-           .height = record.height}),
+           .height = record.height,
+           .channels = record.channels}),
       store_(store),
       news_(news),
       record_(record),
@@ -115,7 +116,7 @@ std::optional<Image> SharedJob::image_so_far() const {
   answered([&] { look_now(); });
   if (has_ended(status())) return {};
   if (std::optional<Image> image = collector_.image_so_far()) return image;
-  Image black(request.width, request.height);
+  Image black(request.width, request.height, request.channels);
   std::fill(black.values.begin(), black.values.end(), 0.0F);
   return black;
 }

@@ -23,7 +23,8 @@ constexpr milliseconds between_rounds{500};
 
 /// What it takes to watch a job: its picture.
 std::size_t bytes_of(const JobRecord& record) {
-  return sizeof(SharedJob) + 3 * sizeof(float) * static_cast<std::size_t>(record.width) *
+  return sizeof(SharedJob) + sizeof(float) * static_cast<std::size_t>(record.channels) *
+                                 static_cast<std::size_t>(record.width) *
                                  static_cast<std::size_t>(record.height);
 }
 
@@ -79,6 +80,7 @@ JobRecord SharedJobs::new_record(JobTask task, const SceneView& view,
                    .parse_ms = view.parse_ms,
                    .width = view.scene.camera.width,
                    .height = view.scene.camera.height,
+                   .channels = channel_count(view.scene),
                    .samples = view.scene.render.samples.value_or(1),
                    .accepted_ms = now_ms()};
   record.query.erase("task");

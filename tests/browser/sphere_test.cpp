@@ -94,5 +94,39 @@ TEST_F(Spheres, member_that_is_missing_is_added) {
   EXPECT_EQ(nlohmann::json::parse(text()).at("materials").at("sand").at("reflectivity"), 0.5);
 }
 
+TEST_F(Spheres, glass_gets_fresnels_reflections_and_loses_them) {
+  for (const bool is_on : {true, false}) {
+    const std::string former = picture();
+    browser().run("document.querySelector('[aria-label=\"sand, Fresnel\"]').click()");
+    await("done", former);
+    EXPECT_EQ(nlohmann::json::parse(text()).at("materials").at("sand").at("fresnel"), is_on);
+  }
+}
+
+TEST_F(Spheres, background_becomes_transparent_and_has_its_colour_again) {
+  const auto before = nlohmann::json::parse(text()).at("background");
+  const std::string press =
+      "document.querySelector('[aria-label=\"Background, transparent\"]').click()";
+  // Of the picture's upper left corner, where nothing is.
+  const std::string alpha =
+      "(() => { const paper = new OffscreenCanvas(1, 1).getContext('2d');"
+      " paper.drawImage(document.getElementById('picture'), 0, 0);"
+      " return paper.getImageData(0, 0, 1, 1).data[3]; })()";
+  EXPECT_EQ(value(alpha), 255);
+  std::string former = picture();
+  browser().run(press);
+  await("done", former);
+  EXPECT_EQ(nlohmann::json::parse(text()).at("background"), "transparent");
+  EXPECT_EQ(value(alpha), 0);
+  keep_screenshot("transparent_background");
+  former = picture();
+  browser().run(press);
+  await("done", former);
+  EXPECT_EQ(value(alpha), 255);
+  const auto after = nlohmann::json::parse(text()).at("background");
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(after.at(i).get<double>(), before.at(i).get<double>(), 0.003);
+}
+
 }  // namespace
 }  // namespace raytracer::test

@@ -12,6 +12,13 @@ const std::string small_scene = R"({
   "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1}]
 })";
 
+const std::string transparent_scene = R"({
+  "camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.9, "width": 16, "height": 12},
+  "background": "transparent", "ambient": 1, "shadows": "ambient",
+  "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1,
+               "material": {"color": [1, 0, 0]}}]
+})";
+
 const std::string wrong_scene = R"({
   "camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.9, "width": 16, "height": 12},
   "backgruond": [0, 0, 1],

@@ -16,6 +16,8 @@ namespace raytracer::test {
 
 /// A sphere in 16 x 12 pixels.
 extern const std::string small_scene;
+/// The same before nothing, in a constant red.
+extern const std::string transparent_scene;
 /// A misspelt key on line 3, a radius that is not positive on line 4, and a material that does not
 /// exist on line 5.
 extern const std::string wrong_scene;

@@ -38,6 +38,22 @@ TEST_F(Delivery, ending_chooses_the_format) {
   EXPECT_EQ(decode_png(render_to("IMAGE.PNG")), png);
 }
 
+TEST_F(Delivery, transparent_background_is_in_a_png_and_no_other_file) {
+  const auto render = [&](const std::string& name) {
+    return run_with_server({"render", "-", "-o", folder_ / name}, transparent_scene);
+  };
+  const Outcome outcome = render("image.png");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(decode_covered_png(read_file(folder_ / "image.png")).rgba[3], 0);
+  for (const char* const name : {"image.ppm", "image.pfm"}) {
+    const Outcome refused = render(name);
+    EXPECT_NE(refused.status, 0);
+    EXPECT_NE(refused.err.find("transparent background"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("image/png"), std::string::npos) << refused.err;
+    EXPECT_FALSE(fs::exists(folder_ / name));
+  }
+}
+
 TEST_F(Delivery, options_stand_over_the_document) {
   const Picture picture = decode_png(render_to("image.png", {"--width", "20", "--height", "10"}));
   EXPECT_EQ(picture.width, 20);

@@ -79,6 +79,15 @@ TEST_F(Terminal, small_picture_is_shown_pixel_by_pixel) {
   EXPECT_NE(screen.find("\x1b[0m"), std::string::npos) << "the colours outlast the picture";
 }
 
+TEST_F(Terminal, transparent_background_is_the_terminals_own) {
+  if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
+  const std::string scene = folder_.write("transparent.json", transparent_scene);
+  const std::string screen = shown({"render", scene}, 80, 24);
+  EXPECT_EQ(picture_rows(screen), std::vector<int>(6, 16));
+  EXPECT_NE(screen.find("8;2;255;0;0m"), std::string::npos) << "where is the red sphere?";
+  EXPECT_EQ(screen.find("48;2;0;0;0"), std::string::npos) << "no cell is black";
+}
+
 TEST_F(Terminal, large_picture_fits_the_window) {
   if (!PseudoTerminal::is_available()) GTEST_SKIP() << no_terminal;
   for (const auto& [columns, rows] :

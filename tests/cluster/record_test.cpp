@@ -25,6 +25,7 @@ JobRecord full_record() {
           .predicted_ms = 1e300,
           .width = 640,
           .height = 480,
+          .channels = 4,
           .samples = 16,
           .accepted_ms = 1'700'000'000'123,
           .side_px = 48,
@@ -49,6 +50,7 @@ TEST(JobRecords, are_read_as_they_were_written) {
   EXPECT_EQ(read.predicted_ms, record.predicted_ms);
   EXPECT_EQ(read.width, record.width);
   EXPECT_EQ(read.height, record.height);
+  EXPECT_EQ(read.channels, record.channels);
   EXPECT_EQ(read.samples, record.samples);
   EXPECT_EQ(read.accepted_ms, record.accepted_ms);
   EXPECT_EQ(read.side_px, record.side_px);
@@ -112,10 +114,13 @@ TEST(TaskResults, of_regions_are_read_as_they_were_written) {
   expect_read_as_written<unsigned char>();
 }
 
-TEST(TaskResults, of_whole_pictures_are_read_as_they_were_written) {
+class WholePictures : public testing::TestWithParam<int> {};
+
+TEST_P(WholePictures, are_read_as_they_were_written) {
   Rendering rendering;
-  rendering.image = Image(2, 1);
-  for (std::size_t i = 0; i < 6; ++i) rendering.image.values[i] = 0.1F * static_cast<float>(i);
+  rendering.image = Image(2, 1, GetParam());
+  for (std::size_t i = 0; i < rendering.image.values.size(); ++i)
+    rendering.image.values[i] = 0.1F * static_cast<float>(i);
   rendering.pixel_count = 2;
   rendering.samples_per_pixel = 12.5;
   rendering.estimated_error = 0.1;
@@ -130,6 +135,7 @@ TEST(TaskResults, of_whole_pictures_are_read_as_they_were_written) {
   const auto& read = std::get<Rendering>(result.made);
   EXPECT_EQ(read.image.width, 2);
   EXPECT_EQ(read.image.height, 1);
+  EXPECT_EQ(read.image.channels, GetParam());
   EXPECT_TRUE(std::equal(read.image.values.begin(), read.image.values.end(),
                          rendering.image.values.begin(), rendering.image.values.end()));
   EXPECT_EQ(read.pixel_count, 2U);
@@ -145,6 +151,8 @@ TEST(TaskResults, of_whole_pictures_are_read_as_they_were_written) {
   EXPECT_THROW(read_result(bytes + "x"), NatsRefused);
 }
 
+INSTANTIATE_TEST_SUITE_P(OfChannels, WholePictures, testing::Values(3, 4));
+
 TEST(TaskResults, of_curves_are_read_as_they_were_written) {
   const TaskResult result = read_result(to_bytes({"worker", CurveText{"{\n}"}}));
   EXPECT_EQ(std::get<CurveText>(result.made).json, "{\n}");
@@ -159,8 +167,9 @@ TEST(TaskResults, that_claim_impossible_sizes_are_refused) {
   for (const std::string& header :
        {R"({"kind":"floats","values":4611686018427387904,"errors":0,)" + region + "}",
         R"({"kind":"bytes","values":-1,"errors":0,)" + region + "}",
-        R"({"width":-1,"height":1,)" + whole + "}",
-        R"({"width":1000000000,"height":1000000000,)" + whole + "}",
+        R"({"width":-1,"height":1,"channels":3,)" + whole + "}",
+        R"({"width":1000000000,"height":1000000000,"channels":3,)" + whole + "}",
+        R"({"width":0,"height":0,"channels":2,)" + whole + "}",
         std::string(R"({"kind":"nonsense","worker":"w"})"), std::string("[]")})
     EXPECT_THROW(read_result(header + "\n"), NatsRefused) << header;
 }

@@ -29,6 +29,8 @@ const std::vector<Picture>& pictures() {
       {"?scene=spheres&samples=4&width=200&height=150&origin=1,2,-9&look_at=0,0,0&fov=0.7"},
       {"?scene=first-sphere&target_rmse=0.004&width=120&height=90"},
       {"?samples=3&width=900&height=600", ppm_type, small_scene},
+      {"?samples=4&width=600&height=450", png_type, transparent_scene},
+      {"?target_rmse=0.004&width=60&height=45&transfer=srgb", png_type, transparent_scene},
       {"?precision=double&transfer=srgb", png_type, square_scene(250, 16)}};
   return all;
 }

@@ -134,7 +134,8 @@ QuadVec Oracle::radiance(const OraclePlace& from, const QuadVec& direction, Quad
                          int depth) const {
   if (weight < least_weight_) return {};
   const OraclePlace met = OracleSearch(scene_, from, direction).nearest();
-  if (met.kind == OraclePlace::Kind::none) return QuadVec(scene_.background) * weight;
+  if (met.kind == OraclePlace::Kind::none)
+    return QuadVec(scene_.background.value_or(Rgb{})) * weight;
   QuadVec sum = shade(met, direction * Quad(-1)) * weight;
   if (depth == scene_.render.max_depth) return sum;
   const Material& m = material_of(met);

@@ -39,24 +39,39 @@ void demand_size(const Netpbm& file, std::size_t channel_bytes) {
                                          file.raster.size(), expected, file.width, file.height));
 }
 
-}  // namespace
-
-Picture decode_png(std::string_view bytes) {
+/// The bytes of an 8-bit PNG of this format and no other; sets its size.
+std::vector<std::uint8_t> png_bytes(std::string_view bytes, png_uint_32 format, int& width,
+                                    int& height) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0)
     throw std::runtime_error(fmt::format("not a PNG: {}", image.message));
   // 8-bit files give their own bytes back; 16-bit or palette files are not what is tested here.
-  if (image.format != PNG_FORMAT_RGB) {
+  if (image.format != format) {
     png_image_free(&image);
-    throw std::runtime_error("the PNG is not 8-bit RGB");
+    throw std::runtime_error("the PNG is not 8-bit RGB or RGBA, as it should be");
   }
-  Picture picture{static_cast<int>(image.width), static_cast<int>(image.height), {}};
-  picture.rgb.resize(PNG_IMAGE_SIZE(image));
-  if (png_image_finish_read(&image, nullptr, picture.rgb.data(), 0, nullptr) == 0)
+  width = static_cast<int>(image.width);
+  height = static_cast<int>(image.height);
+  std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(image));
+  if (png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) == 0)
     throw std::runtime_error(fmt::format("a broken PNG: {}", image.message));
   if (image.warning_or_error != 0)
     throw std::runtime_error(fmt::format("a doubtful PNG: {}", image.message));
+  return pixels;
+}
+
+}  // namespace
+
+Picture decode_png(std::string_view bytes) {
+  Picture picture;
+  picture.rgb = png_bytes(bytes, PNG_FORMAT_RGB, picture.width, picture.height);
+  return picture;
+}
+
+CoveredPicture decode_covered_png(std::string_view bytes) {
+  CoveredPicture picture;
+  picture.rgba = png_bytes(bytes, PNG_FORMAT_RGBA, picture.width, picture.height);
   return picture;
 }
 

@@ -18,7 +18,15 @@ struct Picture {
   bool operator==(const Picture&) const = default;
 };
 
+/// The same with a fourth byte, how much of the pixel is covered.
+struct CoveredPicture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
 /// Each throws std::runtime_error that says what is wrong with the bytes.
+CoveredPicture decode_covered_png(std::string_view bytes);
 Picture decode_png(std::string_view bytes);
 Picture decode_ppm(std::string_view bytes);
 /// Rounded: floor(255 c + 1/2).

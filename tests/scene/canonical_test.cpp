@@ -58,6 +58,7 @@ TEST(CanonicalBytes, differ_for_every_value_that_can_change_a_pixel) {
   expect_new("/camera/width", 8);
   expect_new("/camera/height", 6);
   expect_new("/background", {0, 0, 0.5});
+  expect_new("/background", "transparent");
   expect_new("/ambient", 0.25);
   expect_new("/shadows", "ambient");
   expect_new("/shadows", "off");

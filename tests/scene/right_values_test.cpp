@@ -41,6 +41,7 @@ const std::vector<Right> right_values{
     {"WidthAsFloat", "/camera/width", 70.0},
     {"BackgroundHex", "/background", "#87ceeb"},
     {"BackgroundMissing", "/background", missing},
+    {"BackgroundTransparent", "/background", "transparent"},
     {"AmbientZero", "/ambient", 0},
     {"AmbientLarge", "/ambient", 1e300},
     {"AmbientMissing", "/ambient", missing},

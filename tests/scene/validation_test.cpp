@@ -95,6 +95,7 @@ const std::vector<Wrong> wrong_surroundings{
     {"BackgroundTooBright", "/background", {0, 1.5, 0}, {{"/background/1", range}}},
     {"BackgroundNegative", "/background", {0, 0, -0.1}, {{"/background/2", range}}},
     at("BackgroundNumber", "/background", 0.5, "#rrggbb"),
+    at("BackgroundOfAnotherWord", "/background", "Transparent", "\"transparent\""),
     at("AmbientNegative", "/ambient", -0.1, range),
     at("AmbientText", "/ambient", "0.2", number),
     at("AmbientNull", "/ambient", nullptr, number),

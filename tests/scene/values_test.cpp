@@ -202,6 +202,15 @@ TEST(Values, of_colours_in_hex_are_bytes_over255) {
   EXPECT_EQ(scene_of(text).background, (Rgb{16 / 255.0, 128 / 255.0, 1}));
 }
 
+TEST(Values, a_transparent_background_is_no_colour_and_a_fourth_channel) {
+  json text = json::parse(minimal);
+  EXPECT_EQ(channel_count(scene_of(text)), 3);
+  text["background"] = "transparent";
+  const Scene scene = scene_of(text);
+  EXPECT_EQ(scene.background, std::nullopt);
+  EXPECT_EQ(channel_count(scene), 4);
+}
+
 TEST(Values, integers_may_be_written_as_floats) {
   for (const char* width : {"700", "700.0", "7e2", "70.0e1", "7000e-1"}) {
     const std::string text = std::string(R"({"camera": {"origin": [0, 0, 0], "look_at": [0, 0, 5],

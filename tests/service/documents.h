@@ -24,6 +24,15 @@ inline const std::string small_scene = R"({
                "material": {"color": [0.9, 0.1, 0.1]}}]
 })";
 
+/// The same sphere before nothing.
+inline const std::string transparent_scene = R"({
+  "camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.9, "width": 12, "height": 8},
+  "background": "transparent",
+  "lights": [{"type": "distant", "direction": [-1, -1, 2]}],
+  "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1,
+               "material": {"color": [0.9, 0.1, 0.1]}}]
+})";
+
 /// Another picture that takes as long, for each number: equal ones would be rendered once.
 inline std::string as_another_picture(std::string document, int number) {
   return document.replace(0, 1, fmt::format(R"({{"ambient": {},)", number));

@@ -74,5 +74,46 @@ TEST_F(Format, unacceptable_is_406_with_what_there_is) {
   }
 }
 
+TEST_F(Format, transparent_background_gives_a_png_of_four_channels) {
+  for (const char* const query : {"", "?samples=16", "?transfer=srgb", "?target_rmse=0.01"})
+    for (const char* const accept :
+         {"*/*", "image/png", "image/x-portable-pixmap, image/png;q=0.1"}) {
+      const Answer answer =
+          post(std::string("/render") + query, transparent_scene, {{"Accept", accept}});
+      ASSERT_EQ(answer.status, 200) << answer.body;
+      EXPECT_EQ(answer.get_header_value("Content-Type"), png_type);
+      const CoveredPicture picture = decode_covered_png(answer.body);
+      ASSERT_EQ(picture.rgba.size(), 12U * 8 * 4);
+      EXPECT_EQ(picture.rgba[3], 0) << "nothing is in the corner";
+      const std::size_t middle = 4 * (4 * 12 + 6);
+      EXPECT_EQ(picture.rgba[middle + 3], 255);
+      EXPECT_GT(picture.rgba[middle], picture.rgba[middle + 1]) << "the sphere is red";
+    }
+}
+
+TEST_F(Format, transparent_background_in_three_channels_is_406_with_what_can_be_had) {
+  const std::string job = post("/jobs", transparent_scene).get_header_value("Location") + "/image";
+  for (const std::string_view type : {ppm_type, pfm_type}) {
+    const Headers headers{{"Accept", std::string(type)}};
+    for (const Answer& answer : {post("/render", transparent_scene, headers), get(job, headers)}) {
+      expect_problem(answer, 406, "transparent background: image/png");
+      EXPECT_EQ(answer.body.find("portable"), std::string::npos) << answer.body;
+    }
+  }
+}
+
+TEST_F(Format, transparent_job_has_the_picture_of_its_render) {
+  const std::string path = post("/jobs?samples=16", transparent_scene).get_header_value("Location");
+  const std::string expected = post("/render?samples=16", transparent_scene).body;
+  for (;;) {  // until it is done
+    const Answer answer = get(path + "/image");
+    ASSERT_EQ(answer.status, 200) << answer.body;
+    decode_covered_png(answer.body);  // what there is of it, too, has four channels
+    if (!answer.has_header("ETag")) continue;
+    EXPECT_TRUE(answer.body == expected);
+    break;
+  }
+}
+
 }  // namespace
 }  // namespace raytracer::test

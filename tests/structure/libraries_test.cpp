@@ -64,6 +64,10 @@ TEST(Libraries, png_encoder_is_in_one_file) {
                [](const std::string& path) { return path == "engine/image/png.cpp"; });
 }
 
+TEST(Libraries, pngs_are_decoded_in_one_file) {
+  expect_users("png.h", [](const std::string& path) { return path == "client/png.cpp"; });
+}
+
 TEST(Libraries, compression_is_in_one_file) {
   expect_users("isa-l/", [](const std::string& path) { return path == "engine/image/isal.cpp"; });
 }

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <stdexcept>
+#include <vector>
 
 #include "engine/math/transfer.h"
 
@@ -101,6 +104,52 @@ TEST(Pfm, has_its_header_and_little_endian_rows_from_the_bottom) {
     const std::size_t row_from_top = 1 - i / 9;
     EXPECT_EQ(value, image.values[row_from_top * 9 + i % 9]) << i;
   }
+}
+
+/// Two pixels: one half covered by a colour, one by nothing.
+Image covered() {
+  Image image(2, 1, 4);
+  const float values[] = {0.4F, 0.2F, 0.5F, 0.5F, 0, 0, 0, 0};
+  std::copy(std::begin(values), std::end(values), image.values.begin());
+  return image;
+}
+
+TEST(CoveredImage, has_in_a_file_the_colours_without_their_cover) {
+  WorkerPool pool(1);
+  const ByteImage bytes = to_bytes(covered(), pool);
+  EXPECT_EQ(bytes.channels, 4);
+  EXPECT_EQ(std::vector<int>(bytes.values.begin(), bytes.values.end()),
+            (std::vector{204, 102, 255, 128, 0, 0, 0, 0}));
+}
+
+/// A sum's rounding may leave a colour a hair more than its cover.
+TEST(CoveredImage, has_no_colour_beyond_white) {
+  Image image = covered();
+  image.values[0] = std::nextafter(0.5F, 1.0F);
+  WorkerPool pool(1);
+  EXPECT_EQ(to_bytes(image, pool).values[0], 255);
+}
+
+TEST(CoveredImage, is_the_same_on_any_number_of_threads) {
+  Image image(641, 479, 4);
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = static_cast<float>(static_cast<double>(i * i % 1009) / 1008);
+  WorkerPool one(1);
+  const ByteImage expected = to_bytes(image, one);
+  for (const std::size_t threads : {2U, 3U, 7U}) {
+    WorkerPool pool(threads);
+    EXPECT_EQ(to_bytes(image, pool).values, expected.values);
+  }
+}
+
+TEST(CoveredImage, is_no_file_of_three_channels) {
+  WorkerPool pool(1);
+  for (const ImageFormat format : {ImageFormat::ppm, ImageFormat::pfm}) {
+    EXPECT_FALSE(holds_channels(format, 4));
+    EXPECT_THROW(encode(covered(), format, pool), std::logic_error);
+  }
+  EXPECT_TRUE(holds_channels(ImageFormat::png, 4));
+  EXPECT_NO_THROW(encode(covered(), ImageFormat::png, pool));
 }
 
 }  // namespace

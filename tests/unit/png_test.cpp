@@ -58,7 +58,7 @@ Bytes mixture(int width, int height) {
 void expect_read_back(int width, int height, const Bytes& rgb) {
   SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
   WorkerPool pool(2);
-  const std::string file = encode_png(width, height, rgb, pool);
+  const std::string file = encode_png(width, height, 3, rgb, pool);
   const Picture picture = decode_png(file);
   EXPECT_EQ(picture.width, width);
   EXPECT_EQ(picture.height, height);
@@ -84,10 +84,10 @@ TEST(Png, has_every_byte_of_a_picture_of_any_size) {
 TEST(Png, is_the_same_file_on_any_number_of_threads) {
   const Bytes rgb = mixture(1501, 777);
   WorkerPool one(1);
-  const std::string file = encode_png(1501, 777, rgb, one);
+  const std::string file = encode_png(1501, 777, 3, rgb, one);
   for (const std::size_t thread_count : {2U, 3U, 7U}) {
     WorkerPool pool(thread_count);
-    EXPECT_TRUE(encode_png(1501, 777, rgb, pool) == file) << thread_count << " threads";
+    EXPECT_TRUE(encode_png(1501, 777, 3, rgb, pool) == file) << thread_count << " threads";
   }
 }
 
@@ -101,16 +101,32 @@ TEST(Png, is_the_same_file_on_any_number_of_threads) {
 TEST(Png, is_the_same_file_whatever_the_stack_held) {
   const Bytes rgb = gradient(20, 8);
   WorkerPool pool(1);
-  const std::string file = encode_png(20, 8, rgb, pool);
+  const std::string file = encode_png(20, 8, 3, rgb, pool);
   for (std::uint16_t value = 0; value < 32; ++value) {
     fill_the_stack(value);
-    EXPECT_TRUE(encode_png(20, 8, rgb, pool) == file) << value;
+    EXPECT_TRUE(encode_png(20, 8, 3, rgb, pool) == file) << value;
   }
+}
+
+TEST(Png, of_four_channels_has_colour_type_6_and_every_byte) {
+  constexpr int width = 301;
+  constexpr int height = 217;
+  std::mt19937 generator(3);
+  Bytes rgba(std::size_t{4} * width * height);
+  for (unsigned char& byte : rgba) byte = static_cast<unsigned char>(generator() & 0xff);
+  WorkerPool pool(2);
+  const std::string file = encode_png(width, height, 4, rgba, pool);
+  EXPECT_EQ(file.at(24), 8) << "bits";
+  EXPECT_EQ(file.at(25), 6) << "RGBA";
+  const CoveredPicture picture = decode_covered_png(file);
+  EXPECT_EQ(picture.width, width);
+  EXPECT_EQ(picture.height, height);
+  EXPECT_TRUE(picture.rgba == rgba);
 }
 
 TEST(Png, of_a_flat_picture_is_small) {
   WorkerPool pool(2);
-  EXPECT_LT(encode_png(3840, 2160, flat(3840, 2160), pool).size(), 250'000U);
+  EXPECT_LT(encode_png(3840, 2160, 3, flat(3840, 2160), pool).size(), 250'000U);
 }
 
 TEST(Png, has_the_bytes_of_the_ppm) {
@@ -128,7 +144,7 @@ TEST(Png, has_the_bytes_of_the_ppm) {
 /// That the reader of these tests looks at the checksums which the writer combines.
 TEST(Png, with_a_wrong_checksum_is_refused) {
   WorkerPool pool(2);
-  const std::string file = encode_png(700, 500, mixture(700, 500), pool);
+  const std::string file = encode_png(700, 500, 3, mixture(700, 500), pool);
   ASSERT_NO_THROW(decode_png(file));
   constexpr std::size_t end_chunk = 12;
   for (const std::size_t from_end : {end_chunk + 1, end_chunk + 4, end_chunk + 5, end_chunk + 8}) {

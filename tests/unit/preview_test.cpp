@@ -38,6 +38,18 @@ TEST(Preview, shows_finished_tiles_over_black) {
     for (int x = 0; x < 4; ++x) EXPECT_EQ(seen.pixel(x, y)[2], x < 2 ? 0.0F : 1.0F) << x;
 }
 
+TEST(Preview, has_the_channels_of_its_image) {
+  Preview preview;
+  Image image(4, 2, 4);
+  std::fill(image.values.begin(), image.values.end(), 1.0F);
+  Preview::Pass pass(preview, image, halves);
+  pass.finished(1);
+  const Image seen = preview.so_far().value();
+  ASSERT_EQ(seen.channels, 4);
+  EXPECT_EQ(seen.pixel(1, 1)[3], 0.0F);
+  EXPECT_EQ(seen.pixel(2, 1)[3], 1.0F);
+}
+
 TEST(Preview, shows_the_last_whole_image_where_a_pass_has_nothing) {
   Preview preview;
   Image image;

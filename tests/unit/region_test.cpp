@@ -36,12 +36,13 @@ void expect_same(const Scene& scene, int side_px, WorkerPool& pool) {
   const int samples = scene.render.samples.value_or(1);
   const auto expected =
       whole(static_cast<const Channel*>(nullptr), PreparedScene(scene, pool), pool);
-  ImageOfRegions<Channel> image(camera.width, camera.height, samples);
+  ImageOfRegions<Channel> image(camera.width, camera.height, samples, channel_count(scene));
   std::vector<Tile> regions = regions_of(camera.width, camera.height, side_px);
   std::reverse(regions.begin(), regions.end());
   for (const Tile& region : regions)
     image.add(part_of<Channel>(PreparedScene(scene, pool), region, pool));
   const auto made = std::move(image).finish();
+  EXPECT_EQ(made.image.channels, expected.image.channels);
   EXPECT_TRUE(std::equal(made.image.values.begin(), made.image.values.end(),
                          expected.image.values.begin(), expected.image.values.end()));
   EXPECT_EQ(made.estimated_error, expected.estimated_error);
@@ -84,6 +85,20 @@ TEST(Regions, make_the_picture) {
           expect_same<float>(read, side_px, pool);
           expect_same<unsigned char>(read, side_px, pool);
         }
+}
+
+TEST(Regions, make_the_picture_with_its_cover) {
+  WorkerPool pool(2);
+  for (json scene : documents(75, 41))
+    for (const int samples : {1, 16}) {
+      scene["background"] = "transparent";
+      Overrides overrides;
+      overrides.samples = samples;
+      const Scene read = scene_of(scene, overrides);
+      expect_same<float>(read, 32, pool);
+      EXPECT_THROW(part_of<unsigned char>(PreparedScene(read, pool), {0, 0, 32, 32}, pool),
+                   std::logic_error);
+    }
 }
 
 TEST(Regions, cover_the_picture_once) {

@@ -186,7 +186,7 @@ TEST(SubpixelObjects, are_those_smaller_than_a_pixel_until_samples_must_meet_the
   const auto missable_among = [&](const std::vector<json>& spheres) {
     const Scene scene = scene_of(document(camera_json(32, 32, 0.5, {0, 0, 0}, {0, 0, 1}), spheres,
                                           {distant_json({0, 0, 1})}));
-    return SubpixelObjects(pack_scene(scene, nullptr));
+    return SubpixelObjects(pack_scene(scene, nullptr), 3);
   };
   // To the right of the middle and above it, in the middle of a pixel; a large one elsewhere.
   const SubpixelObjects one =

@@ -7,14 +7,14 @@
 
 namespace raytracer::test {
 
-/// One sample per pixel, in floats or bytes.
+/// In floats, or bytes of three channels.
 template <typename Channel = float>
-Raster<Channel> image_by(const Plan& plan, const Scene& scene) {
+Raster<Channel> image_by(const Plan& plan, const Scene& scene, int samples = 1) {
   WorkerPool pool(2);
   const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
-  Raster<Channel> image(scene.camera.width, scene.camera.height);
+  Raster<Channel> image(scene.camera.width, scene.camera.height, channel_count(scene));
   for (const Tile& tile : split_into_tiles(image.width, image.height, 32))
-    render_tile(tracer, sample_pattern(1), scene.render.transfer, tile, &image);
+    render_tile(tracer, sample_pattern(samples), scene.render.transfer, tile, &image);
   return image;
 }
 

@@ -30,7 +30,7 @@ Scene balls() {
 std::vector<double> errors_of(const Plan& plan, const Scene& scene, const Tile& tile) {
   WorkerPool pool(1);
   const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
-  Image image(scene.camera.width, scene.camera.height);
+  Image image(scene.camera.width, scene.camera.height, channel_count(scene));
   SubtileErrors errors(image.width, image.height);
   render_tile(tracer, sample_pattern(8), scene.render.transfer, tile, &image,
               {.subtiles = &errors});
@@ -60,6 +60,15 @@ TEST(SubtileErrors, are_of_encoded_colours) {
   Scene scene = balls();
   scene.render.transfer = Transfer::srgb;
   expect_alike(scene, {0, 0, 37, 23});
+}
+
+TEST(SubtileErrors, are_of_the_cover_too) {
+  Scene scene = balls();
+  scene.background.reset();
+  for (const Transfer transfer : {Transfer::linear, Transfer::srgb}) {
+    scene.render.transfer = transfer;
+    expect_alike(scene, {0, 0, 37, 23});
+  }
 }
 
 TEST(SubtileErrors, are_of_the_traced_subtiles_alone) {
@@ -99,10 +108,11 @@ Sampled sample(const Plan& plan, const Scene& scene, const std::vector<std::uint
   const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
   const int width = scene.camera.width;
   const int height = scene.camera.height;
-  Sampled sampled{std::vector<SampledPixel>(places.size()), Image(width, height),
-                  PixelSpreads(width, height)};
+  Sampled sampled{std::vector<SampledPixel>(places.size()),
+                  Image(width, height, channel_count(scene)), PixelSpreads(width, height)};
   const SamplePattern pattern = sample_pattern(samples);
-  sample_pixels(tracer, pattern, scene.render.transfer, {32, 16, places}, sampled.pixels);
+  sample_pixels(tracer, pattern, scene.render.transfer, {32, 16, places, channel_count(scene)},
+                sampled.pixels);
   render_tile(tracer, pattern, scene.render.transfer, {0, 0, width, height}, &sampled.whole,
               {.pixels = &sampled.spreads});
   return sampled;
@@ -124,8 +134,8 @@ void expect_as_together(const Sampled& sampled, const std::vector<std::uint8_t>&
     const int x = 32 + places[i] % 16;
     const int y = 16 + places[i] / 16;
     const SampledPixel& pixel = sampled.pixels[i];
-    for (int k = 0; k < 3; ++k)
-      EXPECT_NEAR(pixel.color[static_cast<std::size_t>(k)], sampled.whole.pixel(x, y)[k], 2e-6)
+    for (int k = 0; k < sampled.whole.channels; ++k)
+      EXPECT_NEAR(pixel.values[static_cast<std::size_t>(k)], sampled.whole.pixel(x, y)[k], 2e-6)
           << by << " at " << x << ", " << y;
     const std::size_t at = spreads.index(x, y);
     EXPECT_NEAR(pixel.spread.error2, spreads.error2[at], 1e-5 + 1e-3 * spreads.error2[at]) << by;
@@ -137,20 +147,23 @@ void expect_as_together(const Sampled& sampled, const std::vector<std::uint8_t>&
   EXPECT_GT(varied, 0.01) << by;
 }
 
-/// Edges, shadows and mirrors in that corner.
-Scene corner() {
+/// Edges, shadows and mirrors in that corner, before a wall or before nothing.
+Scene corner(bool has_wall = true) {
   const json mirror = {{"color", {0.8, 0.8, 0.8}}, {"reflectivity", 0.7}};
-  return scene_of(document(camera_json(37, 23, 1, {0, 0, -5}, {}),
-                           {sphere_json({1.5, -1, 0}, 1, mirror), sphere_json({2.4, -0.7, -1}, 0.3),
-                            plane_json({0, 0, 2}, {0.3, -0.4, -1})},
-                           {distant_json({1, 0, 1}), distant_json({0, 1, 1})}));
+  std::vector<json> objects{sphere_json({1.5, -1, 0}, 1, mirror),
+                            sphere_json({2.4, -0.7, -1}, 0.3)};
+  if (has_wall) objects.push_back(plane_json({0, 0, 2}, {0.3, -0.4, -1}));
+  json text = document(camera_json(37, 23, 1, {0, 0, -5}, {}), objects,
+                       {distant_json({1, 0, 1}), distant_json({0, 1, 1})});
+  if (!has_wall) text["background"] = "transparent";
+  return scene_of(text);
 }
 
-TEST(SampledPixels, are_as_those_of_a_whole_image_in_all_kernels) {
+void expect_as_together_in_all_kernels(const Scene& of, const std::vector<int>& sample_counts) {
   const std::vector<std::uint8_t> places = some_places();
   for (const Transfer transfer : {Transfer::linear, Transfer::srgb})
-    for (const int samples : {8, 12, 16, 48, 260, 1024}) {
-      Scene scene = corner();
+    for (const int samples : sample_counts) {
+      Scene scene = of;
       scene.render.transfer = transfer;
       const Plan plain = reference_plan(make_plan(scene, this_machine(1)));
       const Sampled reference = sample(plain, scene, places, samples);
@@ -162,6 +175,14 @@ TEST(SampledPixels, are_as_those_of_a_whole_image_in_all_kernels) {
                              reference.spreads, set.name);
       }
     }
+}
+
+TEST(SampledPixels, are_as_those_of_a_whole_image_in_all_kernels) {
+  expect_as_together_in_all_kernels(corner(), {8, 12, 16, 48, 260, 1024});
+}
+
+TEST(SampledPixels, have_the_cover_of_a_whole_image) {
+  expect_as_together_in_all_kernels(corner(false), {8, 48, 260});
 }
 
 /// Hundreds of spheres in that corner, near and far, smaller and larger than its pixels.
@@ -191,7 +212,7 @@ TEST(SampledPixels, are_as_those_of_a_whole_image_among_many_spheres) {
       double varied = 0;
       for (std::size_t i = 0; i < places.size(); ++i) {
         const float* const together = sampled.whole.pixel(32 + places[i] % 16, 16 + places[i] / 16);
-        const std::array<float, 3>& alone = sampled.pixels[i].color;
+        const std::array<float, 4>& alone = sampled.pixels[i].values;
         for (std::size_t k = 0; k < 3; ++k) off += std::abs(alone[k] - together[k]) > 2e-6F ? 1 : 0;
         varied += static_cast<double>(sampled.pixels[i].spread.variance);
       }

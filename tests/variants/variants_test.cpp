@@ -166,7 +166,7 @@ Image reference_image(const Scene& scene) {
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const Rgb seen =
-          radiance(packed, finder, packed.view.direction(x + 0.5, image.height - y - 0.5));
+          see(packed, finder, packed.view.direction(x + 0.5, image.height - y - 0.5)).radiance;
       image.pixel(x, y)[0] = static_cast<float>(std::clamp(seen.x, 0.0, 1.0));
       image.pixel(x, y)[1] = static_cast<float>(std::clamp(seen.y, 0.0, 1.0));
       image.pixel(x, y)[2] = static_cast<float>(std::clamp(seen.z, 0.0, 1.0));

@@ -141,9 +141,11 @@ HWY_NOINLINE void shade_and_branch(D d, const EyeRays<D>& eye, const Rays& rays,
 ///
 /// All packets are intersected before any is shaded: chains of dependent operations stay short, and
 /// the processor overlaps several packets.
+///
+/// `cover`, if there is one, gets 1 where a ray has met something, else 0.
 template <class D, class Rays, typename T = hn::TFromD<D>>
 HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool fetches,
-                              BlockColours<T>& colours) {
+                              BlockColours<T>& colours, T* cover) {
   using V = hn::Vec<D>;
   constexpr int lanes = PacketShape<D>::lanes;
   const PacketScene<T>& scene = eye.scene();
@@ -159,6 +161,8 @@ HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool
     hn::Store(direction.z, d, hits.direction_z + at);
     hn::Store(hit.t, d, hits.t + at);
     hn::Store(hit.id, d, hits.id + at);
+    if (cover != nullptr)
+      hn::Store(hn::IfThenElseZero(hn::Ge(hit.id, hn::Zero(d)), hn::Set(d, T(1))), d, cover + at);
     if (!scene.has_own_normals) continue;
     hn::Store(hit.u, d, hits.u + at);
     hn::Store(hit.v, d, hits.v + at);

@@ -88,12 +88,21 @@ struct BlockSpread {
   alignas(64) T squares[block_pixels];  ///< of the others' differences from it
 };
 
+/// Which of a block's samples have met something, as 1, else 0; where the image has a cover.
+template <typename T>
+struct BlockCover {
+  alignas(64) T sample[block_pixels];
+  alignas(64) T sum[block_pixels];
+  alignas(64) T half_a[block_pixels];  ///< the sum over half buffer A
+};
+
 /// Adds to each subtile's error what the means of its half buffers differ by; to each pixel's in
 /// linear light.
 template <class D, typename T>
 HWY_NOINLINE void tell_errors(D d, const Block& block, const BlockRays<D>& rays,
                               const BlockSpread<T>& spread, const BlockColours<T>& sums,
-                              std::size_t count, Transfer transfer, const TileErrors& errors) {
+                              const BlockCover<T>* cover, std::size_t count, Transfer transfer,
+                              const TileErrors& errors) {
   using V = hn::Vec<D>;
   using Shape = PacketShape<D>;
   const Transfer told_after = errors.pixels != nullptr ? Transfer::linear : transfer;
@@ -107,8 +116,14 @@ HWY_NOINLINE void tell_errors(D d, const Block& block, const BlockRays<D>& rays,
       origin = load(d, spread.origin, first);
       squares = hn::Load(d, spread.squares + first);
     }
-    const Spread<V> told = spread_of(d, load(d, spread.half_a, first), load(d, sums, first), origin,
-                                     squares, count, told_after);
+    const V3<V> half_a = load(d, spread.half_a, first);
+    const V3<V> all = load(d, sums, first);
+    const Spread<V> told =
+        cover == nullptr
+            ? spread_of(d, half_a, all, origin, squares, count, told_after)
+            : spread_of(d, CoveredColour<V>{half_a, hn::Load(d, cover->half_a + first)},
+                        CoveredColour<V>{all, hn::Load(d, cover->sum + first)}, origin, squares,
+                        count, told_after);
     const auto active = rays.active(d, place);
     const V error2 = hn::IfThenElseZero(active, told.error2);
     if (errors.subtiles != nullptr)
@@ -138,6 +153,23 @@ struct ResolvedPackets {
   HWY_INLINE V3<hn::Vec<D>> operator()(int packet) const {
     const std::size_t first = static_cast<std::size_t>(packet) * PacketShape<D>::lanes;
     return resolved(d, load(d, sums, first), share, transfer);
+  }
+};
+
+/// The same with their cover.
+template <class D, typename T = hn::TFromD<D>>
+struct ResolvedCover {
+  D d;
+  const BlockColours<T>& sums;
+  const T* cover_sums;
+  hn::Vec<D> share;
+  Transfer transfer;
+
+  HWY_INLINE CoveredColour<hn::Vec<D>> operator()(int packet) const {
+    const std::size_t first = static_cast<std::size_t>(packet) * PacketShape<D>::lanes;
+    return resolved(
+        d, CoveredColour<hn::Vec<D>>{load(d, sums, first), hn::Load(d, cover_sums + first)}, share,
+        transfer);
   }
 };
 
@@ -188,13 +220,18 @@ void render_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
   BlockColours<T> sums;
   BlockColours<T> rests;  // of many samples
   BlockColours<T> colours;
+  BlockCover<T> covers;
+  BlockCover<T>* const cover = has_cover(canvas) ? &covers : nullptr;
   BlockBeyondRange<D> block_beyond;
   for (std::size_t sample = 0; sample < pattern.points.size(); ++sample) {
-    if (sample > 0 && sample == pattern.half_a_count) spread.half_a = sums;
+    if (sample > 0 && sample == pattern.half_a_count) {
+      spread.half_a = sums;
+      if (cover != nullptr) std::copy_n(cover->sum, block_pixels, cover->half_a);
+    }
     // Later samples find in the caches what the first has met.
     const bool fetches = sample == 0 && scene.fetches_light_cells;
     trace_packets(d, rays.eye, SamplePackets<D>(rays, candidates, block, pattern.points[sample]),
-                  fetches, colours);
+                  fetches, colours, cover != nullptr ? cover->sample : nullptr);
     Highest<D> highest(d);
     for (int packet = 0; packet < Shape::packets; ++packet) {
       if (!PacketPlace<D>(packet).is_in(block)) continue;
@@ -211,6 +248,11 @@ void render_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
         store(d, sample == 0 ? seen : add_with_rest(load(d, sums, i), seen, rest), i, sums);
         store(d, rest, i, rests);
       }
+      if (cover != nullptr) {
+        const V hits = hn::Load(d, cover->sample + i);
+        hn::Store(sample == 0 ? hits : hn::Add(hits, hn::Load(d, cover->sum + i)), d,
+                  cover->sum + i);
+      }
       if (!spreads) continue;
       if (sample == 0) store(d, seen, i, spread.origin);
       const V3<V> difference = sub(seen, load(d, spread.origin, i));
@@ -222,9 +264,10 @@ void render_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
                         [&](const auto& place) HWY_ATTR { return rays.active(d, place); });
   }
   if (errors.are_wanted())
-    tell_errors(d, block, rays, spread, sums, pattern.points.size(), transfer, errors);
-  store_block(d, ResolvedPackets<D>{d, sums, share_of(d, pattern.points.size()), transfer}, block,
-              canvas);
+    tell_errors(d, block, rays, spread, sums, cover, pattern.points.size(), transfer, errors);
+  const hn::Vec<D> share = share_of(d, pattern.points.size());
+  store_block(d, ResolvedPackets<D>{d, sums, share, transfer},
+              ResolvedCover<D>{d, sums, covers.sum, share, transfer}, block, canvas);
   block_beyond.add_to(beyond);
 }
 

@@ -73,6 +73,8 @@ struct PixelSums {
   BlockColours<T> half_a = {};
   BlockColours<T> origin = {};               ///< a sample
   alignas(64) T squares[block_pixels] = {};  ///< of the others' differences from it
+  alignas(64) T cover[block_pixels] = {};    ///< hits, if they are wanted
+  alignas(64) T half_a_cover[block_pixels] = {};
   bool is_number[block_pixels];
 };
 
@@ -84,15 +86,33 @@ HWY_INLINE void add_lanes(D d, const V3<hn::Vec<D>>& colour, std::size_t pixel,
   sums.blue[pixel] += hn::GetLane(hn::SumOfLanes(d, colour.z));
 }
 
+/// Adds the hits among a pixel's samples.
+template <class D, typename T = hn::TFromD<D>>
+HWY_INLINE void add_cover(D d, const T* hits, const SampleLanes<T>& samples, std::size_t pixel,
+                          PixelSums<T>& sums) {
+  using V = hn::Vec<D>;
+  V all = hn::Zero(d);
+  V half_a = all;
+  for (std::size_t i = 0; i < samples.count; i += hn::Lanes(d)) {
+    const V hit = hn::IfThenElseZero(hn::FirstN(d, samples.count - i), hn::Load(d, hits + i));
+    all = hn::Add(all, hit);
+    half_a = hn::MulAdd(hit, hn::Load(d, samples.is_in_half_a + i), half_a);
+  }
+  sums.cover[pixel] += hn::GetLane(hn::SumOfLanes(d, all));
+  sums.half_a_cover[pixel] += hn::GetLane(hn::SumOfLanes(d, half_a));
+}
+
 /// Traces a pixel's samples, those with which it begins or more of them, and adds them to its sums.
 template <class D, class Packets, typename T = hn::TFromD<D>>
 HWY_INLINE void sample_pixel(D d, const EyeRays<D>& eye, const Packets& packets,
-                             const SampleLanes<T>& samples, bool is_begin, std::size_t pixel,
-                             PixelSums<T>& sums) {
+                             const SampleLanes<T>& samples, bool is_begin, bool has_cover,
+                             std::size_t pixel, PixelSums<T>& sums) {
   using V = hn::Vec<D>;
   const std::size_t lanes = hn::Lanes(d);
   BlockColours<T> colours;
-  trace_packets(d, eye, packets, false, colours);
+  alignas(64) T hits[block_pixels];
+  trace_packets(d, eye, packets, false, colours, has_cover ? hits : nullptr);
+  if (has_cover) add_cover(d, hits, samples, pixel, sums);
 
   if (is_begin) {
     const V3<V> seen = clamped(d, load(d, colours, 0));
@@ -144,6 +164,7 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
         narrows = true;
     });
   NarrowedEntries found;
+  const bool has_cover = pixels.channels == 4;
   PixelSums<T> sums;
   std::fill_n(sums.is_number, block_pixels, true);
   for (std::size_t begin = 0; begin < pattern.points.size(); begin += block_pixels) {
@@ -158,7 +179,7 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
       const auto sample = [&](auto& own) HWY_ATTR {
         const PixelPackets<D, std::decay_t<decltype(own)>> packets(eye, samples, x_left, y_low,
                                                                    own);
-        sample_pixel(d, eye, packets, samples, begin == 0, i, sums);
+        sample_pixel(d, eye, packets, samples, begin == 0, has_cover, i, sums);
       };
       if (narrows) {
         PixelCandidates<T> narrowed(subtile, cone_around(d, eye, x_left, y_low), found);
@@ -171,16 +192,28 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
   const std::size_t count = pattern.points.size();
   for (std::size_t first = 0; first < pixels.places.size(); first += lanes) {
     const V3<V> all = load(d, sums.all, first);
-    const Spread<V> spread =
-        spread_of(d, load(d, sums.half_a, first), all, load(d, sums.origin, first),
-                  hn::Load(d, sums.squares + first), count, Transfer::linear);
-    store(d, resolved(d, all, share_of(d, count), transfer), first, sums.all);
+    const V3<V> half_a = load(d, sums.half_a, first);
+    const V3<V> origin = load(d, sums.origin, first);
+    const V squares = hn::Load(d, sums.squares + first);
+    const V share = share_of(d, count);
+    Spread<V> spread;
+    if (has_cover) {
+      const CoveredColour<V> covered{all, hn::Load(d, sums.cover + first)};
+      const CoveredColour<V> half{half_a, hn::Load(d, sums.half_a_cover + first)};
+      spread = spread_of(d, half, covered, origin, squares, count, Transfer::linear);
+      const CoveredColour<V> shown = resolved(d, covered, share, transfer);
+      store(d, shown.colour, first, sums.all);
+      hn::Store(shown.cover, d, sums.cover + first);
+    } else {
+      spread = spread_of(d, half_a, all, origin, squares, count, Transfer::linear);
+      store(d, resolved(d, all, share, transfer), first, sums.all);
+    }
     hn::Store(spread.error2, d, sums.half_a.red + first);
     hn::Store(spread.variance, d, sums.squares + first);
   }
   for (std::size_t i = 0; i < pixels.places.size(); ++i)
     results[i] = {{static_cast<float>(sums.all.red[i]), static_cast<float>(sums.all.green[i]),
-                   static_cast<float>(sums.all.blue[i])},
+                   static_cast<float>(sums.all.blue[i]), static_cast<float>(sums.cover[i])},
                   {static_cast<float>(sums.half_a.red[i]), static_cast<float>(sums.squares[i])},
                   sums.is_number[i]};
 }

@@ -60,13 +60,13 @@ CaseFigures measure_case(const Case& measured, const Effort& effort, const Machi
 
   const ProjectRun first = run_project(document, view, pool);
   const Scene& scene = first.scene;
-  CaseFigures figures{
-      .measured = measured,
-      .width_px = scene.camera.width,
-      .height_px = scene.camera.height,
-      .samples = *view.samples,
-      .document_bytes = document.size(),
-      .covered = covered_share(first.image, scene.background, scene.render.transfer)};
+  CaseFigures figures{.measured = measured,
+                      .width_px = scene.camera.width,
+                      .height_px = scene.camera.height,
+                      .samples = *view.samples,
+                      .document_bytes = document.size(),
+                      .covered = covered_share(first.image, scene.background.value_or(Rgb{}),
+                                               scene.render.transfer)};
   const auto project_times = [&] { return run_project(document, view, pool).times; };
   run_rounds(effort, 3, limit_ms, [&] {
     figures.rounds.push_back({forecast_project(scene, costs, pool), project_times()});

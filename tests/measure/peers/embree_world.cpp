@@ -167,7 +167,7 @@ std::unique_ptr<EmbreeWorld> make_embree_world(RTCDevice device, const Scene& sc
   set(frame.up, view.up);
   frame.width = scene.camera.width;
   frame.height = scene.camera.height;
-  set(frame.background, scene.background);
+  set(frame.background, scene.background.value_or(Rgb{}));
   frame.ambient = static_cast<float>(scene.ambient);
   frame.is_ambient_everywhere = scene.shadows != Shadows::black;
   frame.has_shadows = scene.shadows != Shadows::off;

@@ -31,7 +31,7 @@ class PovrayWriter {
                "#version 3.7;\n"
                "global_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 }}\n"
                "background {{ color rgb {} }}\n",
-               scene_.render.max_depth + 1, povray_vector(scene_.background));
+               scene_.render.max_depth + 1, povray_vector(scene_.background.value_or(Rgb{})));
     write_camera();
     for (const Light& light : scene_.lights) write_light(light);
     for (const Object& object : scene_.objects) {

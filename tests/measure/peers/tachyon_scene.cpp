@@ -27,7 +27,7 @@ class TachyonWriter {
   void write() {
     fmt::print(out_, "BEGIN_SCENE\nRESOLUTION {} {}\n", scene_.camera.width, scene_.camera.height);
     write_camera();
-    fmt::print(out_, "BACKGROUND {}\n", tachyon_vector(scene_.background));
+    fmt::print(out_, "BACKGROUND {}\n", tachyon_vector(scene_.background.value_or(Rgb{})));
     for (const Light& light : scene_.lights) write_light(light);
     for (std::size_t i = 0; i < scene_.materials.size(); ++i) write_texture(i, scene_.materials[i]);
     for (const Object& object : scene_.objects) {
