@@ -237,6 +237,11 @@ bool ClusterStore::put_result(const std::string& id, int task, std::string_view 
   return is_first;
 }
 
+bool ClusterStore::has_result(const std::string& id, int task) {
+  return !nats_.subjects("raytracer_results", fmt::format("raytracer.result.of.{}.{}", id, task))
+              .empty();
+}
+
 std::set<int> ClusterStore::results(const std::string& id) {
   std::set<int> tasks;
   for (const std::string& subject :
