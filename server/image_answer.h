@@ -20,6 +20,9 @@ std::string_view media_type(ImageFormat format);
 /// 406.
 ImageFormat require_format(const httplib::Request& request);
 
+/// Whether Accept prefers a format that holds floats to those that hold 8 bits.
+bool prefers_floats(const httplib::Request& request);
+
 /// What is to be answered.
 struct Representation {
   ImageFormat format;

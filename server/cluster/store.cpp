@@ -160,6 +160,7 @@ std::optional<JobRecord> ClusterStore::job(const std::string& id) {
   if (!found) return {};
   JobRecord record = read_record(found->data);
   record.sequence = found->sequence;
+  record.stored_ms = found->time_ms;
   return record;
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <string>
+#include <thread>
 
 #include "tests/cluster/cluster_test.h"
 #include "tests/cluster/stored.h"
@@ -70,6 +71,10 @@ TEST_F(Tasks, one_that_fails_three_times_on_two_workers_fails_its_job) {
   EXPECT_GE(at_other, 1);
   EXPECT_EQ(at_one + at_other, 3);
   expect_problem(get(front, "/jobs/poisoned/image"), 409, "failed 3 times");
+  const auto elapsed_ms = [&] { return json_of(get(front, "/jobs/poisoned")).at("elapsed_ms"); };
+  const nlohmann::json ended = elapsed_ms();
+  std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(elapsed_ms(), ended) << "it goes on rising";
   EXPECT_NE(get(front, "/jobs/poisoned/events").body.find("event: failed\n"), std::string::npos);
 }
 
