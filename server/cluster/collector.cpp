@@ -29,7 +29,8 @@ std::chrono::microseconds Collector::least_period(const JobRecord& record) {
 }
 
 bool Collector::is_complete(const JobRecord& record) const {
-  return record.task_count > 0 && static_cast<int>(done_.size()) >= record.task_count;
+  return record.task_count > 0 && (std::holds_alternative<Rendering>(made_) ||
+                                   static_cast<int>(done_.size()) >= record.task_count);
 }
 
 double Collector::progress(const JobRecord& record) const {
@@ -39,6 +40,8 @@ double Collector::progress(const JobRecord& record) const {
 }
 
 void Collector::add(const JobRecord& record, StoredMessage message) {
+  // A front that was thought dead may have rendered the whole while others had it in regions.
+  if (std::holds_alternative<Rendering>(made_)) return;
   TaskResult result = read_result(message.data);
   workers_.insert(result.worker);
   last_ms_ = std::max(last_ms_, message.time_ms);

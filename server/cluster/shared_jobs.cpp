@@ -262,7 +262,9 @@ void SharedJobs::take_over(JobRecord record) {
   threads_.enqueue([this, record, own]() mutable {
     try {
       record.front = parts_.self.name;
-      if (persist([&] { return parts_.store.put_job(record); })) {
+      // Who had it may have rendered it, and died before it could say so.
+      if (parts_.store.has_result(record.id, 0)) record.task_count = 1;
+      if (persist([&] { return parts_.store.put_job(record); }) && record.task_count == 0) {
         SceneView view = parts_.scenes.view_of(record);
         cut_or_render(std::move(record), std::move(view), *own);
         return;
