@@ -100,11 +100,14 @@ TEST_F(Tasks, one_that_failed_at_one_worker_waits_for_another_that_is_busy) {
   const ServerProcess& other = start_worker();
   ASSERT_TRUE(has_workers(front, 2));
   Stored stored(nats().url());
-  // Two tasks of seconds each keep the other busy, once the first does not take them.
+  // Two tasks of eight seconds each, whatever the machine, keep the other busy, once the first does
+  // not take them.
   one.signal(SIGSTOP);
-  const std::string busy = long_scene(1200);
-  for (const char* const id : {"busy1", "busy2"})
-    stored.queue(stored.new_job(id, stored.renderer(), busy, 350, 352, 1));
+  for (const char* const id : {"busy1", "busy2"}) {
+    JobRecord busy = stored.new_job(id, stored.renderer(), endless_scene(), 350, 0, 1);
+    busy.query = {{"budget_ms", "8000"}};
+    stored.queue(busy);
+  }
   EXPECT_TRUE(eventually([&] { return cluster_of(front).at("tasks").at("running") == 2; }));
   one.signal(SIGCONT);
   stored.queue(stored.new_job("picky", stored.renderer(), scene, 16, 16, 1));
