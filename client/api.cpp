@@ -172,8 +172,11 @@ std::string Api::plan(const SceneText& scene, const Overrides& overrides) {
   return response.body;
 }
 
-Job Api::start_job(const SceneText& scene, const Overrides& query) {
-  return connection_->read_job(connection_->post("/jobs", scene, query, 202));
+Job Api::start_job(const SceneText& scene, const Overrides& query, std::string_view media_type) {
+  httplib::Headers headers;
+  if (!media_type.empty())
+    headers.emplace("Accept", fmt::format("{}, application/json", media_type));
+  return connection_->read_job(connection_->post("/jobs", scene, query, 202, headers));
 }
 
 Job Api::job(const std::string& id) {

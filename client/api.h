@@ -77,8 +77,9 @@ class Api {
   /// The server's plan for the scene, a JSON text.
   std::string plan(const SceneText& scene, const Overrides& overrides);
 
-  /// `query` may say the task; without it the job is a render.
-  Job start_job(const SceneText& scene, const Overrides& query);
+  /// `query` may say the task; without it the job is a render. `media_type`: of the picture that
+  /// will be fetched; empty for a curve.
+  Job start_job(const SceneText& scene, const Overrides& query, std::string_view media_type = {});
   Job job(const std::string& id);
   RenderedImage job_image(const std::string& id, std::string_view media_type);
   /// What a job that is no render has made, a JSON text.

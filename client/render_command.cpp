@@ -32,7 +32,7 @@ struct RenderArguments {
 
 RenderedImage render_scene(const SceneText& scene, const Overrides& overrides,
                            std::string_view media_type, Api& api) {
-  OwnedJob job(api, api.start_job(scene, overrides));
+  OwnedJob job(api, api.start_job(scene, overrides, media_type));
   job.wait("rendering");
   return api.job_image(job.id(), media_type);
 }

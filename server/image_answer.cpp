@@ -106,6 +106,13 @@ ImageFormat require_format(const httplib::Request& request, int channels) {
          fmt::format("None of the accepted types is offered{}: {}", of, fmt::join(offered, ", ")));
 }
 
+bool prefers_floats(const httplib::Request& request) {
+  const std::string accept = header_list(request, "Accept");
+  return weight_in(accept, media_type(ImageFormat::pfm)) >
+         std::max(weight_in(accept, media_type(ImageFormat::png)),
+                  weight_in(accept, media_type(ImageFormat::ppm)));
+}
+
 bool answer_without_image(Call& call, const Representation& wanted) {
   const std::string named = header_list(call.request, "If-None-Match");
   // Any image at all has a client who names "*", be it one that has no tag.

@@ -20,6 +20,9 @@ std::string_view media_type(ImageFormat format);
 /// hold an image of so many channels are offered. Throws HttpError 406.
 ImageFormat require_format(const httplib::Request& request, int channels = 3);
 
+/// Whether Accept prefers a format that holds floats to those that hold 8 bits.
+bool prefers_floats(const httplib::Request& request);
+
 /// What is to be answered.
 struct Representation {
   ImageFormat format;

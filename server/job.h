@@ -36,7 +36,7 @@ struct CurveText {
 };
 
 /// Nothing if it was stopped before there was any.
-using JobResult = std::variant<std::monostate, Rendering, CurveText>;
+using JobResult = std::variant<std::monostate, Rendering, ByteRendering, CurveText>;
 
 /// What a job is like at one moment.
 struct JobState {

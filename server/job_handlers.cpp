@@ -14,17 +14,24 @@
 #include "server/image_answer.h"
 #include "server/job_events.h"
 #include "server/problem.h"
+#include "server/render_answer.h"
 #include "server/scene_request.h"
 #include "server/tradeoff.h"
 
 namespace raytracer {
 namespace {
 
+/// What is true of the picture, if there is one.
+const RenderReport* report_of(const JobResult* result) {
+  if (result == nullptr) return nullptr;
+  if (const auto* const floats = std::get_if<Rendering>(result)) return floats;
+  return std::get_if<ByteRendering>(result);
+}
+
 /// A number that is not known yet is null.
 nlohmann::ordered_json to_json(const Job& job) {
   const JobState state = job.state();
-  const JobResult* const result = job.result();
-  const auto* const rendering = result ? std::get_if<Rendering>(result) : nullptr;
+  const RenderReport* const report = report_of(job.result());
   nlohmann::ordered_json json{{"id", job.request.id},
                               {"task", name_of(job.request.task)},
                               {"status", name_of(state.status)},
@@ -32,8 +39,8 @@ nlohmann::ordered_json to_json(const Job& job) {
                               {"samples", nullptr},
                               {"error", nullptr},
                               {"elapsed_ms", state.elapsed_ms}};
-  if (rendering) json["samples"] = rendering->samples_per_pixel;
-  if (rendering && rendering->estimated_error) json["error"] = *rendering->estimated_error;
+  if (report) json["samples"] = report->samples_per_pixel;
+  if (report && report->estimated_error) json["error"] = *report->estimated_error;
   if (!state.detail.empty()) json["detail"] = state.detail;
   return json;
 }
@@ -47,9 +54,8 @@ void require_task(const Job& job, JobTask task) {
 }
 
 /// What came of the job. Throws HttpError 409 if nothing has, yet or at all.
-template <typename Product>
-const Product& require_result(const Job& job) {
-  if (const JobResult* const result = job.result()) return std::get<Product>(*result);
+const JobResult& require_result(const Job& job) {
+  if (const JobResult* const result = job.result()) return *result;
   const JobState state = job.state();
   if (has_ended(state.status))
     refuse(409, fmt::format("Nothing came of the job: it {} ({})",
@@ -104,7 +110,8 @@ void post_job(Services& services, Call& call) {
   const RenderQuery query = is_curve ? read_curve_query(params) : read_query(params);
   SceneView view = read_scene_request(call, query, services);
   if (is_curve) require_room_for_curve(view.scene, services.config.limits);
-  const auto job = services.jobs().accept(task, std::move(view), call.request.params);
+  const auto job = services.jobs().accept(task, std::move(view), call.request.params,
+                                          prefers_floats(call.request));
   answer_json(call.response, 202, to_json(*job));
   call.response.set_header("Location", "/jobs/" + job->request.id);
 }
@@ -119,12 +126,21 @@ void get_job_image(Services& services, Call& call) {
   const ImageFormat format = require_format(call.request, job->request.channels);
   if (const std::optional<Image> image = image_so_far(*job))
     return answer_image_so_far(services, call, *image, format);
-  const auto& rendering = require_result<Rendering>(*job);
+  const JobResult& result = require_result(*job);
   const Representation wanted = represent(job->request.digest, format, services.renderer_id);
   if (!call.is_head()) job->note_fetched();
   if (answer_without_image(call, wanted)) return;
+  const auto* const bytes = std::get_if<ByteRendering>(&result);
+  if (bytes && holds_floats(format)) {
+    // Nobody had said that the floats would be wanted: only a cluster's jobs leave them out.
+    const JobScene scene = services.cluster.value().scene_of_job(job->request.id);
+    return answer_render(services, call, scene.view, scene.query, wanted);
+  }
+  const auto finished = [&](const auto& rendering) {
+    return finish_image(rendering, job->state().queue_ms, format, services.pool, job->sharing());
+  };
   const auto image = std::make_shared<const FinishedImage>(
-      finish_image(rendering, job->state().queue_ms, format, services.pool, job->sharing()));
+      bytes ? finished(*bytes) : finished(std::get<Rendering>(result)));
   services.metrics.took("encode", image->stages.encode_ms);
   answer_image(call, {image, image->stages}, job->request.parse_ms, wanted);
 }
@@ -132,7 +148,7 @@ void get_job_image(Services& services, Call& call) {
 void get_job_result(Services& services, Call& call) {
   const auto job = services.jobs().at(call.captured);
   require_task(*job, JobTask::tradeoff);
-  answer_bytes(call.response, require_result<CurveText>(*job).json, "application/json");
+  answer_bytes(call.response, std::get<CurveText>(require_result(*job)).json, "application/json");
   if (!call.is_head()) job->note_fetched();
 }
 

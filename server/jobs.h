@@ -26,9 +26,9 @@ class Jobs {
   virtual ~Jobs() = default;
 
   /// Throws HttpError if the queue is full or closed. `query`: what the request said beside its
-  /// document.
+  /// document. `as_floats`: whether a render's values are to be had before rounding.
   virtual std::shared_ptr<const Job> accept(JobTask task, SceneView view,
-                                            const httplib::Params& query) = 0;
+                                            const httplib::Params& query, bool as_floats) = 0;
 
   /// Throws HttpError 404.
   virtual std::shared_ptr<const Job> at(const std::string& id) = 0;

@@ -34,7 +34,8 @@ LocalJobs::~LocalJobs() {
   threads_.shutdown();
 }
 
-std::shared_ptr<const Job> LocalJobs::accept(JobTask task, SceneView view, const httplib::Params&) {
+std::shared_ptr<const Job> LocalJobs::accept(JobTask task, SceneView view,
+                                             const httplib::Params& /*query*/, bool /*as_floats*/) {
   const auto job = std::make_shared<LocalJob>(random_id(), task, std::move(view));
   job->slot_.emplace(admission_, job->progress_);
   const std::scoped_lock lock(mutex_);  // it is kept only once it is among the jobs

@@ -35,8 +35,8 @@ class LocalJobs : public Jobs {
   LocalJobs(const LocalJobs&) = delete;
   LocalJobs& operator=(const LocalJobs&) = delete;
 
-  std::shared_ptr<const Job> accept(JobTask task, SceneView view,
-                                    const httplib::Params& query) override;
+  std::shared_ptr<const Job> accept(JobTask task, SceneView view, const httplib::Params& query,
+                                    bool as_floats) override;
   std::shared_ptr<const Job> at(const std::string& id) override;
   void remove(const std::string& id) override;
   bool await_fetch(std::chrono::seconds time) const override;

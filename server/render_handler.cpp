@@ -1,52 +1,11 @@
 // POST and GET /render: the scene in, the image out, while the client waits.
-#include <optional>
-
-#include "engine/engine.h"
 #include "server/handlers.h"
 #include "server/image_answer.h"
 #include "server/query.h"
-#include "server/run_admitted.h"
+#include "server/render_answer.h"
 #include "server/scene_request.h"
 
 namespace raytracer {
-namespace {
-
-Rendering render_as(const float*, const PreparedScene& scene, const Limits& limits,
-                    WorkerPool& pool, RenderProgress& progress) {
-  return render(scene, limits, pool, progress);
-}
-ByteRendering render_as(const unsigned char*, const PreparedScene& scene, const Limits& limits,
-                        WorkerPool& pool, RenderProgress& progress) {
-  return render_bytes(scene, limits, pool, progress);
-}
-
-/// Here, or by all if there is a cluster and it takes long.
-template <typename Channel>
-FinishedImage make_image(Services& services, const Call& call, const SceneView& view,
-                         ImageFormat format, RenderProgress& progress) {
-  BasicRendering<Channel> rendering;
-  std::optional<TaskCut> cut;
-  const double queue_ms = run_admitted(services, progress, [&] {
-    const PreparedScene scene(view.scene, services.pool);
-    if (services.cluster) cut = services.cluster->choose_cut(scene, sizeof(Channel) == 1, progress);
-    if (cut) return true;
-    rendering = render_as(static_cast<const Channel*>(nullptr), scene, services.config.limits,
-                          services.pool, progress);
-    return rendering.stop != Stop::cancelled;
-  });
-  Sharing sharing;
-  if (cut) {
-    rendering =
-        services.cluster->render<Channel>(view, call.request.params, *cut, progress, sharing);
-    if (rendering.stop == Stop::cancelled) refuse_stopped(services);
-  }
-  services.metrics.rendered(rendering, view.picture_digest());
-  FinishedImage image = finish_image(rendering, queue_ms, format, services.pool, sharing);
-  services.metrics.took("encode", image.stages.encode_ms);
-  return image;
-}
-
-}  // namespace
 
 void post_or_get_render(Services& services, Call& call) {
   require_format(call.request);  // before anything is read
@@ -54,17 +13,7 @@ void post_or_get_render(Services& services, Call& call) {
   const ImageFormat format = require_format(call.request, channel_count(view.scene));
   const Representation wanted = represent(view.picture_digest(), format, services.renderer_id);
   if (answer_without_image(call, wanted)) return;
-
-  const bool is_of_floats = holds_floats(format) || needs_floats(view.scene);
-  const auto make = [&](RenderProgress& progress) {
-    return is_of_floats ? make_image<float>(services, call, view, format, progress)
-                        : make_image<unsigned char>(services, call, view, format, progress);
-  };
-  const bool from_cache = !forbids_cache(call.request);
-  const Delivery delivery =
-      services.image_cache.fetch(from_cache ? wanted.tag : std::nullopt, call.request, make);
-  if (delivery.cache == "shared") services.metrics.add("renders_shared_total");
-  answer_image(call, delivery, view.parse_ms, wanted);
+  answer_render(services, call, view, call.request.params, wanted);
 }
 
 }  // namespace raytracer

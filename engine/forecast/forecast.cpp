@@ -95,10 +95,11 @@ std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
 
 std::optional<Prediction> predict(const PreparedScene& prepared, const Limits& limits,
                                   const MachineCosts& costs, WorkerPool& pool,
-                                  const RenderProgress& progress) {
+                                  const RenderProgress& progress, double pass_limit_ms) {
   const Scene& scene = prepared.scene();
   const Plan& plan = prepared.plan();
-  const Rehearsal rehearsal = rehearse(scene, prepared.built().tracer, pool, progress);
+  const Rehearsal rehearsal =
+      rehearse(scene, prepared.built().tracer, pool, progress, pass_limit_ms);
   if (progress.stop) return {};
 
   const Camera& camera = scene.camera;

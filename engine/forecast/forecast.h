@@ -9,6 +9,7 @@
 
 #include <optional>
 
+#include "engine/errors/error_model.h"
 #include "engine/forecast/machine_costs.h"
 #include "engine/parallel/worker_pool.h"
 #include "engine/plan/plan.h"
@@ -26,10 +27,12 @@ struct Forecast {
 };
 
 /// Traces a part of what the render would trace, on the pool's threads. Nothing if `progress.stop`
-/// ended it. `limits` bounds the samples that a contract may spend.
+/// ended it. `limits` bounds the samples that a contract may spend; `pass_limit_ms` as for
+/// rehearse().
 std::optional<Prediction> predict(const PreparedScene& prepared, const Limits& limits,
                                   const MachineCosts& costs, WorkerPool& pool,
-                                  const RenderProgress& progress);
+                                  const RenderProgress& progress,
+                                  double pass_limit_ms = ForecastModel::pass_limit_ms);
 
 /// Alike, after it has built what the render would build.
 std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,

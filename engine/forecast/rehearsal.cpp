@@ -183,7 +183,7 @@ double Rehearsal::error_of(double samples) const {
 }
 
 Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
-                   const RenderProgress& progress) {
+                   const RenderProgress& progress, double pass_limit_ms) {
   const int side =
       std::min(Model::tile_side_px, interruptible_side_px(many_samples, scene.lights.size()));
   const std::vector<Tile> all = split_into_tiles(scene.camera.width, scene.camera.height, side);
@@ -194,11 +194,13 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
   const SamplePattern few = sample_pattern(few_samples);
   const SamplePattern many = sample_pattern(many_samples);
   Image image(scene.camera.width, scene.camera.height, channel_count(scene));
+  avoid_huge_pages(image.values);  // a few tiles are written: each would clear some megabytes
   const bool makes_bytes = !needs_floats(scene);
   ByteImage bytes;  // what most renders of fixed samples make
   Canvas timed = &image;
   if (makes_bytes) {
     bytes = ByteImage(scene.camera.width, scene.camera.height);
+    avoid_huge_pages(bytes.values);
     timed = &bytes;
   }
   std::vector<TileReport> reports(tiles.size());
@@ -216,7 +218,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
   pool.run(
       tiles.size(),
       [&](std::size_t i) {
-        if (i > 0 && timing.elapsed_ms() > Model::pass_limit_ms) return;
+        if (i > 0 && timing.elapsed_ms() > pass_limit_ms) return;
         const auto& [tile, before] = tiles[i];
         if (before) trace(one, *before, timed);
         touch(tile, timed);
@@ -228,7 +230,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
       tiles.size(),
       [&](std::size_t i) {
         TileReport& report = reports[i];
-        const bool is_late = i > 0 && comparing.elapsed_ms() > Model::pass_limit_ms;
+        const bool is_late = i > 0 && comparing.elapsed_ms() > pass_limit_ms;
         if (report.one_ms < 0 || is_late || progress.stop) return;
         const Tile& tile = tiles[i].tile;
         if (makes_bytes) trace(one, tile, &image);

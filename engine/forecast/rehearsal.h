@@ -40,9 +40,9 @@ struct Rehearsal {
   double error_of(double samples) const;
 };
 
-/// Takes some 50 ms at most, and at least one tile; ends soon after `progress.stop`, and then its
-/// figures mean nothing.
+/// Takes some `pass_limit_ms` for each of its two passes, and at least one tile; ends soon after
+/// `progress.stop`, and then its figures mean nothing.
 Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
-                   const RenderProgress& progress);
+                   const RenderProgress& progress, double pass_limit_ms);
 
 }  // namespace raytracer

@@ -35,6 +35,8 @@ HugePages::HugePages(void* memory, std::size_t bytes) : memory_(memory), bytes_(
 // Or the next who gets a few bytes of it takes a huge page.
 HugePages::~HugePages() { advise(memory_, bytes_, PageSize::small); }
 
+void avoid_huge_pages(void* memory, std::size_t bytes) { advise(memory, bytes, PageSize::small); }
+
 void* allocate_pages(std::size_t bytes) {
   // Not aligned_alloc: before glibc 2.38 it takes no freed memory but what is larger by the
   // alignment, so that a program that allocates the same again and again grows without end.

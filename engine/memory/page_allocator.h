@@ -57,8 +57,17 @@ struct PageAllocator {
   friend bool operator==(const PageAllocator&, const PageAllocator&) { return true; }
 };
 
+/// Small pages are to back what is first written of the memory, or all of it would be made to hold
+/// a little.
+void avoid_huge_pages(void* memory, std::size_t bytes);
+
 /// A vector that resize() grows by elements that are not set.
 template <typename T>
 using LargeArray = std::vector<T, PageAllocator<T>>;
+
+template <typename T>
+void avoid_huge_pages(LargeArray<T>& array) {
+  avoid_huge_pages(array.data(), array.size() * sizeof(T));
+}
 
 }  // namespace raytracer

@@ -29,5 +29,6 @@ PreparedScene::PreparedScene(PreparedScene&&) noexcept = default;
 const Scene& PreparedScene::scene() const { return built_->scene; }
 const Plan& PreparedScene::plan() const { return built_->plan; }
 double PreparedScene::build_ms() const { return built_->build_ms; }
+double PreparedScene::plan_ms() const { return built_->plan_ms; }
 
 }  // namespace raytracer

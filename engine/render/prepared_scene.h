@@ -22,6 +22,7 @@ class PreparedScene {
 
   const Scene& scene() const;
   const Plan& plan() const;
+  double plan_ms() const;  ///< that it took to pack and to plan
   double build_ms() const;
   /// What the engine's own stages work on.
   const BuiltScene& built() const { return *built_; }

@@ -87,6 +87,8 @@ std::optional<RegionRendering<Channel>> render_region(const PreparedScene& scene
   return part;
 }
 
+bool samples_tell_error(int samples) { return sample_pattern(samples).has_half_buffers(); }
+
 template <typename Channel>
 ImageOfRegions<Channel>::ImageOfRegions(int width_px, int height_px, int samples, int channels)
     : samples_(samples) {
@@ -94,8 +96,7 @@ ImageOfRegions<Channel>::ImageOfRegions(int width_px, int height_px, int samples
   std::fill(rendering_.image.values.begin(), rendering_.image.values.end(), Channel{0});
   rendering_.pixel_count = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
   rendering_.samples_per_pixel = samples;
-  if (sample_pattern(samples).has_half_buffers())
-    subtile_error2_ = SubtileErrors(width_px, height_px).all();
+  if (samples_tell_error(samples)) subtile_error2_ = SubtileErrors(width_px, height_px).all();
 }
 
 template <typename Channel>

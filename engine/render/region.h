@@ -39,6 +39,10 @@ std::optional<RegionRendering<Channel>> render_region(const PreparedScene& scene
                                                       const Tile& region, WorkerPool& pool,
                                                       RenderProgress& progress);
 
+/// Whether the error of an image with so many samples per pixel is told by these, and is the same
+/// however its pixels are stored.
+bool samples_tell_error(int samples);
+
 /// An image as its regions come in.
 template <typename Channel>
 class ImageOfRegions {

@@ -5,17 +5,16 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
-#include <thread>
 
 #include "server/cluster/answered.h"
-#include "server/cluster/collector.h"
+#include "server/cluster/shared_job.h"
 #include "server/problem.h"
 
 namespace raytracer {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Whether to share, and how to cut, needs no better forecast; workers wait for it.
+constexpr double rehearsal_pass_ms = 6;
 
 /// The host's name and what no other server there has; NATS's subjects have no dots within names.
 std::string unique_name() {
@@ -78,8 +77,8 @@ std::optional<TaskCut> Cluster::foresee(const PreparedScene& scene, bool is_8_bi
                                         const RenderProgress& progress) const {
   const double share_from_ms = parts_.config.cluster.share_from_ms;
   if (is_short(scene, share_from_ms, parts_.config.threads)) return {};
-  const std::optional<Prediction> prediction =
-      predict(scene, parts_.config.limits, parts_.machine_costs, parts_.pool, progress);
+  const std::optional<Prediction> prediction = predict(
+      scene, parts_.config.limits, parts_.machine_costs, parts_.pool, progress, rehearsal_pass_ms);
   if (!prediction || prediction->trace_ms < share_from_ms) return {};
   return cut_into_tasks(scene, *prediction, is_8_bit);
 }
@@ -107,7 +106,6 @@ BasicRendering<Channel> Cluster::render(const SceneView& view, const httplib::Pa
                                         Sharing& sharing) {
   constexpr std::chrono::milliseconds longest_silence{250};
   const auto waiter = parts_.admission.add_waiter();
-  const auto began = Clock::now();
   const JobRecord record = jobs_.begin_render(view, query, cut, sizeof(Channel) == 1);
   struct AtEnd {
     ClusterStore& store;
@@ -120,35 +118,18 @@ BasicRendering<Channel> Cluster::render(const SceneView& view, const httplib::Pa
     }
   } const at_end{store_, record.id};
 
-  Collector collector(store_);
-  std::uint64_t seen = 0;
-  const auto wait = [&] {
-    news_.wait(seen, longest_silence);
-    std::this_thread::sleep_for(Collector::least_period(record));  // more may come meanwhile
-  };
-  for (auto looked = began; true; wait()) {
+  SharedJob job(record, store_, news_);
+  for (JobState state = job.state(); !has_ended(state.status); state = job.state()) {
     if (progress.stop) {
       BasicRendering<Channel> stopped;
       stopped.stop = Stop::cancelled;
       return stopped;
     }
-    try {
-      collector.collect(record);
-      if (collector.is_complete(record)) break;
-      progress.fraction = collector.progress(record);
-      if (Clock::now() - looked < longest_silence) continue;
-      looked = Clock::now();
-      const auto stored = store_.job(record.id);
-      if (!stored) throw std::runtime_error("the render's record was removed");
-      if (stored->lacked_room)
-        refuse(503, stored->failure, {{"Retry-After", full_store_retry_after}});
-      if (!stored->failure.empty()) throw std::runtime_error(stored->failure);
-    } catch (const NatsUnavailable&) {  // NOLINT: it comes back
-    }
+    progress.fraction = state.progress;
+    job.wait_for_end(longest_silence);
   }
-  sharing = {record.task_count, collector.worker_count()};
-  BasicRendering<Channel> rendering = collector.take_rendering<Channel>();
-  rendering.trace_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+  auto rendering = std::get<BasicRendering<Channel>>(job.take_result());
+  sharing = job.sharing();
   return rendering;
 }
 template Rendering Cluster::render(const SceneView&, const httplib::Params&, const TaskCut&,
@@ -161,6 +142,16 @@ void Cluster::keep_scene(const std::string& id, std::string_view document) {
     const std::string digest = ClusterStore::digest_of(document);
     store_.put_document(digest, document);
     store_.keep_scene(id, digest);
+  });
+}
+
+JobScene Cluster::scene_of_job(const std::string& id) {
+  return answered([&]() -> JobScene {
+    const std::optional<JobRecord> record = store_.job(id);
+    if (!record) refuse_unknown_job(id);
+    JobScene scene{scenes_.view_of(*record), {record->query.begin(), record->query.end()}};
+    scene.view.document = std::make_shared<const std::string>(store_.document(record->document));
+    return scene;
   });
 }
 

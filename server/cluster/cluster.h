@@ -33,6 +33,12 @@ struct ClusterState {
   std::uint64_t redelivered = 0;  ///< ever
 };
 
+/// What a job is of.
+struct JobScene {
+  SceneView view;
+  httplib::Params query;
+};
+
 /// Every member function may be called from any thread.
 class Cluster {
  public:
@@ -67,6 +73,9 @@ class Cluster {
   template <typename Channel>
   BasicRendering<Channel> render(const SceneView& view, const httplib::Params& query,
                                  const TaskCut& cut, RenderProgress& progress, Sharing& sharing);
+
+  /// Throws HttpError 404, 503.
+  JobScene scene_of_job(const std::string& id);
 
   /// Keeps a posted scene for all fronts. Throws HttpError 503.
   void keep_scene(const std::string& id, std::string_view document);

@@ -8,8 +8,9 @@
 
 namespace raytracer {
 
-void Collector::collect(const JobRecord& record) {
-  if (record.task_count == 0 || is_complete(record)) return;
+bool Collector::collect(const JobRecord& record) {
+  if (record.task_count == 0 || is_complete(record)) return false;
+  const std::size_t before = done_.size();
   for (const int task : store_.results(record.id)) {
     if (done_.contains(task)) continue;
     std::optional<StoredMessage> message = store_.result(record.id, task);
@@ -18,6 +19,7 @@ void Collector::collect(const JobRecord& record) {
     done_.insert(task);
   }
   if (record.side_px == 0 && done_.empty()) whole_progress_ = store_.progress(record.id);
+  return done_.size() > before;
 }
 
 std::chrono::microseconds Collector::least_period(const JobRecord& record) {
@@ -27,7 +29,8 @@ std::chrono::microseconds Collector::least_period(const JobRecord& record) {
 }
 
 bool Collector::is_complete(const JobRecord& record) const {
-  return record.task_count > 0 && static_cast<int>(done_.size()) >= record.task_count;
+  return record.task_count > 0 && (std::holds_alternative<Rendering>(made_) ||
+                                   static_cast<int>(done_.size()) >= record.task_count);
 }
 
 double Collector::progress(const JobRecord& record) const {
@@ -37,6 +40,8 @@ double Collector::progress(const JobRecord& record) const {
 }
 
 void Collector::add(const JobRecord& record, StoredMessage message) {
+  // A front that was thought dead may have rendered the whole while others had it in regions.
+  if (std::holds_alternative<Rendering>(made_)) return;
   TaskResult result = read_result(message.data);
   workers_.insert(result.worker);
   last_ms_ = std::max(last_ms_, message.time_ms);
@@ -62,23 +67,31 @@ void Collector::add(const JobRecord& record, StoredMessage message) {
 }
 
 std::optional<Image> Collector::image_so_far() const {
-  if (const auto* const regions = std::get_if<ImageOfRegions<float>>(&made_))
-    return regions->so_far();
-  return {};
+  if (const auto* const floats = std::get_if<ImageOfRegions<float>>(&made_))
+    return floats->so_far();
+  const auto* const bytes = std::get_if<ImageOfRegions<unsigned char>>(&made_);
+  if (bytes == nullptr) return {};
+  const ByteImage& rounded = bytes->so_far();
+  Image image(rounded.width, rounded.height);
+  std::transform(rounded.values.begin(), rounded.values.end(), image.values.begin(),
+                 [](unsigned char value) { return static_cast<float>(value) / 255; });
+  return image;
 }
 
-template <typename Channel>
-BasicRendering<Channel> Collector::take_rendering() {
-  if constexpr (sizeof(Channel) == sizeof(float))
-    if (auto* const whole = std::get_if<Rendering>(&made_)) return std::move(*whole);
-  return std::get<ImageOfRegions<Channel>>(std::move(made_)).finish();
-}
-template Rendering Collector::take_rendering();
-template ByteRendering Collector::take_rendering();
-
-JobResult Collector::take_result() {
-  if (auto* const curve = std::get_if<CurveText>(&made_)) return std::move(*curve);
-  return take_rendering<float>();
+JobResult Collector::take_result(const JobRecord& record) {
+  const auto with_times = [&](auto rendering) {
+    rendering.plan_ms = record.plan_ms;
+    rendering.build_ms = record.build_ms;
+    rendering.trace_ms =
+        static_cast<double>(std::max(last_ms_ - record.stored_ms, std::int64_t{0}));
+    return JobResult(std::move(rendering));
+  };
+  if (auto* const floats = std::get_if<ImageOfRegions<float>>(&made_))
+    return with_times(std::move(*floats).finish());
+  if (auto* const bytes = std::get_if<ImageOfRegions<unsigned char>>(&made_))
+    return with_times(std::move(*bytes).finish());
+  if (auto* const whole = std::get_if<Rendering>(&made_)) return std::move(*whole);
+  return std::get<CurveText>(std::move(made_));
 }
 
 }  // namespace raytracer

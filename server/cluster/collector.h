@@ -21,8 +21,8 @@ class Collector {
   explicit Collector(ClusterStore& store) : store_(store) {}
 
   /// Fetches what is stored of the job that was not fetched before. Throws NatsUnavailable,
-  /// NatsRefused.
-  void collect(const JobRecord& record);
+  /// NatsRefused. Returns whether there was something.
+  bool collect(const JobRecord& record);
   /// How long to wait between two calls: to list many tasks takes NATS long.
   static std::chrono::microseconds least_period(const JobRecord& record);
   bool is_complete(const JobRecord& record) const;
@@ -32,12 +32,10 @@ class Collector {
   std::int64_t last_ms() const { return last_ms_; }
   std::size_t worker_count() const { return workers_.size(); }
 
-  /// The picture so far, of a render in floats.
+  /// The picture so far, of a render in regions.
   std::optional<Image> image_so_far() const;
   /// Of a complete job: what it came to. At most once.
-  template <typename Channel>
-  BasicRendering<Channel> take_rendering();
-  JobResult take_result();
+  JobResult take_result(const JobRecord& record);
 
  private:
   void add(const JobRecord& record, StoredMessage message);

@@ -24,7 +24,9 @@ bool is_short(const PreparedScene& scene, double ms, std::size_t thread_count) {
 }
 
 TaskCut cut_into_tasks(const PreparedScene& scene, const Prediction& prediction, bool is_8_bit) {
-  TaskCut cut{.predicted_ms = prediction.trace_ms};
+  TaskCut cut{.predicted_ms = prediction.trace_ms,
+              .plan_ms = scene.plan_ms(),
+              .build_ms = scene.build_ms()};
   const Camera& camera = scene.scene().camera;
   if (scene.plan().sampling.value == Sampling::contract) return cut;
   const double pixels = static_cast<double>(camera.width) * camera.height;

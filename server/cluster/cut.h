@@ -7,7 +7,9 @@ namespace raytracer {
 
 struct TaskCut {
   double predicted_ms = 0;  ///< of tracing, here
-  int side_px = 0;          ///< of its regions; 0: one task makes the whole
+  double plan_ms = 0;       ///< that were spent here
+  double build_ms = 0;
+  int side_px = 0;  ///< of its regions; 0: one task makes the whole
   int task_count = 1;
 };
 

@@ -19,10 +19,12 @@ struct JobRecord {
   std::string renderer{};                      ///< who may trace it: see renderer_id_of()
   std::string front{};                         ///< the name of who accepted it
   bool has_client = false;                     ///< somebody waits at that front: it ends with it
-  bool is_8_bit = false;                       ///< of its regions' channels; else floats
+  bool is_8_bit = false;                       ///< its regions' channels are; else floats
   std::optional<std::string> picture_digest{};
   double parse_ms = 0;
   double predicted_ms = 0;  ///< that it traces for, on the front that cut it
+  double plan_ms = 0;       ///< that it took to plan there
+  double build_ms = 0;      ///< and to build its structures
   int width = 0;
   int height = 0;
   int channels = 3;
@@ -33,6 +35,7 @@ struct JobRecord {
   std::string failure{};         ///< why it failed, if it did
   bool lacked_room = false;      ///< it failed because the store was full
   std::uint64_t sequence = 0;    ///< of what is stored; 0: nothing yet
+  std::int64_t stored_ms = 0;    ///< when it was, since 1970, of one that was read
 };
 
 std::string to_text(const JobRecord& record);

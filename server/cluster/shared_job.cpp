@@ -3,15 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <thread>
+#include <utility>
 
 #include "server/cluster/answered.h"
 #include "server/cluster/members.h"
+#include "server/problem.h"
 
 namespace raytracer {
 namespace {
 
 /// So that whoever asks often does not ask NATS as often.
-constexpr std::chrono::milliseconds between_looks{50};
+constexpr std::chrono::milliseconds between_looks{10};
 constexpr std::chrono::seconds between_roll_calls{1};
 
 }  // namespace
@@ -29,10 +33,12 @@ SharedJob::SharedJob(const JobRecord& record, ClusterStore& store, News& news)
       record_(record),
       collector_(store) {}
 
+SharedJob::Clock::time_point SharedJob::due() const {
+  return looked_ + std::max<Clock::duration>(between_looks, Collector::least_period(record_));
+}
+
 void SharedJob::look() const {
-  if (Clock::now() - looked_ <
-      std::max<Clock::duration>(between_looks, Collector::least_period(record_)))
-    return;
+  if (Clock::now() < due()) return;
   try {
     look_now();
   } catch (const NatsUnavailable&) {  // NOLINT: what was known last is said
@@ -40,16 +46,19 @@ void SharedJob::look() const {
 }
 
 void SharedJob::look_now() const {
-  if (result_ || is_removed_) return;
+  if (has_ended(status())) return;
   std::optional<JobRecord> record = store_.job(request.id);
   if (!record) {
-    is_removed_ = true;
+    removed_ms_ = now_ms();
     return;
   }
   record_ = *std::move(record);
-  collector_.collect(record_);
+  if (collector_.collect(record_)) {
+    has_workers_ = true;
+    looked_for_workers_ = Clock::now();
+  }
   if (collector_.is_complete(record_))
-    result_ = collector_.take_result();
+    result_ = collector_.take_result(record_);
   else
     look_for_workers();
   looked_ = Clock::now();
@@ -68,14 +77,14 @@ void SharedJob::look_for_workers() const {
 
 JobStatus SharedJob::status() const {
   if (result_) return JobStatus::done;
-  if (is_removed_) return JobStatus::cancelled;
+  if (removed_ms_ > 0) return JobStatus::cancelled;
   if (!record_.failure.empty()) return JobStatus::failed;
   return collector_.progress(record_) > 0 || record_.task_count > 0 ? JobStatus::running
                                                                     : JobStatus::queued;
 }
 
 std::string SharedJob::detail() const {
-  if (is_removed_) return "deleted";
+  if (removed_ms_ > 0) return "deleted";
   if (!record_.failure.empty()) return record_.failure;
   if (result_ || has_workers_) return "";
   return fmt::format("It waits for a worker: none of its build ({}) has been heard of",
@@ -85,9 +94,12 @@ std::string SharedJob::detail() const {
 JobState SharedJob::state() const {
   const std::scoped_lock lock(mutex_);
   look();
-  const std::int64_t until =
-      result_ ? std::max(collector_.last_ms(), record_.accepted_ms) : now_ms();
-  return {.status = status(),
+  const JobStatus now = status();
+  const std::int64_t until = now == JobStatus::done        ? collector_.last_ms()
+                             : now == JobStatus::failed    ? record_.stored_ms
+                             : now == JobStatus::cancelled ? removed_ms_
+                                                           : now_ms();
+  return {.status = now,
           .progress = result_ ? 1 : collector_.progress(record_),
           .elapsed_ms = static_cast<double>(std::max(until - record_.accepted_ms, std::int64_t{0})),
           .detail = detail()};
@@ -100,9 +112,23 @@ void SharedJob::wait_for_end(std::chrono::milliseconds longest) const {
     if (has_ended(status())) return;
     seen = seen_;
   }
+  const auto end = Clock::now() + longest;
   news_.wait(seen, longest);
+  Clock::time_point next_look;
+  {
+    const std::scoped_lock lock(mutex_);
+    seen_ = seen;
+    next_look = due();
+  }
+  std::this_thread::sleep_until(std::min(next_look, end));  // more may come meanwhile
+}
+
+JobResult SharedJob::take_result() {
   const std::scoped_lock lock(mutex_);
-  seen_ = seen;
+  if (removed_ms_ > 0) throw std::runtime_error("the render's record was removed");
+  if (record_.lacked_room) refuse(503, record_.failure, {{"Retry-After", full_store_retry_after}});
+  if (!record_.failure.empty()) throw std::runtime_error(record_.failure);
+  return std::exchange(result_, JobResult()).value();
 }
 
 const JobResult* SharedJob::result() const {

@@ -32,11 +32,16 @@ class SharedJob : public Job {
   std::optional<Image> image_so_far() const override;
   Sharing sharing() const override;
 
+  /// Once it has failed or was removed: throws what a client that waited for it is told, HttpError
+  /// 503 or std::runtime_error. Once it is done: moves its result out, and then it has none.
+  JobResult take_result();
+
  private:
   using Clock = std::chrono::steady_clock;
 
   // With the mutex held.
-  void look() const;      ///< unless that was a moment ago
+  void look() const;  ///< unless that was a moment ago
+  Clock::time_point due() const;
   void look_now() const;  ///< throws as ClusterStore does
   void look_for_workers() const;
   JobStatus status() const;
@@ -48,8 +53,8 @@ class SharedJob : public Job {
   mutable Clock::time_point looked_{};
   mutable Clock::time_point looked_for_workers_{};
   mutable JobRecord record_;
-  mutable bool is_removed_ = false;
-  mutable bool has_workers_ = true;  ///< who could take its tasks
+  mutable std::int64_t removed_ms_ = 0;  ///< 0: it was not
+  mutable bool has_workers_ = true;      ///< who could take its tasks
   mutable Collector collector_;
   mutable std::optional<JobResult> result_;
   mutable std::uint64_t seen_ = 0;

@@ -23,9 +23,25 @@ constexpr milliseconds between_rounds{500};
 
 /// What it takes to watch a job: its picture.
 std::size_t bytes_of(const JobRecord& record) {
-  return sizeof(SharedJob) + sizeof(float) * static_cast<std::size_t>(record.channels) *
+  const std::size_t value_bytes = record.is_8_bit ? sizeof(unsigned char) : sizeof(float);
+  return sizeof(SharedJob) + value_bytes * static_cast<std::size_t>(record.channels) *
                                  static_cast<std::size_t>(record.width) *
                                  static_cast<std::size_t>(record.height);
+}
+
+/// Whether the picture in 8 bits says the same of its error as one in floats: by its samples, not
+/// by its pixels.
+bool tells_error_in_8_bit(const SceneView& view) {
+  return !needs_floats(view.scene) && samples_tell_error(view.scene.render.samples.value_or(1));
+}
+
+/// Notes in the job how it is cut.
+void note_cut(JobRecord& record, const TaskCut& cut) {
+  record.predicted_ms = cut.predicted_ms;
+  record.plan_ms = cut.plan_ms;
+  record.build_ms = cut.build_ms;
+  record.side_px = cut.side_px;
+  record.task_count = cut.task_count;
 }
 
 }  // namespace
@@ -89,11 +105,12 @@ JobRecord SharedJobs::new_record(JobTask task, const SceneView& view,
 }
 
 std::shared_ptr<const Job> SharedJobs::accept(JobTask task, SceneView view,
-                                              const httplib::Params& query) {
+                                              const httplib::Params& query, bool as_floats) {
   return answered([&] {
     const auto own = std::make_shared<Own>(parts_.admission);
     require_room();
     JobRecord record = new_record(task, view, query);
+    record.is_8_bit = task == JobTask::render && !as_floats && tells_error_in_8_bit(view);
     {
       const std::scoped_lock lock(mutex_);
       own_.emplace(record.id, own);
@@ -121,17 +138,15 @@ JobRecord SharedJobs::begin_render(const SceneView& view, const httplib::Params&
     JobRecord record = new_record(JobTask::render, view, query);
     record.has_client = true;
     record.is_8_bit = is_8_bit;
-    record.predicted_ms = cut.predicted_ms;
-    record.side_px = cut.side_px;
-    record.task_count = cut.task_count;
+    note_cut(record, cut);
     parts_.store.put_job(record);
-    queue_all(record, cut);
+    queue_all(record);
     return record;
   });
 }
 
-void SharedJobs::queue_all(JobRecord record, const TaskCut& cut) {
-  std::vector<int> tasks(static_cast<std::size_t>(cut.task_count));
+void SharedJobs::queue_all(const JobRecord& record) {
+  std::vector<int> tasks(static_cast<std::size_t>(record.task_count));
   std::iota(tasks.begin(), tasks.end(), 0);
   parts_.store.queue_tasks(record, tasks);
 }
@@ -189,10 +204,8 @@ void SharedJobs::cut_or_render(JobRecord record, SceneView view, Own& own) {
         record.task_count = 1;
       } else {
         const PreparedScene scene(view.scene, parts_.pool);
-        if (const auto cut = parts_.choose_cut(scene, false, own.progress)) {
-          record.predicted_ms = cut->predicted_ms;
-          record.side_px = cut->side_px;
-          record.task_count = cut->task_count;
+        if (const auto cut = parts_.choose_cut(scene, record.is_8_bit, own.progress)) {
+          note_cut(record, *cut);
         } else if (!own.progress.stop) {
           render_here(record, scene, own);
         }
@@ -201,7 +214,7 @@ void SharedJobs::cut_or_render(JobRecord record, SceneView view, Own& own) {
       if (is_to_be_queued && persist([&] { return parts_.store.put_job(record); }))
         persist([&] {
           if (!parts_.store.results(record.id).empty()) return true;  // it was rendered here
-          queue_all(record, {.task_count = record.task_count});
+          queue_all(record);
           return true;
         });
     }
@@ -250,7 +263,9 @@ void SharedJobs::take_over(JobRecord record) {
   threads_.enqueue([this, record, own]() mutable {
     try {
       record.front = parts_.self.name;
-      if (persist([&] { return parts_.store.put_job(record); })) {
+      // Who had it may have rendered it, and died before it could say so.
+      if (parts_.store.has_result(record.id, 0)) record.task_count = 1;
+      if (persist([&] { return parts_.store.put_job(record); }) && record.task_count == 0) {
         SceneView view = parts_.scenes.view_of(record);
         cut_or_render(std::move(record), std::move(view), *own);
         return;

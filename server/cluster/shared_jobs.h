@@ -61,8 +61,8 @@ class SharedJobs : public Jobs {
   SharedJobs(const SharedJobs&) = delete;
   SharedJobs& operator=(const SharedJobs&) = delete;
 
-  std::shared_ptr<const Job> accept(JobTask task, SceneView view,
-                                    const httplib::Params& query) override;
+  std::shared_ptr<const Job> accept(JobTask task, SceneView view, const httplib::Params& query,
+                                    bool as_floats) override;
   std::shared_ptr<const Job> at(const std::string& id) override;
   void remove(const std::string& id) override;
   bool await_fetch(std::chrono::seconds) const override { return false; }
@@ -78,7 +78,7 @@ class SharedJobs : public Jobs {
 
   void require_room();
   JobRecord new_record(JobTask task, const SceneView& view, const httplib::Params& query);
-  void queue_all(JobRecord record, const TaskCut& cut);
+  void queue_all(const JobRecord& record);
   void cut_or_render(JobRecord record, SceneView view, Own& own);
   void render_here(JobRecord& record, const PreparedScene& scene, Own& own);
   /// Calls step() until NATS has done it, or this front ends; false then, or if it says false.

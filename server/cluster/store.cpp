@@ -160,6 +160,7 @@ std::optional<JobRecord> ClusterStore::job(const std::string& id) {
   if (!found) return {};
   JobRecord record = read_record(found->data);
   record.sequence = found->sequence;
+  record.stored_ms = found->time_ms;
   return record;
 }
 
@@ -235,6 +236,11 @@ bool ClusterStore::put_result(const std::string& id, int task, std::string_view 
   }
   nats_.signal(news_of_results, id);
   return is_first;
+}
+
+bool ClusterStore::has_result(const std::string& id, int task) {
+  return !nats_.subjects("raytracer_results", fmt::format("raytracer.result.of.{}.{}", id, task))
+              .empty();
 }
 
 std::set<int> ClusterStore::results(const std::string& id) {

@@ -106,6 +106,7 @@ class ClusterStore {
   /// "raytracer.task.ID.7" as the id and 7.
   static std::pair<std::string, int> task_of(const std::string& subject);
 
+  bool has_result(const std::string& id, int task);
   /// Stores it and tells those who wait; false if there is one.
   bool put_result(const std::string& id, int task, std::string_view bytes);
   std::set<int> results(const std::string& id);

@@ -20,8 +20,9 @@ using std::chrono::seconds;
 constexpr milliseconds between_searches{250};  // for tasks that come again
 constexpr milliseconds to_answer{100};
 constexpr milliseconds before_another_try{500};
-constexpr milliseconds to_fetch_scene{500};  // that others have: a task or two
-constexpr seconds longest_standstill{30};    // of a task that is still said to be in progress
+constexpr milliseconds before_asking_again{250};  // NATS, while it is away
+constexpr milliseconds to_fetch_scene{500};       // that others have: a task or two
+constexpr seconds longest_standstill{30};         // of a task that is still said to be in progress
 constexpr std::size_t most_failures = 3;
 /// Workers that a task may outlive: to die beside a task is not to die of it.
 constexpr std::size_t most_losses = 5;
@@ -164,7 +165,8 @@ void TaskRunner::work_on(TaskMessage message) {
         if (running->progress.stop) {
           running->is_removed ? settle(acknowledge) : hand_back(task, *running, milliseconds(0));
         } else {
-          store_.put_result(id, task, to_bytes(result));
+          const std::string bytes = to_bytes(result);
+          if (!persist([&] { store_.put_result(id, task, bytes); })) throw NatsUnavailable("ended");
           settle(acknowledge);
           ++tasks_done_;
           metrics_.add("cluster_tasks_total");
@@ -178,6 +180,9 @@ void TaskRunner::work_on(TaskMessage message) {
         give_up(*record, task, *running, error.what());
       }
     }
+  } catch (const NatsUnavailable& error) {
+    log_.note(fmt::format("job {} task {} was left: {}", id, task, error.what()));
+    persist([&] { hand_back(task, *running, milliseconds(0)); });  // it is not lost with its worker
   } catch (const std::exception& error) {
     // It comes again when its time is over.
     log_.note(fmt::format("job {} task {} was left: {}", id, task, error.what()));
@@ -195,6 +200,10 @@ bool TaskRunner::is_to_be_tried(const JobRecord& record, int task, Running& runn
     return true;
   }
   store_.note_redelivery(record.id, task);
+  if (store_.has_result(record.id, task)) {
+    running.message.acknowledge();  // who had it was only late
+    return false;
+  }
   const std::vector<TaskFailure> failures = store_.failures(record.id, task);
   const std::size_t told = failures.size() + store_.hand_backs(record.id, task);
   if (before >= told + most_losses) {
@@ -224,6 +233,19 @@ void TaskRunner::hand_back(int task, Running& running, milliseconds delay) {
   store_.note_hand_back(running.job, task, running.message.deliveries());
   const std::scoped_lock lock(running.mutex);
   running.message.hand_back(delay);
+}
+
+bool TaskRunner::persist(const std::function<void()>& step) {
+  while (true) {
+    try {
+      step();
+      return true;
+    } catch (const NatsUnavailable&) {  // NOLINT: it comes back
+    }
+    std::unique_lock lock(mutex_);
+    if (changed_.wait_for(lock, before_asking_again, [this] { return is_handing_back_.load(); }))
+      return false;
+  }
 }
 
 TaskResult TaskRunner::make(const JobRecord& record, int task, Running& running) {

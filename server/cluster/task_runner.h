@@ -10,6 +10,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -75,6 +76,8 @@ class TaskRunner {
   TaskResult make(const JobRecord& record, int task, Running& running);
   /// Leaves it to others, at no fault of the task.
   void hand_back(int task, Running& running, std::chrono::milliseconds delay);
+  /// Calls step() until NATS has done it; false if this worker ends first.
+  bool persist(const std::function<void()>& step);
   void give_up(const JobRecord& record, int task, Running& running, const std::string& reason);
   void say_in_progress();
   void stop(const std::string& job);

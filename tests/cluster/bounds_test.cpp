@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -112,6 +114,31 @@ TEST_F(ClusterBounds, scene_reaches_each_worker_once) {
   }));
   EXPECT_EQ(fetched(one), scene.size());
   EXPECT_EQ(fetched(other), scene.size());
+}
+
+TEST_F(ClusterBounds, scene_of_20_mb_takes_its_way_once_for_each_worker) {
+  const ServerProcess& front = start_front();
+  std::string scene = R"({"camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.5,
+    "width": 64, "height": 64}, "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1})";
+  for (int i = 0; scene.size() < 20'000'000; ++i)
+    scene += fmt::format(
+        R"(,{{"type": "sphere", "center": [{}, 900.125, -90.25], "radius": 0.25}})", i - 140'000);
+  scene += "]}";
+  ASSERT_TRUE(eventually([&] { return cluster_of(front).is_object(); }));
+  const std::uint64_t before = nats().sent_bytes();
+  // One after another: else who has it takes all that there is to do.
+  for (int i = 0; i < 3; ++i) {
+    const ServerProcess& worker = start_worker();
+    const std::string job = post_job(front, fmt::format("?max_depth={}", i), scene);
+    EXPECT_NE(get(front, job + "/events").body.find("event: done"), std::string::npos);
+    EXPECT_EQ(metric_of(worker, "raytracer_cluster_scene_bytes_total"), scene.size());
+    worker.signal(SIGSTOP);
+  }
+  const double sent = static_cast<double>(nats().sent_bytes() - before);
+  const double size = static_cast<double>(scene.size());
+  EXPECT_GE(sent, 3 * size);
+  EXPECT_LE(sent, 3.1 * size);
+  std::cout << fmt::format("{:.0f} bytes of scene, {:.3f} times as many sent\n", size, sent / size);
 }
 
 }  // namespace

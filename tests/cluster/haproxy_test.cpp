@@ -206,7 +206,7 @@ TEST_F(Haproxy, scene_that_everybody_wants_is_shared_among_fronts) {
     clients.emplace_back([&, i] {
       httplib::Client http = client();
       // By time, so that all are under way together; each another picture.
-      const std::string target = fmt::format("/render?scene=demo&width={}&budget_ms=500", 640 + i);
+      const std::string target = fmt::format("/render?scene=demo&width={}&budget_ms=1500", 640 + i);
       const std::string front = front_of(http.Get(target));
       const std::scoped_lock lock(mutex);
       fronts.insert(front);

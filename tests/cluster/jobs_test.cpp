@@ -64,6 +64,50 @@ TEST_F(ClusterJobs, no_front_says_less_than_another_did) {
   }
 }
 
+/// Milliseconds of a stage.
+double stage(const Answer& answer, const std::string& name) {
+  const std::string timing = answer.get_header_value("Server-Timing");
+  const std::size_t at = timing.find(name + ";dur=");
+  return at == std::string::npos ? -1 : std::stod(timing.substr(at + name.size() + 5));
+}
+
+TEST_F(ClusterJobs, answer_says_how_long_each_stage_took) {
+  const ServerProcess& front = start_front();
+  start_worker();
+  ASSERT_TRUE(has_workers(front, 1));
+  const std::string query = "?scene=square-500&samples=16&width=320&height=180";
+  const std::string job = post_job(front, query);
+  ASSERT_TRUE(ends_done(front, job));
+  for (const Answer& answer : {get(front, job + "/image"), get(front, "/render" + query)}) {
+    ASSERT_EQ(answer.status, 200) << answer.body;
+    EXPECT_TRUE(answer.has_header("Render-Tasks"));
+    for (const char* const name : {"plan", "build", "trace"})
+      EXPECT_GT(stage(answer, name), 0) << answer.get_header_value("Server-Timing");
+  }
+}
+
+TEST_F(ClusterJobs, floats_are_to_be_had_announced_or_not) {
+  const ServerProcess& front = start_front();
+  const ServerProcess& worker = start_worker();
+  ASSERT_TRUE(has_workers(front, 1));
+  const auto task_total = [&] { return metric_of(worker, "raytracer_cluster_tasks_total"); };
+  const std::string query = "?scene=glints&samples=4&width=150&height=101";
+  const Headers floats{{"Accept", std::string(pfm_type)}};
+  Stored stored(nats().url());
+  for (const bool is_announced : {false, true}) {
+    const Answer accepted = post(front, "/jobs" + query, "", is_announced ? floats : Headers{});
+    ASSERT_EQ(accepted.status, 202) << accepted.body;
+    const std::string job = accepted.get_header_value("Location");
+    ASSERT_TRUE(ends_done(front, job));
+    EXPECT_EQ(stored.store.job(job.substr(6))->is_8_bit, !is_announced);
+    const double tasks = task_total();
+    EXPECT_TRUE(get(front, job + "/image").body == alone("/render" + query));
+    EXPECT_TRUE(get(front, job + "/image", floats).body == alone("/render" + query, "", pfm_type));
+    EXPECT_EQ(task_total() == tasks, is_announced) << "it was rendered again";
+    EXPECT_EQ(request(front, "DELETE", job).status, 204);
+  }
+}
+
 TEST_F(ClusterJobs, curve_is_measured_by_a_worker) {
   const ServerProcess& one = start_front();
   const ServerProcess& other = start_front();

@@ -3,8 +3,10 @@
 
 #include <chrono>
 #include <string>
+#include <thread>
 
 #include "tests/cluster/cluster_test.h"
+#include "tests/cluster/stored.h"
 #include "tests/service/documents.h"
 
 namespace raytracer::test {
@@ -67,6 +69,26 @@ TEST_F(NatsAway, at_the_start_it_need_not_be_there) {
   nats().start();
   EXPECT_TRUE(has_workers(front, 1));
   EXPECT_TRUE(ends_done(front, post_job(front, "", small_scene)));
+}
+
+TEST_F(NatsAway, task_that_ends_meanwhile_is_kept_and_is_not_a_loss) {
+  const ServerProcess& front = start_front();
+  const ServerProcess& worker = start_worker();
+  ASSERT_TRUE(has_workers(front, 1));
+  Stored stored(nats().url());
+  const std::string scene = long_scene(100);
+  JobRecord record = stored.new_job("one", stored.renderer(), scene, 350, 352, 1);
+  record.samples = 400;  // as the scene has them
+  stored.queue(record);
+  ASSERT_TRUE(eventually([&] { return cluster_of(front).at("tasks").at("running") == 1; }));
+  nats().kill();
+  // Where the machine is so slow that it is traced longer, nothing is shown.
+  std::this_thread::sleep_for(4s);
+  nats().start();
+  ASSERT_TRUE(ends_done(front, "/jobs/one"));
+  EXPECT_TRUE(get(front, "/jobs/one/image").body == alone("/render", scene));
+  EXPECT_EQ(worker.log().find("was left"), std::string::npos) << worker.log();
+  EXPECT_EQ(metric_of(worker, "raytracer_cluster_tasks_total"), 1);
 }
 
 TEST_F(NatsAway, client_that_waits_for_a_shared_render_gets_it) {

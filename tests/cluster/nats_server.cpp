@@ -1,6 +1,7 @@
 #include "tests/cluster/nats_server.h"
 
 #include <fmt/format.h>
+#include <httplib.h>
 #include <unistd.h>
 
 #include <array>
@@ -24,8 +25,19 @@ std::filesystem::path NatsServer::program() {
   return {};
 }
 
-NatsServer::NatsServer() : port_(free_port()), url_(fmt::format("nats://127.0.0.1:{}", port_)) {
+NatsServer::NatsServer()
+    : port_(free_port()),
+      monitor_port_(free_port()),
+      url_(fmt::format("nats://127.0.0.1:{}", port_)) {
   start();
+}
+
+std::uint64_t NatsServer::sent_bytes() const {
+  const auto answer = httplib::Client("127.0.0.1", monitor_port_).Get("/varz");
+  const std::string name = "\"out_bytes\":";
+  const std::size_t at = answer ? answer->body.find(name) : std::string::npos;
+  if (at == std::string::npos) throw std::runtime_error("nats-server does not say what it sent");
+  return std::stoull(answer->body.substr(at + name.size()));
 }
 
 void NatsServer::kill() {
@@ -35,9 +47,10 @@ void NatsServer::kill() {
 }
 
 void NatsServer::start() {
-  process_.emplace(Command{program(),
-                           {"--addr", "127.0.0.1", "--port", std::to_string(port_), "--jetstream",
-                            "--store_dir", store_.path().string()}});
+  process_.emplace(
+      Command{program(),
+              {"--addr", "127.0.0.1", "--port", std::to_string(port_), "--jetstream", "--store_dir",
+               store_.path().string(), "--http_port", std::to_string(monitor_port_)}});
   const bool is_ready = eventually([&] {
     return process_->err().find("Server is ready") != std::string::npos ||
            process_->wait({}).has_value();

@@ -1,6 +1,7 @@
 // A nats-server of a test's own, on a port that is free, with its store in a temporary folder.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,6 +21,9 @@ class NatsServer {
 
   const std::string& url() const { return url_; }
 
+  /// The bytes of all messages that it has sent so far, by its own count.
+  std::uint64_t sent_bytes() const;
+
   void signal(int number) const { process_->signal(number); }
   /// Ends it at once, as a crash would.
   void kill();
@@ -29,6 +33,7 @@ class NatsServer {
  private:
   TemporaryFolder store_;
   int port_;
+  int monitor_port_;
   std::string url_;
   std::optional<Process> process_;
 };

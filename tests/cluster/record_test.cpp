@@ -23,6 +23,8 @@ JobRecord full_record() {
           .picture_digest = "0123",
           .parse_ms = 0.1,
           .predicted_ms = 1e300,
+          .plan_ms = 0.25,
+          .build_ms = 1.5,
           .width = 640,
           .height = 480,
           .channels = 4,
@@ -48,6 +50,8 @@ TEST(JobRecords, are_read_as_they_were_written) {
   EXPECT_EQ(read.picture_digest, record.picture_digest);
   EXPECT_EQ(read.parse_ms, record.parse_ms);
   EXPECT_EQ(read.predicted_ms, record.predicted_ms);
+  EXPECT_EQ(read.plan_ms, record.plan_ms);
+  EXPECT_EQ(read.build_ms, record.build_ms);
   EXPECT_EQ(read.width, record.width);
   EXPECT_EQ(read.height, record.height);
   EXPECT_EQ(read.channels, record.channels);

@@ -34,15 +34,15 @@ TEST_F(ClusterStoreTest, scene_that_lost_some_chunks_is_stored_again) {
 
 TEST_F(ClusterStoreTest, scene_that_is_used_again_is_kept_as_long_as_its_last_job) {
   StoreLimits limits;
-  limits.longest_kept = 2s;
+  limits.longest_kept = 4s;
   Stored stored(nats().url(), limits);
   stored.store.ensure_streams();
   const std::string text = "a scene";
   const std::string digest = ClusterStore::digest_of(text);
   stored.store.put_document(digest, text);
-  std::this_thread::sleep_for(1400ms);
+  std::this_thread::sleep_for(2600ms);
   stored.store.put_document(digest, text);
-  std::this_thread::sleep_for(1000ms);
+  std::this_thread::sleep_for(2000ms);
   EXPECT_EQ(stored.store.document(digest), text);
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <string>
+#include <thread>
 
 #include "tests/cluster/cluster_test.h"
 #include "tests/cluster/stored.h"
@@ -70,6 +71,10 @@ TEST_F(Tasks, one_that_fails_three_times_on_two_workers_fails_its_job) {
   EXPECT_GE(at_other, 1);
   EXPECT_EQ(at_one + at_other, 3);
   expect_problem(get(front, "/jobs/poisoned/image"), 409, "failed 3 times");
+  const auto elapsed_ms = [&] { return json_of(get(front, "/jobs/poisoned")).at("elapsed_ms"); };
+  const nlohmann::json ended = elapsed_ms();
+  std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(elapsed_ms(), ended) << "it goes on rising";
   EXPECT_NE(get(front, "/jobs/poisoned/events").body.find("event: failed\n"), std::string::npos);
 }
 
@@ -95,11 +100,14 @@ TEST_F(Tasks, one_that_failed_at_one_worker_waits_for_another_that_is_busy) {
   const ServerProcess& other = start_worker();
   ASSERT_TRUE(has_workers(front, 2));
   Stored stored(nats().url());
-  // Two tasks of seconds each keep the other busy, once the first does not take them.
+  // Two tasks of eight seconds each, whatever the machine, keep the other busy, once the first does
+  // not take them.
   one.signal(SIGSTOP);
-  const std::string busy = long_scene(1200);
-  for (const char* const id : {"busy1", "busy2"})
-    stored.queue(stored.new_job(id, stored.renderer(), busy, 350, 352, 1));
+  for (const char* const id : {"busy1", "busy2"}) {
+    JobRecord busy = stored.new_job(id, stored.renderer(), endless_scene(), 350, 0, 1);
+    busy.query = {{"budget_ms", "8000"}};
+    stored.queue(busy);
+  }
   EXPECT_TRUE(eventually([&] { return cluster_of(front).at("tasks").at("running") == 2; }));
   one.signal(SIGCONT);
   stored.queue(stored.new_job("picky", stored.renderer(), scene, 16, 16, 1));

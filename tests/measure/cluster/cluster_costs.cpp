@@ -1,33 +1,31 @@
-// What a shared job costs, measured here: how long the tasks of a real job trace, and how much of
-// its time a NATS server of the program's own takes for each task. For
-// raytracer_cluster_simulation.
+// What a shared job costs, measured here: how long the tasks of a real job trace, how much of its
+// time a NATS server of the program's own takes for each task, and what a task costs a worker and a
+// front beside its tracing. For raytracer_cluster_simulation.
 //
-// The clock of the tasks is this machine's; of NATS the processor's time counts, so that others who
-// run here disturb it little.
+// The clock of the tasks is this machine's; of all else the processor's time counts, so that others
+// who run here disturb it little.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <string>
 #include <vector>
 
 #include "engine/measure/stopwatch.h"
 #include "server/cluster/cut.h"
 #include "server/cluster/store.h"
+#include "tests/measure/cluster/empty_tasks.h"
+#include "tests/measure/cluster/nats.h"
 #include "tests/measure/scenes/named_scene.h"
 #include "tests/process/patience.h"
-#include "tests/process/program.h"
-#include "tests/process/temporary_folder.h"
 
 namespace {
 
 using namespace raytracer;
+using measure::Nats;
 
 struct Options {
   std::string scene = "square-500";
@@ -55,7 +53,7 @@ RealJob trace(const Options& options) {
   const PreparedScene prepared(scene, pool);
   RenderProgress progress;
   const auto prediction = predict(prepared, Limits{}, measure_machine_costs(pool), pool, progress);
-  const Cut cut = cut_into_tasks(prepared, prediction.value(), false);
+  const TaskCut cut = cut_into_tasks(prepared, prediction.value(), false);
   RealJob job;
   for (const Tile& region : regions_of(options.width, options.height, cut.side_px)) {
     const Stopwatch stopwatch;
@@ -67,43 +65,6 @@ RealJob trace(const Options& options) {
   job.result_bytes /= job.task_ms.size();
   return job;
 }
-
-/// A NATS server on a port and in a folder of its own.
-class Nats {
- public:
-  Nats()
-      : process_({"nats-server",
-                  {"-js", "-sd", folder_.path().string(), "-a", "127.0.0.1", "-p", "-1"}}) {
-    static const std::regex greeting(R"(client connections on 127.0.0.1:(\d+))");
-    test::eventually([this] {
-      std::smatch match;
-      const std::string said = process_.err();
-      if (std::regex_search(said, match, greeting)) url_ = "nats://127.0.0.1:" + match.str(1);
-      return !url_.empty() || process_.wait({}).has_value();
-    });
-    if (url_.empty())
-      throw std::runtime_error("nats-server does not start (.ci/install cluster): " +
-                               process_.err());
-  }
-  const std::string& url() const { return url_; }
-
-  /// Of the processor, so far.
-  double cpu_ms() const {
-    std::ifstream file(fmt::format("/proc/{}/stat", process_.id()));
-    std::string text((std::istreambuf_iterator<char>(file)), {});
-    std::istringstream fields(text.substr(text.rfind(')') + 1));
-    std::string skipped;
-    for (int i = 0; i < 11; ++i) fields >> skipped;
-    double user = 0, system = 0;
-    fields >> user >> system;
-    return (user + system) * 1000 / static_cast<double>(sysconf(_SC_CLK_TCK));
-  }
-
- private:
-  const test::TemporaryFolder folder_;
-  test::Process process_;
-  std::string url_;
-};
 
 /// Milliseconds of NATS's processor for each task: queued, taken, looked up, its result stored and
 /// told to so many listeners, acknowledged, and fetched.
@@ -117,10 +78,11 @@ double nats_ms(const Options& options, std::size_t result_bytes, int listener_co
   test::eventually([&] { return others.is_connected(); });
   std::vector<std::shared_ptr<const void>> listeners;
   ClusterStore of_others(others, StoreLimits{});
-  for (int i = 0; i < listener_count; ++i) listeners.push_back(of_others.listen_for_news([] {}));
+  for (int i = 0; i < listener_count; ++i)
+    listeners.push_back(of_others.listen_for_news([] {}, true));
 
   const std::string result(result_bytes, 'x');
-  const double before_ms = nats.cpu_ms();
+  const double before_ms = nats.processor_ms();
   JobRecord record;
   record.id = "measured";
   record.renderer = "here";
@@ -139,7 +101,7 @@ double nats_ms(const Options& options, std::size_t result_bytes, int listener_co
     task->acknowledge();
     store.result(record.id, number);
   }
-  return (nats.cpu_ms() - before_ms) / options.tasks;
+  return (nats.processor_ms() - before_ms) / options.tasks;
 }
 
 void measure_all(const Options& options) {
@@ -148,12 +110,15 @@ void measure_all(const Options& options) {
   const double many = nats_ms(options, job.result_bytes, options.listeners.at(1));
   const double listener_ms =
       std::max(0.0, (many - few) / (options.listeners[1] - options.listeners[0]));
+  const measure::TaskCosts empty = measure::measure_empty_tasks();
   const nlohmann::ordered_json figures{
       {"scene", fmt::format("{} {} x {} x {}", options.scene, options.width, options.height,
                             options.samples)},
       {"result_bytes", job.result_bytes},
       {"nats_ms", few - listener_ms * options.listeners[0]},
       {"nats_listener_ms", listener_ms},
+      {"empty_task",
+       {{"nats_ms", empty.nats_ms}, {"worker_ms", empty.worker_ms}, {"front_ms", empty.front_ms}}},
       {"task_ms", job.task_ms}};
   std::cout << figures.dump() << '\n';
 }

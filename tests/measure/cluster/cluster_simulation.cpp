@@ -34,10 +34,6 @@ void parse_arguments(CLI::App& app, Options& options) {
   app.add_option("--svg", options.svg, "Where to draw it");
   app.add_option("--tasks", options.tasks, "Of the job")->check(CLI::Range(1, 10'000'000));
   app.add_option("--seed", options.seed, "Of what is drawn");
-  app.add_option("--worker-ms", options.costs.worker_ms, "Of a worker for each task")
-      ->capture_default_str();
-  app.add_option("--front-ms", options.costs.front_ms, "Of a front for each task")
-      ->capture_default_str();
   app.add_option("--scene-bytes", options.costs.scene_bytes, "To each worker")
       ->capture_default_str();
   app.add_option("--link", options.costs.link_bytes_per_ms, "Bytes per millisecond, of NATS")
@@ -58,6 +54,8 @@ std::string read_costs(const std::string& path, ClusterCosts& costs) {
   costs.result_bytes = json.at("result_bytes");
   costs.nats_ms = json.at("nats_ms");
   costs.nats_listener_ms = json.at("nats_listener_ms");
+  costs.worker_ms = json.at("empty_task").at("worker_ms");
+  costs.front_ms = json.at("empty_task").at("front_ms");
   return json.at("scene");
 }
 
