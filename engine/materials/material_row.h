@@ -37,8 +37,8 @@ struct GlassRow {
   T fresnel;  ///< 0 or 1
   T unused{};
 
-  static GlassRow of(const Glass& glass) {
-    return {finite<T>(glass.transparency), finite<T>(glass.ior), glass.fresnel ? T(1) : T(0)};
+  static GlassRow of(const Material& m) {
+    return {finite<T>(m.transparency), finite<T>(m.ior), m.fresnel ? T(1) : T(0)};
   }
 };
 

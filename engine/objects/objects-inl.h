@@ -2,6 +2,7 @@
 
 #include "engine/objects/cone/cone-inl.h"
 #include "engine/objects/cylinder/cylinder-inl.h"
+#include "engine/objects/cylinder/surfaces-inl.h"
 #include "engine/objects/lattice/lattice-inl.h"
 #include "engine/objects/plane/plane-inl.h"
 #include "engine/objects/sphere/sphere-inl.h"

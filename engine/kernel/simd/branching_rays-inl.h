@@ -84,9 +84,9 @@ HWY_NOINLINE void refract(D d, const PacketScene<T>& scene, const Surface<D>& su
   const V3<V>& direction = packet.rays.direction;
   const M bends = hn::Ge(surface.at.u, zero);
   const V index = hn::IfThenElse(hn::Gt(surface.at.u, zero), ior, hn::Div(one, ior));
-  const RefractedRays<V, M> bent =
-      scene.corners.empty() ? refracted(d, index, direction, surface.at.normal)
-                            : refracted(d, index, direction, surface.normal, surface.at.normal);
+  const auto bent = scene.corners.empty()
+                        ? refracted(d, index, direction, surface.at.normal)
+                        : refracted(d, index, direction, surface.normal, surface.at.normal);
   const M by_angle = hn::Or(bent.is_total, hn::Gt(glass(d, &GlassRow<T>::fresnel), zero));
   const V turned_back = hn::IfThenElseZero(hn::And(bends, by_angle), bent.reflectance);
   const V share = hn::IfThenElseZero(clear, transparency);
