@@ -20,8 +20,7 @@ FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queu
                            : rendering.stop == Stop::budget ? "budget"
                                                             : "samples";
   image.fields = {{"Render-Samples", fmt::format("{:.6g}", rendering.samples_per_pixel)},
-                  {"Render-Precision",
-                   rendering.precision == Precision::single_precision ? "single" : "double"},
+                  {"Render-Precision", name_of(rendering.precision)},
                   {"Render-Stop", stop}};
   if (rendering.estimated_error)
     image.fields.emplace_back("Render-Error", fmt::format("{:.3g}", *rendering.estimated_error));

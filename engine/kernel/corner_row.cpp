@@ -44,6 +44,9 @@ CornerRow<T> corner_row(const std::array<Vec3, 3>& corners, const CornerValues& 
     row.normal = narrowed<T>(normals[0]);
     row.b_normal = narrowed<T>(normals[1] - normals[0]);
     row.c_normal = narrowed<T>(normals[2] - normals[0]);
+    row.turn = static_cast<T>(std::min(length(normals[1] - normals[0]) * length(b_slope) +
+                                           length(normals[2] - normals[0]) * length(c_slope),
+                                       most));
   }
   if (!values.colors.empty()) {
     const auto colors = values.of(values.colors, item);

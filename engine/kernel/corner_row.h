@@ -26,7 +26,8 @@ struct CornerRow {
   Triple<T> color;  ///< likewise
   Triple<T> b_color;
   Triple<T> c_color;
-  std::array<T, 4> unused;  ///< to a power of two
+  T turn;                   ///< of the normal over a unit of length, at most
+  std::array<T, 3> unused;  ///< to a power of two
 };
 
 template <typename T>

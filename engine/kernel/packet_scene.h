@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/kernel/corner_row.h"
+#include "engine/kernel/path_error.h"
 #include "engine/lights/packet_light.h"
 #include "engine/materials/material_row.h"
 #include "engine/objects/geometry.h"
@@ -57,9 +58,11 @@ struct PacketScene {
   bool reflects;   ///< whether any ray follows another
   bool transmits;  ///< some surface lets rays through
   int max_depth;   ///< of rays that follow another
+  ExactScene exact;
 };
 
-/// What no feature or finder asks for is left out. Uses the pool's threads.
+/// What no feature or finder asks for is left out. Uses the pool's threads. Its `exact` has no
+/// scene.
 template <typename T>
 PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& features,
                                  const FinderTable& finders, WorkerPool& pool);

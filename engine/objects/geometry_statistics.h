@@ -103,18 +103,21 @@ struct CurvedMirrors {
   double count = 0;
   double smallest = infinity;  ///< radius
   double radius_sum = 0;
-  double low = infinity;    ///< of all coordinates, so that high
-  double high = -infinity;  ///< - low is the space they stand in
+  Vec3 low{infinity, infinity, infinity};  ///< of the space they stand in
+  Vec3 high{-infinity, -infinity, -infinity};
 
   /// `number` of them, within `reach` of `center`.
   void include(const Vec3& center, double radius, double number, double reach) {
     count += number;
     smallest = std::min(smallest, radius);
     radius_sum += number * radius;
-    for (const double place : {center.x, center.y, center.z}) {
-      low = std::min(low, place - reach);
-      high = std::max(high, place + reach);
-    }
+    const auto widen = [reach](double place, double& least, double& most) {
+      least = std::min(least, place - reach);
+      most = std::max(most, place + reach);
+    };
+    widen(center.x, low.x, high.x);
+    widen(center.y, low.y, high.y);
+    widen(center.z, low.z, high.z);
   }
 };
 

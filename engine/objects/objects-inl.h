@@ -1,6 +1,7 @@
 // The kinds of objects for packets of rays: the list of objects.h once more.
 
 #include "engine/objects/cone/cone-inl.h"
+#include "engine/objects/cone/surfaces-inl.h"
 #include "engine/objects/cylinder/cylinder-inl.h"
 #include "engine/objects/cylinder/surfaces-inl.h"
 #include "engine/objects/lattice/lattice-inl.h"

@@ -130,12 +130,11 @@ Json prediction_json(const Prediction& prediction) {
 }  // namespace
 
 std::string explain(const Scene& scene, const Plan& plan, const Prediction& prediction) {
-  const bool is_single = plan.precision.value == Precision::single_precision;
   Json json;
   json["features"] = features_json(scene, plan.features);
   json["kernel"] = kernel_json(plan.kernel);
   json["instruction_set"] = instruction_set_json(plan.instruction_set);
-  json["precision"] = choice(is_single ? "single" : "double", plan.precision.reason());
+  json["precision"] = choice(name_of(plan.precision.value), plan.precision.reason());
   json["precision"]["displacement_px"] = rounded(plan.arithmetic_error.displacement_px);
   json["precision"]["levels"] = rounded(plan.arithmetic_error.levels);
   json["geometry"] = geometry_json(plan);

@@ -86,7 +86,7 @@ class Report {
     constexpr double usual_in_single_px = 1.0 / 64;
     constexpr double usual_in_double_px = 1.0 / 1024;
     const ArithmeticError& error = plan_.arithmetic_error;
-    const bool is_single = plan_.precision.value == Precision::single_precision;
+    const bool is_single = plan_.precision.value != Precision::double_precision;
     // Where single is the plan's choice, it is as good as it need be.
     if (is_single && scene_.render.precision == Precision::automatic) return;
     const char* const help =

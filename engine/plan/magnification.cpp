@@ -43,7 +43,7 @@ double magnification(const PackedScene& packed, const Features& features, double
   const double first = share * 2 * farthest / mirrors.smallest;
   double further = 0;
   if (mirrors.count > 1) {
-    const double width = mirrors.high - mirrors.low;
+    const double width = max_abs(mirrors.high - mirrors.low);
     const double radius = mirrors.radius_sum / mirrors.count;
     const double free_path =
         width / (mirrors.count - 1) * (width / radius) * (width / radius) / std::numbers::pi;

@@ -77,14 +77,20 @@ double least_tolerance_px(const Features& features) {
 
 }  // namespace
 
+const char* name_of(Precision precision) {
+  if (precision == Precision::mixed) return "mixed";
+  return precision == Precision::single_precision ? "single" : "double";
+}
+
 ArithmeticError foresee_arithmetic_error(Precision precision, const Features& features,
                                          const SceneStatistics& statistics) {
   const double rounding = kappa * rounding_of(precision);
   // Of a sphere on which the eye is, all but what is seen within a pixel of its horizon is farther.
   const double clearance = statistics.all.clearance;
   const double nearest = clearance > 0 ? clearance : statistics.pixel_angle * statistics.farthest;
-  double growth = std::max(statistics.magnification, growth_along_path(statistics, nearest));
-  if (precision == Precision::single_precision)
+  double growth = growth_along_path(statistics, nearest);
+  if (precision != Precision::mixed) growth = std::max(growth, statistics.magnification);
+  if (precision != Precision::double_precision)
     growth = std::max(growth, growth_by_spread(features, statistics));
   ArithmeticError error;
   const double displacement_px = rounding / statistics.pixel_angle * growth;
@@ -119,13 +125,6 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
             because("single would displace edges by {:.2g} pixels: a pixel is only {:.2g} "
                     "radians wide",
                     direction_error_px, statistics.pixel_angle)};
-
-  const double mirror_error_px = direction_error_px * statistics.magnification;
-  if (mirror_error_px > mirror_tolerance_px)
-    return {double_precision,
-            because("single would displace what mirrors show by {:.2g} pixels: a curved one "
-                    "magnifies its error {:.3g} times",
-                    mirror_error_px, statistics.magnification)};
 
   const double path_error_px =
       direction_error_px * growth_along_path(statistics, statistics.nearest);
@@ -171,6 +170,13 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
   if (levels > most_levels)
     return {double_precision,
             because("single may change shaded surfaces by {:.2g} levels of 255", levels)};
+
+  const double mirror_error_px = direction_error_px * statistics.magnification;
+  if (mirror_error_px > mirror_tolerance_px)
+    return {mixed, because("single displaces edges by at most {:.2g} pixels, but curved mirrors or "
+                           "lenses may magnify that {:.3g} times: samples whose colours this would "
+                           "change are traced again in double",
+                           direction_error_px, statistics.magnification)};
 
   return {single_precision,
           because("it suffices: single displaces edges by at most {:.2g} pixels and shadows by "

@@ -14,7 +14,10 @@ struct ArithmeticError {
   double levels = 0;           ///< of a shaded surface, in levels of 255
 };
 
-/// Of the kernels in `precision`, single or double.
+/// "single", "double" or "mixed", of what is chosen.
+const char* name_of(Precision precision);
+
+/// Of the kernels in `precision`, which is not automatic.
 ArithmeticError foresee_arithmetic_error(Precision precision, const Features& features,
                                          const SceneStatistics& statistics);
 

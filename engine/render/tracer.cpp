@@ -154,6 +154,15 @@ void sample(const PacketTracer<T>& tracer, const SamplePattern& pattern, Transfe
   sample_pixels(tracer.scene, pattern, transfer, pixels, tracer.target, results);
 }
 
+/// What traces samples again: all of their rays are followed ones.
+std::shared_ptr<const PacketScene<double>> exact_scene(const Plan& plan, const PackedScene& packed,
+                                                       WorkerPool& pool) {
+  FinderTable finders = plan.finders;
+  for (FinderRow& row : finders) row[static_cast<std::size_t>(RayKind::from_eye)] = Finder::none;
+  return std::make_shared<const PacketScene<double>>(
+      make_packet_scene<double>(packed, plan.features, finders, pool));
+}
+
 }  // namespace
 
 Tracer make_tracer(const Plan& plan, PackedScene packed, WorkerPool& pool) {
@@ -162,6 +171,13 @@ Tracer make_tracer(const Plan& plan, PackedScene packed, WorkerPool& pool) {
     if (plan.precision.value == Precision::single_precision)
       return PacketTracer<float>{
           make_packet_scene<float>(packed, plan.features, plan.finders, pool), target};
+    if (plan.precision.value == Precision::mixed) {
+      PacketTracer<float> tracer{
+          make_packet_scene<float>(packed, plan.features, plan.finders, pool), target};
+      tracer.scene.exact = {exact_scene(plan, packed, pool),
+                            static_cast<float>(plan.statistics.brightest)};
+      return tracer;
+    }
     return PacketTracer<double>{
         make_packet_scene<double>(packed, plan.features, plan.finders, pool), target};
   }

@@ -30,7 +30,12 @@ inline std::size_t primitive_count(const Object& object) {
   return std::visit([](const auto& shape) { return item_count(shape); }, object.shape);
 }
 
-enum class Precision : std::uint8_t { automatic, single_precision, double_precision };
+enum class Precision : std::uint8_t {
+  automatic,
+  single_precision,
+  double_precision,
+  mixed  ///< only chosen: single, and double for samples whose paths magnify its errors
+};
 
 struct RenderSettings {
   std::optional<int> samples;         ///< per pixel; never together with the two contracts

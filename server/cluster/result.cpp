@@ -46,7 +46,7 @@ Json header_of(const RegionRendering<Channel>& part) {
           {"values", part.values.size()},
           {"errors", part.subtile_error2.size()},
           {"error_multiplier", part.error_multiplier},
-          {"is_single", part.precision == Precision::single_precision},
+          {"precision", static_cast<int>(part.precision)},
           {"beyond", to_json(part.beyond)}};
 }
 
@@ -56,7 +56,7 @@ Json header_of(const Rendering& rendering) {
             {"height", rendering.image.height},
             {"channels", rendering.image.channels},
             {"samples", rendering.samples_per_pixel},
-            {"is_single", rendering.precision == Precision::single_precision},
+            {"precision", static_cast<int>(rendering.precision)},
             {"beyond", to_json(rendering.beyond)},
             {"stop", static_cast<int>(rendering.stop)},
             {"plan_ms", rendering.plan_ms},
@@ -67,8 +67,7 @@ Json header_of(const Rendering& rendering) {
 }
 
 Precision precision_in(const Json& header) {
-  return header.at("is_single").get<bool>() ? Precision::single_precision
-                                            : Precision::double_precision;
+  return static_cast<Precision>(header.at("precision").get<int>());
 }
 
 template <typename Channel>

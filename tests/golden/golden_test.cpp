@@ -21,6 +21,7 @@
 #include "engine/engine.h"
 #include "tests/golden/picture.h"
 #include "tests/process/temporary_folder.h"
+#include "tests/support/scene_plan.h"
 
 namespace raytracer::test {
 namespace {
@@ -48,7 +49,8 @@ std::string render_small(const std::string& document) {
   const Result<Scene> scene = read_scene(document, Limits{}, overrides);
   WorkerPool pool(2);
   RenderProgress progress;
-  return encode(render(scene.value(), Limits{}, pool, progress).image, ImageFormat::png, pool);
+  return encode(render(without_mixing(scene.value()), Limits{}, pool, progress).image,
+                ImageFormat::png, pool);
 }
 
 class Golden : public testing::TestWithParam<std::string> {};

@@ -8,6 +8,7 @@
 #include "engine/engine.h"
 #include "tests/golden/picture.h"
 #include "tests/process/temporary_folder.h"
+#include "tests/support/scene_plan.h"
 
 namespace raytracer::test {
 namespace {
@@ -30,7 +31,8 @@ TEST(ReadmePicture, is_what_its_scene_renders) {
     const Result<Scene> scene = read_scene(read_file(scene_file), Limits{});
     RenderProgress progress;
     const std::string png =
-        encode(render(scene.value(), Limits{}, pool, progress).image, ImageFormat::png, pool);
+        encode(render(without_mixing(scene.value()), Limits{}, pool, progress).image,
+               ImageFormat::png, pool);
     const Picture rendered = decode_png(png);
     const Difference difference = compare(rendered, decode_png(read_file(picture)));
     EXPECT_LE(difference.most_levels, 1) << picture;

@@ -204,20 +204,64 @@ TEST(Variants, double_is_the_reference_on_every_instruction_set) {
   }
 }
 
-TEST(Variants, single_is_near_the_reference_where_the_plan_chooses_it) {
+/// In how many scenes the plan chooses it.
+int expect_near_the_reference_where_chosen(Precision precision) {
   int chosen = 0;
   for (const NamedScene& named : scenes()) {
     const Plan plan = make_plan(named.scene, this_machine());
-    if (plan.precision.value != Precision::single_precision) continue;
+    if (plan.precision.value != precision) continue;
     ++chosen;
     const Image expected = reference_image(named.scene);
     const int most = std::max(2, static_cast<int>(expected.values.size() / 3 / 2000));
-    for (const InstructionSet& set : supported_instruction_sets())
-      EXPECT_LE(count_wrong(image_on(set, Precision::single_precision, named.scene), expected),
-                most)
+    for (const InstructionSet& set : supported_instruction_sets()) {
+      Plan on_set = plan;
+      on_set.instruction_set = set;
+      EXPECT_LE(count_wrong(image_by(on_set, named.scene), expected), most)
           << named.name << " on " << set.name << ": " << plan.precision.reason();
+    }
   }
-  EXPECT_GE(chosen, 8) << "single precision is hardly ever chosen";
+  return chosen;
+}
+
+TEST(Variants, single_is_near_the_reference_where_the_plan_chooses_it) {
+  EXPECT_GE(expect_near_the_reference_where_chosen(Precision::single_precision), 8)
+      << "single precision is hardly ever chosen";
+}
+
+TEST(Variants, mixed_is_near_the_reference_where_the_plan_chooses_it) {
+  EXPECT_GE(expect_near_the_reference_where_chosen(Precision::mixed), 4);
+}
+
+/// Between mirrors nothing is left after some reflections of what single carries.
+TEST(Variants, mixed_traces_again_what_mirrors_magnify) {
+  std::ifstream file(std::filesystem::path(SCENES_DIRECTORY) / "four-mirrors.json",
+                     std::ios::binary);
+  Scene scene = prepared({std::istreambuf_iterator<char>(file), {}});
+  scene.camera.width = 350;
+  scene.camera.height = 250;
+  scene.render.transfer = Transfer::linear;
+  const Image expected = reference_image(scene);
+  for (const InstructionSet& set : supported_instruction_sets()) {
+    const Plan plan = make_plan(scene, {set});
+    ASSERT_EQ(plan.precision.value, Precision::mixed) << plan.precision.reason();
+    const int in_single = count_wrong(image_on(set, Precision::single_precision, scene), expected);
+    const int in_mixed = count_wrong(image_by(plan, scene), expected);
+    EXPECT_GE(in_single, 100) << set.name;
+    EXPECT_LE(20 * in_mixed, in_single) << set.name;
+  }
+}
+
+/// Light goes through surfaces that single cannot tell apart, and must not go to and fro for ever.
+TEST(Variants, glass_in_single_comes_to_an_end) {
+  const std::string glass = R"({"ka": 0, "kd": 0.1, "transparency": 0.9, "ior": 1.5})";
+  Scene scene = with_objects(
+      R"({"type": "sphere", "center": [0, 0, 0], "radius": 1, "material": )" + glass +
+          R"(}, {"type": "sphere", "center": [0, 1e-7, 0], "radius": 1, "material": )" + glass +
+          R"(}, {"type": "sphere", "center": [1e-7, 0, 0], "radius": 1, "material": )" + glass +
+          "}",
+      point_light);
+  for (const InstructionSet& set : supported_instruction_sets())
+    EXPECT_EQ(image_on(set, Precision::single_precision, scene).width, scene.camera.width);
 }
 
 /// Of a width and a height that no packet divides, in either transfer.

@@ -100,6 +100,12 @@ struct BlockColours {
   alignas(64) T blue[block_pixels];
 };
 
+/// Those of one sample.
+template <typename T>
+struct SampleColours : BlockColours<T> {
+  alignas(64) T doubt[block_pixels];  ///< by how much a colour may be off; set if somebody asks
+};
+
 template <class D, typename T = hn::TFromD<D>>
 HWY_INLINE void store(D d, const V3<hn::Vec<D>>& colour, std::size_t first, BlockColours<T>& to) {
   hn::Store(colour.x, d, to.red + first);

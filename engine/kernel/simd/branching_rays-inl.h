@@ -35,11 +35,12 @@ class RayStack {
     if (hn::AllFalse(d, mask)) return;
     const auto first_of_mask = compressing_order(d, mask);
     const Packet<V>& rays = packet.rays;
-    const V values[column_count] = {
-        rays.direction.x,   rays.direction.y,  rays.direction.z,   rays.from.point.x,
-        rays.from.point.y,  rays.from.point.z, rays.from.normal.x, rays.from.normal.y,
-        rays.from.normal.z, rays.from.id,      rays.from.u,        rays.from.v,
-        rays.weight,        rays.pixel,        packet.solids,      packet.followers};
+    const V values[column_count] = {rays.direction.x,   rays.direction.y,   rays.direction.z,
+                                    rays.from.point.x,  rays.from.point.y,  rays.from.point.z,
+                                    rays.from.normal.x, rays.from.normal.y, rays.from.normal.z,
+                                    rays.from.id,       rays.from.u,        rays.from.v,
+                                    rays.weight,        rays.pixel,         packet.solids,
+                                    packet.followers,   rays.error.place,   rays.error.direction};
     const std::size_t needed = count_ + hn::Lanes(d);
     for (std::size_t i = 0; i < column_count; ++i) {
       if (columns_[i].size() < needed) columns_[i].resize(2 * needed);
@@ -60,13 +61,14 @@ class RayStack {
     return {{{{at(3), at(4), at(5)}, {at(6), at(7), at(8)}, at(9), at(10), at(11)},
              {at(0), at(1), at(2)},
              at(12),
-             at(13)},
+             at(13),
+             {at(16), at(17)}},
             at(14),
             at(15)};
   }
 
  private:
-  static constexpr std::size_t column_count = 16;
+  static constexpr std::size_t column_count = 18;
   std::array<std::vector<T>, column_count> columns_;
   std::size_t count_ = 0;
 };
@@ -75,8 +77,9 @@ class RayStack {
 /// does not.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_NOINLINE void refract(D d, const PacketScene<T>& scene, const Surface<D>& surface,
-                          const InnerPacket<V>& packet, const Rows<D, GlassRow<T>>& glass, M clear,
-                          V& reflectivity, RayStack<T>& stack) {
+                          const InnerPacket<V>& packet, const PathError<V>& error,
+                          const Rows<D, GlassRow<T>>& glass, M clear, V& reflectivity,
+                          RayStack<T>& stack) {
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, T(1));
   const V ior = glass(d, &GlassRow<T>::ior);
@@ -95,6 +98,7 @@ HWY_NOINLINE void refract(D d, const PacketScene<T>& scene, const Surface<D>& su
   InnerPacket<V> on = packet;
   on.rays.from = surface.at;
   on.rays.from.normal = negate(surface.at.normal);
+  on.rays.error = error;
   on.rays.direction = select(bends, bent.direction, direction);
   on.rays.weight = hn::Mul(packet.rays.weight, hn::Mul(share, hn::Sub(one, turned_back)));
   on.solids = depth_beyond(d, scene, surface, clear, packet.solids);
@@ -105,7 +109,7 @@ HWY_NOINLINE void refract(D d, const PacketScene<T>& scene, const Surface<D>& su
 /// The colours that a packet sees; the rays that follow go on the stack.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_NOINLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const InnerPacket<V>& packet,
-                                const Hit<V>& hit, M active, RayStack<T>& stack) {
+                                const Hit<V>& hit, M active, RayStack<T>& stack, V* doubt) {
   const V zero = hn::Zero(d);
   const Packet<V>& rays = packet.rays;
   const M is_hit = hn::And(active, hn::Ge(hit.id, zero));
@@ -116,19 +120,24 @@ HWY_NOINLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const InnerPac
   LightThroughSurfaces<D> between(d, packet.solids);
   const V3<V> colour =
       select(is_hit, shade(d, scene, surface, negate(rays.direction), is_hit, between), background);
-  const M goes_on = hn::And(is_hit, hn::Gt(packet.followers, zero));
+  PathError<V> error = rays.error;
+  M goes_on = hn::And(is_hit, hn::Gt(packet.followers, zero));
+  if constexpr (may_be_inexact<T>)
+    if (scene.exact.scene)
+      error = note_errors(d, scene, surface, rays, hit.t, is_hit, goes_on, doubt);
   if (hn::AllFalse(d, goes_on)) return colour;
 
   const Rows<D, GlassRow<T>> glass = glass_of(d, scene, surface.at.id, is_hit);
   V reflectivity = surface.material(d, &MaterialRow<T>::reflectivity);
   const M clear = hn::And(goes_on, hn::Gt(glass(d, &GlassRow<T>::transparency), zero));
   if (!hn::AllFalse(d, clear))
-    refract(d, scene, surface, packet, glass, clear, reflectivity, stack);
+    refract(d, scene, surface, packet, error, glass, clear, reflectivity, stack);
   InnerPacket<V> back = packet;
   back.rays.weight = hn::Mul(rays.weight, reflectivity);
   const M mirrors = hn::And(goes_on, hn::Ge(back.rays.weight, hn::Set(d, least_weight<T>)));
   if (hn::AllFalse(d, mirrors)) return colour;
   back.rays.from = surface.at;
+  back.rays.error = error;
   back.rays.direction = mirrored(d, scene, surface, rays.direction);
   back.followers = hn::Sub(packet.followers, hn::Set(d, T(1)));
   stack.push(d, back, mirrors);
@@ -137,7 +146,7 @@ HWY_NOINLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const InnerPac
 
 /// Follows rays to the scene's depth and adds what they see.
 template <typename T>
-void trace_followed(const PacketScene<T>& scene, RayStack<T>& stack, BlockColours<T>& colours) {
+void trace_followed(const PacketScene<T>& scene, RayStack<T>& stack, SampleColours<T>& colours) {
   const hn::ScalableTag<T> d;
   while (stack.count() > 0) {
     hn::Mask<decltype(d)> active;
@@ -146,7 +155,9 @@ void trace_followed(const PacketScene<T>& scene, RayStack<T>& stack, BlockColour
     const auto far_away = hn::Set(d, std::numeric_limits<T>::max());
     const auto hit =
         find_within(d, scene, rays.from, rays.direction, far_away, packet.solids, active);
-    add_to_pixels(d, shade_packet(d, scene, packet, hit, active, stack), rays, active, colours);
+    auto doubt = hn::Zero(d);
+    const auto colour = shade_packet(d, scene, packet, hit, active, stack, &doubt);
+    add_to_pixels(d, scene, colour, doubt, rays, active, colours);
   }
 }
 

@@ -1,72 +1,10 @@
-// What is seen from the eye.
+// What packets of rays from the eye see.
 
+#include <algorithm>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
-
-/// The directions from the eye through an image's points, and what is seen along them.
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-class EyeRays {
- public:
-  HWY_INLINE EyeRays(D, const PacketScene<T>& scene)
-      : scene_(scene), step_x_(2.0 / scene.view.width), step_y_(2.0 / scene.view.height) {}
-
-  /// Through points `right` of and `down` from (x, y), in pixels, y = 0 at the bottom. The image
-  /// point runs from -1 to 1; that of (x, y) is computed in double, T is enough from there.
-  HWY_INLINE V3<V> direction(D d, double x, double y, V right, V down) const {
-    const V across = hn::MulAdd(right, hn::Set(d, static_cast<T>(step_x_)),
-                                hn::Set(d, static_cast<T>(x * step_x_ - 1)));
-    const V up = hn::NegMulAdd(down, hn::Set(d, static_cast<T>(step_y_)),
-                               hn::Set(d, static_cast<T>(y * step_y_ - 1)));
-    return unit(d, mul_add(broadcast(d, scene_.right), across,
-                           mul_add(broadcast(d, scene_.up), up, broadcast(d, scene_.forward))));
-  }
-
-  /// What the active lanes hit of their candidates.
-  template <class Candidates>
-  HWY_INLINE Hit<V> intersect(D d, Candidates& candidates, const V3<V>& direction,
-                              hn::Mask<D> active) const {
-    const V none = hn::Set(d, T(-1));
-    const RayOrigin<V> eye = origin(d);
-    Hit<V> hit{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
-    for_each_geometry(scene_, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
-      intersect_from_eye(d, scene_, geometry, candidates, eye, direction, active, hit);
-    });
-    return hit;
-  }
-
-  /// The colours of what they hit, not yet clamped. They are the block's from `first` on for
-  /// `followed`, which keeps the rays that follow.
-  HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Hit<V>& hit, hn::Mask<D> active,
-                         std::size_t first, FollowedRays<T>& followed) const {
-    const Packet<V> packet{origin(d), direction, hn::Set(d, T(1)),
-                           hn::Iota(d, static_cast<T>(first))};
-    return shade_packet(d, scene_, packet, hit, active, scene_.reflects, followed);
-  }
-
-  /// The same where surfaces let rays through.
-  HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Hit<V>& hit, hn::Mask<D> active,
-                         std::size_t first, RayStack<T>& followed) const {
-    const Packet<V> packet{origin(d), direction, hn::Set(d, T(1)),
-                           hn::Iota(d, static_cast<T>(first))};
-    const InnerPacket<V> outside{packet, hn::Zero(d), hn::Set(d, static_cast<T>(scene_.max_depth))};
-    return shade_packet(d, scene_, outside, hit, active, followed);
-  }
-
-  const PacketScene<T>& scene() const { return scene_; }
-
- private:
-  HWY_INLINE RayOrigin<V> origin(D d) const {
-    const V zero = hn::Zero(d);
-    const V none = hn::Set(d, T(-1));
-    return {{zero, zero, zero}, {zero, zero, zero}, none, none, none};
-  }
-
-  const PacketScene<T>& scene_;
-  double step_x_;
-  double step_y_;
-};
 
 /// What packets have hit, one after another.
 template <typename T>
@@ -104,7 +42,7 @@ HWY_INLINE void fetch_for_shading(D d, const PacketScene<T>& scene, const Hits<T
 /// The colours of what packets have hit; the rays that follow are kept in `followed`.
 template <class D, class Rays, class Followed, typename T = hn::TFromD<D>>
 HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Rays& rays, const Hits<T>& hits,
-                           bool fetches, Followed& followed, BlockColours<T>& colours) {
+                           bool fetches, Followed& followed, SampleColours<T>& colours) {
   using V = hn::Vec<D>;
   const PacketScene<T>& scene = eye.scene();
   if (fetches) fetch_for_shading(d, scene, hits, rays, 0);
@@ -121,14 +59,15 @@ HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Rays& rays, const H
     }
     const V3<V> direction =
         load(d, hits.direction_x + at, hits.direction_y + at, hits.direction_z + at);
-    store(d, eye.shade(d, direction, hit, rays.active(d, i), at, followed), at, colours);
+    const V pixel = hn::Iota(d, static_cast<T>(at));
+    store(d, eye.shade(d, direction, hit, rays.active(d, i), pixel, followed), at, colours);
   }
 }
 
 /// The same where surfaces let rays through, and what those that follow see.
 template <class D, class Rays, typename T = hn::TFromD<D>>
 HWY_NOINLINE void shade_and_branch(D d, const EyeRays<D>& eye, const Rays& rays,
-                                   const Hits<T>& hits, bool fetches, BlockColours<T>& colours) {
+                                   const Hits<T>& hits, bool fetches, SampleColours<T>& colours) {
   RayStack<T> followed;
   shade_hits(d, eye, rays, hits, fetches, followed, colours);
   trace_followed(eye.scene(), followed, colours);
@@ -137,7 +76,7 @@ HWY_NOINLINE void shade_and_branch(D d, const EyeRays<D>& eye, const Rays& rays,
 /// The colours that packets of rays from the eye see, not yet clamped; at most as many as a block
 /// has pixels. If `fetches`, what shading a packet will need is fetched before its turn. `rays` has
 /// count() packets, and for the i-th of them, if is_in(i), direction(d, i), the active(d, i) lanes,
-/// and the candidates(i) of what they go through.
+/// and the candidates(i) of what they go through; and image_point(k) of the k-th ray.
 ///
 /// All packets are intersected before any is shaded: chains of dependent operations stay short, and
 /// the processor overlaps several packets.
@@ -145,7 +84,7 @@ HWY_NOINLINE void shade_and_branch(D d, const EyeRays<D>& eye, const Rays& rays,
 /// `cover`, if there is one, gets 1 where a ray has met something, else 0.
 template <class D, class Rays, typename T = hn::TFromD<D>>
 HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool fetches,
-                              BlockColours<T>& colours, T* cover) {
+                              SampleColours<T>& colours, T* cover) {
   using V = hn::Vec<D>;
   constexpr int lanes = PacketShape<D>::lanes;
   const PacketScene<T>& scene = eye.scene();
@@ -170,10 +109,17 @@ HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool
     hn::Store(hit.normal.y, d, hits.normal_y + at);
     hn::Store(hit.normal.z, d, hits.normal_z + at);
   }
-  if (HWY_UNLIKELY(scene.transmits)) return shade_and_branch(d, eye, rays, hits, fetches, colours);
-  FollowedRays<T> followed;
-  shade_hits(d, eye, rays, hits, fetches, followed, colours);
-  if (followed.count > 0) trace_followed(scene, followed, colours);
+  const bool may_doubt = may_be_inexact<T> && scene.exact.scene;
+  if (may_doubt) std::fill_n(colours.doubt, block_pixels, T(0));
+  if (HWY_UNLIKELY(scene.transmits)) {
+    shade_and_branch(d, eye, rays, hits, fetches, colours);
+  } else {
+    FollowedRays<T> followed;
+    shade_hits(d, eye, rays, hits, fetches, followed, colours);
+    if (followed.count > 0) trace_followed(scene, followed, colours);
+  }
+  if constexpr (may_be_inexact<T>)
+    if (may_doubt) trace_doubtful_again(d, *scene.exact.scene, rays, colours, cover);
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

@@ -13,6 +13,7 @@ struct Packet {
   V3<V> direction;
   V weight;  ///< of what they see in their pixels
   V pixel;   ///< its index in the block
+  PathError<V> error;
 };
 
 /// The order that puts the lanes of `mask`, at least one, first. Made once for all values to be
@@ -45,11 +46,11 @@ class FollowedRays {
     const auto keep = [&](V values, T* column) HWY_ATTR {
       hn::StoreU(hn::TableLookupLanes(values, first_of_mask), d, column + count);
     };
-    const V values[column_count] = {rays.direction.x,   rays.direction.y,   rays.direction.z,
-                                    rays.from.point.x,  rays.from.point.y,  rays.from.point.z,
-                                    rays.from.normal.x, rays.from.normal.y, rays.from.normal.z,
-                                    rays.from.id,       rays.from.u,        rays.from.v,
-                                    rays.weight,        rays.pixel};
+    const V values[] = {
+        rays.direction.x,   rays.direction.y,  rays.direction.z,   rays.from.point.x,
+        rays.from.point.y,  rays.from.point.z, rays.from.normal.x, rays.from.normal.y,
+        rays.from.normal.z, rays.from.id,      rays.from.u,        rays.from.v,
+        rays.weight,        rays.pixel,        rays.error.place,   rays.error.direction};
     for (std::size_t i = 0; i < column_count; ++i) keep(values[i], columns_[i]);
     count += static_cast<int>(count_true(d, mask));
   }
@@ -61,14 +62,17 @@ class FollowedRays {
     const auto at = [&](std::size_t column) HWY_ATTR {
       return hn::IfThenElseZero(active, hn::LoadU(d, columns_[column] + i));
     };
+    PathError<V> error = eye_error(d);
+    if constexpr (may_be_inexact<T>) error = {at(14), at(15)};
     return {{{at(3), at(4), at(5)}, {at(6), at(7), at(8)}, at(9), at(10), at(11)},
             {at(0), at(1), at(2)},
             at(12),
-            at(13)};
+            at(13),
+            error};
   }
 
  private:
-  static constexpr std::size_t column_count = 14;
+  static constexpr std::size_t column_count = may_be_inexact<T> ? 16 : 14;
   alignas(64) T columns_[column_count][block_pixels + 64];
 };
 
@@ -88,22 +92,29 @@ HWY_INLINE V3<V> mirrored(D d, const PacketScene<T>& scene, const Surface<D>& su
   return unit(d, direction);
 }
 
-/// Adds the rays that a packet's mirroring surfaces send on.
+/// Sets `doubt`, if somebody wants it, to what the colours that a packet sees may make their
+/// pixels' be off by, and takes the lanes of which that is too much out of `goes_on`. Returns the
+/// errors of the rays that follow.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void mirror(D d, const PacketScene<T>& scene, const Surface<D>& surface,
-                       const Packet<V>& packet, M is_hit, FollowedRays<T>& followed) {
-  const V weight = hn::Mul(packet.weight, surface.material(d, &MaterialRow<T>::reflectivity));
-  const M mirrors = hn::And(is_hit, hn::Gt(weight, hn::Zero(d)));
-  if (hn::AllFalse(d, mirrors)) return;
-  const V3<V> direction = mirrored(d, scene, surface, packet.direction);
-  followed.add(d, Packet<V>{surface.at, direction, weight, packet.pixel}, mirrors);
+HWY_NOINLINE PathError<V> note_errors(D d, const PacketScene<T>& scene, const Surface<D>& surface,
+                                      const Packet<V>& packet, V t, M is_hit, M& goes_on,
+                                      V* doubt) {
+  const SurfaceError<V> at = surface_error(d, scene, surface, packet.error, packet.direction,
+                                           hn::IfThenElseZero(is_hit, t), is_hit);
+  if (doubt != nullptr) {
+    *doubt = hn::IfThenElseZero(
+        is_hit, hn::Mul(packet.weight, colour_error(d, scene, surface, packet.error, at)));
+    goes_on = hn::And(goes_on, hn::Le(*doubt, hn::Set(d, static_cast<T>(most_colour_error))));
+  }
+  return error_beyond(d, packet.error, at);
 }
 
-/// The colours that a packet sees; the rays that follow are kept in `followed`.
+/// The colours that a packet sees, and in `doubt`, if somebody wants it, by how much they may make
+/// their pixels' be off; the rays that mirrors send on are kept in `followed`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>& packet,
-                              const Hit<V>& hit, M active, bool follows,
-                              FollowedRays<T>& followed) {
+                              const Hit<V>& hit, M active, bool follows, FollowedRays<T>& followed,
+                              V* doubt) {
   const V zero = hn::Zero(d);
   const M is_hit = hn::And(active, hn::Ge(hit.id, zero));
   const V3<V> background = broadcast(d, scene.background);
@@ -112,14 +123,42 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
   const V3<V> colour =
       select(is_hit, shade(d, scene, surface, negate(packet.direction), is_hit, OpaqueSurfaces()),
              background);
-  if (follows) mirror(d, scene, surface, packet, is_hit, followed);
+  V weight = zero;
+  M mirrors = hn::Lt(zero, zero);
+  if (follows) {
+    weight = hn::Mul(packet.weight, surface.material(d, &MaterialRow<T>::reflectivity));
+    mirrors = hn::And(is_hit, hn::Gt(weight, zero));
+  }
+  const bool goes_on = !hn::AllFalse(d, mirrors);
+  PathError<V> error = packet.error;
+  if constexpr (may_be_inexact<T>)
+    if (scene.exact.scene && (goes_on || doubt != nullptr))
+      error = note_errors(d, scene, surface, packet, hit.t, is_hit, mirrors, doubt);
+  if (!goes_on || hn::AllFalse(d, mirrors)) return colour;
+  const V3<V> direction = mirrored(d, scene, surface, packet.direction);
+  followed.add(d, Packet<V>{surface.at, direction, weight, packet.pixel, error}, mirrors);
   return colour;
 }
 
-/// Adds the colours that a packet's rays see to their pixels.
+/// Adds by how much a packet's colours may be off to their pixels' doubts.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void add_to_pixels(D d, const V3<V>& colour, const Packet<V>& packet, M active,
-                              BlockColours<T>& colours) {
+HWY_INLINE void add_doubts(D d, V doubt, const Packet<V>& packet, M active,
+                           SampleColours<T>& colours) {
+  alignas(64) T pixels[hn::MaxLanes(D())];
+  alignas(64) T doubts[hn::MaxLanes(D())];
+  hn::Store(packet.pixel, d, pixels);
+  hn::Store(doubt, d, doubts);
+  const std::size_t count = count_true(d, active);
+  for (std::size_t lane = 0; lane < count; ++lane)
+    colours.doubt[static_cast<std::size_t>(pixels[lane])] += doubts[lane];
+}
+
+/// Adds the colours that a packet's rays see to their pixels, and by how much they may be off.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void add_to_pixels(D d, const PacketScene<T>& scene, const V3<V>& colour, V doubt,
+                              const Packet<V>& packet, M active, SampleColours<T>& colours) {
+  if constexpr (may_be_inexact<T>)
+    if (scene.exact.scene) add_doubts(d, doubt, packet, active, colours);
   alignas(64) T pixels[hn::MaxLanes(D())];
   alignas(64) T weighted[3][hn::MaxLanes(D())];
   hn::Store(packet.pixel, d, pixels);
@@ -138,7 +177,7 @@ HWY_INLINE void add_to_pixels(D d, const V3<V>& colour, const Packet<V>& packet,
 /// One step of followed rays: adds what they see, and keeps those that follow them.
 template <typename T>
 void trace_step(const PacketScene<T>& scene, const FollowedRays<T>& rays, bool follows,
-                FollowedRays<T>& next, BlockColours<T>& colours) {
+                FollowedRays<T>& next, SampleColours<T>& colours) {
   const hn::ScalableTag<T> d;
   using V = hn::Vec<decltype(d)>;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -148,18 +187,21 @@ void trace_step(const PacketScene<T>& scene, const FollowedRays<T>& rays, bool f
     const auto active = hn::FirstN(d, static_cast<std::size_t>(rays.count - i));
     const Packet<V> packet = rays.packet(d, i, active);
     const Hit<V> hit = find_followed(d, scene, packet.from, packet.direction, far_away, active);
-    const V3<V> colour = shade_packet(d, scene, packet, hit, active, follows, next);
-    add_to_pixels(d, colour, packet, active, colours);
+    V doubt = hn::Zero(d);
+    const V3<V> colour = shade_packet(d, scene, packet, hit, active, follows, next, &doubt);
+    add_to_pixels(d, scene, colour, doubt, packet, active, colours);
   }
 }
 
-/// Follows rays to the scene's depth and adds what they see.
+/// Follows rays to the scene's depth and adds what they see. Leaves rubbish in `rays`.
 template <typename T>
-void trace_followed(const PacketScene<T>& scene, FollowedRays<T>& rays, BlockColours<T>& colours) {
-  FollowedRays<T> next;
-  for (int depth = 1; rays.count > 0; ++depth) {
-    trace_step(scene, rays, depth < scene.max_depth, next, colours);
-    std::swap(rays, next);
+void trace_followed(const PacketScene<T>& scene, FollowedRays<T>& rays, SampleColours<T>& colours) {
+  FollowedRays<T> others;
+  FollowedRays<T>* now = &rays;
+  FollowedRays<T>* next = &others;
+  for (int depth = 1; now->count > 0; ++depth) {
+    trace_step(scene, *now, depth < scene.max_depth, *next, colours);
+    std::swap(now, next);
   }
 }
 

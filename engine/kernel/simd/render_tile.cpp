@@ -40,6 +40,17 @@ class BlockRays {
                          height_ - 1 - block_.y_begin - place.y + sample.y, right, down);
   }
 
+  /// As direction()'s, of one lane: from the image's lower left corner, in pixels.
+  HWY_INLINE SamplePoint image_point(const PacketPlace<D>& place, int lane,
+                                     const SamplePoint& sample) const {
+    const int x = place.x + lane % PacketShape<D>::width;
+    const int y = place.y + lane / PacketShape<D>::width;
+    const SamplePoint moved = jitter_of(x, y);
+    return {block_.x_begin + x + sample.x + away_from_middle(sample.x, jitter_) * moved.x,
+            height_ - 1 - block_.y_begin - y + sample.y +
+                away_from_middle(sample.y, jitter_) * moved.y};
+  }
+
   /// The lanes whose pixels are in the block.
   HWY_INLINE hn::Mask<D> active(D d, const PacketPlace<D>& place) const {
     return hn::And(hn::Lt(offsets_.x, hn::Set(d, static_cast<T>(block_.width - place.x))),
@@ -72,6 +83,10 @@ class SamplePackets {
     return rays_.direction(d, PacketPlace<D>(i), sample_);
   }
   HWY_INLINE hn::Mask<D> active(D d, int i) const { return rays_.active(d, PacketPlace<D>(i)); }
+  HWY_INLINE SamplePoint image_point(int ray) const {
+    constexpr int lanes = PacketShape<D>::lanes;
+    return rays_.image_point(PacketPlace<D>(ray / lanes), ray % lanes, sample_);
+  }
 
  private:
   const BlockRays<D>& rays_;
@@ -219,7 +234,7 @@ void render_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
   const bool spreads = errors.pixels != nullptr;
   BlockColours<T> sums;
   BlockColours<T> rests;  // of many samples
-  BlockColours<T> colours;
+  SampleColours<T> colours;
   BlockCover<T> covers;
   BlockCover<T>* const cover = has_cover(canvas) ? &covers : nullptr;
   BlockBeyondRange<D> block_beyond;

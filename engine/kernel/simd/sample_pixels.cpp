@@ -54,6 +54,9 @@ class PixelPackets {
   HWY_INLINE hn::Mask<D> active(D d, int i) const {
     return hn::FirstN(d, samples_.count - first(i));
   }
+  HWY_INLINE SamplePoint image_point(int ray) const {
+    return {x_ + samples_.right[ray], y_ + samples_.up[ray]};
+  }
 
  private:
   static constexpr std::size_t lanes = PacketShape<D>::lanes;
@@ -109,7 +112,7 @@ HWY_INLINE void sample_pixel(D d, const EyeRays<D>& eye, const Packets& packets,
                              std::size_t pixel, PixelSums<T>& sums) {
   using V = hn::Vec<D>;
   const std::size_t lanes = hn::Lanes(d);
-  BlockColours<T> colours;
+  SampleColours<T> colours;
   alignas(64) T hits[block_pixels];
   trace_packets(d, eye, packets, false, colours, has_cover ? hits : nullptr);
   if (has_cover) add_cover(d, hits, samples, pixel, sums);

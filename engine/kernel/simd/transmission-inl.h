@@ -1,6 +1,7 @@
 // Light that comes through surfaces, and on which side of what has an inside a point is.
 
 #include <cstddef>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -67,6 +68,10 @@ HWY_NOINLINE Hit<V> find_within(D d, const PacketScene<T>& scene, const RayOrigi
   return find_followed(d, scene, InnerOrigin<V>{from}, direction, t_max, active);
 }
 
+/// Surfaces in one place that light is followed through: one that has met so many without getting
+/// on goes to and fro between some that rounding cannot tell apart.
+inline constexpr int most_in_one_place = 16;
+
 /// How much of the light that starts out from a light arrives at points: the product of the
 /// transparencies on the straight way. `depth` is of how many solids the points are inside.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
@@ -76,6 +81,8 @@ HWY_NOINLINE V transmitted_share(D d, const PacketScene<T>& scene, const ShadowR
   V share = hn::Set(d, T(1));
   V left = hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>));
   RayOrigin<V> from = rays.from;
+  const V step = hn::Mul(left, hn::Set(d, 32 * std::numeric_limits<T>::epsilon()));
+  V met = zero;  // since it has got on by that
   while (true) {
     const Hit<V> hit = find_within(d, scene, from, rays.towards, left, depth, active);
     active = hn::And(active, hn::Ge(hit.id, zero));
@@ -84,7 +91,9 @@ HWY_NOINLINE V transmitted_share(D d, const PacketScene<T>& scene, const ShadowR
     tell_sides(d, scene, rays.towards, active, hn::Gt(depth, zero), surface);
     const V transparency = glass_of(d, scene, surface.at.id, active)(d, &GlassRow<T>::transparency);
     share = hn::IfThenElse(active, hn::Mul(share, transparency), share);
+    met = hn::IfThenElseZero(hn::Lt(hit.t, step), hn::Add(met, hn::Set(d, T(1))));
     active = hn::And(active, hn::Gt(share, zero));
+    active = hn::And(active, hn::Lt(met, hn::Set(d, T(most_in_one_place))));
     if (hn::AllFalse(d, active)) return share;
     left = hn::Sub(left, hit.t);
     depth = depth_beyond(d, scene, surface, active, depth);

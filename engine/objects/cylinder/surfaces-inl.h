@@ -1,4 +1,6 @@
-// Where packets have met cylinders: their normals and their sides.
+// Where packets have met cylinders: their normals, curvatures and sides.
+
+#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -42,6 +44,17 @@ HWY_NOINLINE void own_normals(D d, const PrimitiveRows<T>& rows,
   set_item_normals(d, rows, cylinders.items, own, at, [&](const CylinderItem<T>& item) HWY_ATTR {
     return normals_at(d, item, at.point, direction);
   });
+}
+
+/// Sets the curvatures, 1 / radius, of the lanes of `own` that hit a cylinder.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_NOINLINE void own_curvatures(D d, const PrimitiveRows<T>& rows,
+                                 const Geometry<CylinderKind, T>& cylinders, M own,
+                                 const RayOrigin<V>& at, V& curvature) {
+  for_each_item(
+      d, rows, cylinders.items, own, at.id, [&](const CylinderItem<T>& item, M here) HWY_ATTR {
+        curvature = hn::IfThenElse(here, hn::Set(d, 1 / std::sqrt(item.radius2)), curvature);
+      });
 }
 
 /// Lanes whose rays came to a closed cylinder from within: the nearest of its surfaces looks their

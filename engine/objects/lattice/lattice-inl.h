@@ -171,5 +171,15 @@ HWY_INLINE M occluded_by(D d, const Geometry<LatticeKind, T>& lattices, const Pa
   return dark;
 }
 
+/// Sets the curvatures of the lanes of `own` that hit a lattice's sphere.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void own_curvatures(D d, const PrimitiveRows<T>&,
+                               const Geometry<LatticeKind, T>& lattices, M own,
+                               const RayOrigin<V>& at, V& curvature) {
+  for (const LatticeItem<T>& item : lattices.items)
+    curvature = hn::IfThenElse(hn::And(own, hn::Eq(at.id, hn::Set(d, item.id))),
+                               hn::Set(d, 2 * item.cells_per_unit), curvature);
+}
+
 }  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

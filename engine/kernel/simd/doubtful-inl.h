@@ -1,0 +1,94 @@
+// Samples that a scene's precision does not carry: those whose paths magnify what it rounds off are
+// traced again in double, from the eye on.
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/kernel/sample_point.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer::HWY_NAMESPACE {
+
+/// Where samples are, and which of their block's they are.
+struct DoubtfulSamples {
+  std::size_t count = 0;
+  alignas(64) double x[block_pixels];  ///< from the image's lower left corner, in pixels
+  alignas(64) double y[block_pixels];
+  alignas(64) double index[block_pixels];
+};
+
+template <class D, class Rays, typename T = hn::TFromD<D>>
+HWY_INLINE void find_doubtful(D d, const Rays& rays, const SampleColours<T>& colours,
+                              DoubtfulSamples& samples) {
+  const auto most = hn::Set(d, static_cast<T>(most_colour_error));
+  for (std::size_t begin = 0; begin < block_pixels; begin += hn::Lanes(d)) {
+    // What is no number is doubtful as well.
+    const auto doubtful = hn::Not(hn::Le(hn::Load(d, colours.doubt + begin), most));
+    for (std::uint64_t bits = bits_of(d, doubtful); bits != 0; bits &= bits - 1) {
+      const std::size_t at = begin + hwy::Num0BitsBelowLS1Bit_Nonzero64(bits);
+      const SamplePoint point = rays.image_point(static_cast<int>(at));
+      samples.x[samples.count] = point.x;
+      samples.y[samples.count] = point.y;
+      samples.index[samples.count++] = static_cast<double>(at);
+    }
+  }
+}
+
+/// The samples' colours, each in its place; `cover`, if there is one, gets 1 where one has met
+/// something, else 0.
+template <class Followed>
+HWY_INLINE void trace_samples(const PacketScene<double>& scene, const DoubtfulSamples& samples,
+                              SampleColours<double>& colours, float* cover) {
+  const hn::ScalableTag<double> d;
+  using V = hn::Vec<decltype(d)>;
+  const EyeRays<decltype(d)> eye(d, scene);
+  const V zero = hn::Zero(d);
+  const RayOrigin<V> origin = eye.origin(d);
+  const V far_away = hn::Set(d, std::numeric_limits<double>::max());
+  Followed followed;
+  alignas(64) double channels[4][hn::MaxLanes(d)];
+  for (std::size_t i = 0; i < samples.count; i += hn::Lanes(d)) {
+    const auto active = hn::FirstN(d, samples.count - i);
+    const V pixel = hn::IfThenElseZero(active, hn::Load(d, samples.index + i));
+    const V3<V> direction =
+        eye.direction(d, 0, 0, hn::IfThenElseZero(active, hn::Load(d, samples.x + i)),
+                      hn::Neg(hn::IfThenElseZero(active, hn::Load(d, samples.y + i))));
+    const Hit<V> hit = find_followed(d, scene, origin, direction, far_away, active);
+    const V3<V> colour = eye.shade(d, direction, hit, active, pixel, followed);
+    hn::Store(colour.x, d, channels[0]);
+    hn::Store(colour.y, d, channels[1]);
+    hn::Store(colour.z, d, channels[2]);
+    hn::Store(hn::IfThenElseZero(hn::Ge(hit.id, zero), hn::Set(d, 1.0)), d, channels[3]);
+    for (std::size_t lane = 0; lane < std::min(samples.count - i, hn::Lanes(d)); ++lane) {
+      const auto at = static_cast<std::size_t>(samples.index[i + lane]);
+      colours.red[at] = channels[0][lane];
+      colours.green[at] = channels[1][lane];
+      colours.blue[at] = channels[2][lane];
+      if (cover != nullptr) cover[at] = static_cast<float>(channels[3][lane]);
+    }
+  }
+  trace_followed(scene, followed, colours);
+}
+
+/// Traces a block's doubtful samples again and replaces their colours.
+template <class D, class Rays>
+HWY_NOINLINE void trace_doubtful_again(D d, const PacketScene<double>& scene, const Rays& rays,
+                                       SampleColours<float>& colours, float* cover) {
+  DoubtfulSamples samples;
+  find_doubtful(d, rays, colours, samples);
+  if (samples.count == 0) return;
+  SampleColours<double> exact;
+  if (scene.transmits)
+    trace_samples<RayStack<double>>(scene, samples, exact, cover);
+  else
+    trace_samples<FollowedRays<double>>(scene, samples, exact, cover);
+  for (std::size_t i = 0; i < samples.count; ++i) {
+    const auto at = static_cast<std::size_t>(samples.index[i]);
+    colours.red[at] = static_cast<float>(exact.red[at]);
+    colours.green[at] = static_cast<float>(exact.green[at]);
+    colours.blue[at] = static_cast<float>(exact.blue[at]);
+  }
+}
+
+}  // namespace raytracer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

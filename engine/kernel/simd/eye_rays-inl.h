@@ -1,0 +1,71 @@
+// Rays from the eye.
+
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer::HWY_NAMESPACE {
+
+/// The directions from the eye through an image's points, and what is seen along them.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+class EyeRays {
+ public:
+  HWY_INLINE EyeRays(D, const PacketScene<T>& scene)
+      : scene_(scene), step_x_(2.0 / scene.view.width), step_y_(2.0 / scene.view.height) {}
+
+  /// Through points `right` of and `down` from (x, y), in pixels, y = 0 at the bottom. The image
+  /// point runs from -1 to 1; that of (x, y) is computed in double, T is enough from there.
+  HWY_INLINE V3<V> direction(D d, double x, double y, V right, V down) const {
+    const V across = hn::MulAdd(right, hn::Set(d, static_cast<T>(step_x_)),
+                                hn::Set(d, static_cast<T>(x * step_x_ - 1)));
+    const V up = hn::NegMulAdd(down, hn::Set(d, static_cast<T>(step_y_)),
+                               hn::Set(d, static_cast<T>(y * step_y_ - 1)));
+    return unit(d, mul_add(broadcast(d, scene_.right), across,
+                           mul_add(broadcast(d, scene_.up), up, broadcast(d, scene_.forward))));
+  }
+
+  /// What the active lanes hit of their candidates.
+  template <class Candidates>
+  HWY_INLINE Hit<V> intersect(D d, Candidates& candidates, const V3<V>& direction,
+                              hn::Mask<D> active) const {
+    const V none = hn::Set(d, T(-1));
+    const RayOrigin<V> eye = origin(d);
+    Hit<V> hit{hn::Set(d, std::numeric_limits<T>::max()), none, none, none};
+    for_each_geometry(scene_, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
+      intersect_from_eye(d, scene_, geometry, candidates, eye, direction, active, hit);
+    });
+    return hit;
+  }
+
+  /// The colours of what they hit, not yet clamped. `pixel` has their places in the block, for
+  /// `followed`, which keeps the rays that follow.
+  HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Hit<V>& hit, hn::Mask<D> active,
+                         V pixel, FollowedRays<T>& followed) const {
+    const Packet<V> packet{origin(d), direction, hn::Set(d, T(1)), pixel, eye_error(d)};
+    return shade_packet(d, scene_, packet, hit, active, scene_.reflects, followed,
+                        static_cast<V*>(nullptr));
+  }
+
+  /// The same where surfaces let rays through.
+  HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Hit<V>& hit, hn::Mask<D> active,
+                         V pixel, RayStack<T>& followed) const {
+    const Packet<V> packet{origin(d), direction, hn::Set(d, T(1)), pixel, eye_error(d)};
+    const InnerPacket<V> outside{packet, hn::Zero(d), hn::Set(d, static_cast<T>(scene_.max_depth))};
+    return shade_packet(d, scene_, outside, hit, active, followed, static_cast<V*>(nullptr));
+  }
+
+  HWY_INLINE RayOrigin<V> origin(D d) const {
+    const V zero = hn::Zero(d);
+    const V none = hn::Set(d, T(-1));
+    return {{zero, zero, zero}, {zero, zero, zero}, none, none, none};
+  }
+
+  const PacketScene<T>& scene() const { return scene_; }
+
+ private:
+  const PacketScene<T>& scene_;
+  double step_x_;
+  double step_y_;
+};
+
+}  // namespace raytracer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
