@@ -3,6 +3,9 @@
 
 #include <limits>
 #include <memory>
+#include <vector>
+
+#include "engine/math/triple.h"
 
 namespace raytracer {
 
@@ -19,11 +22,19 @@ inline constexpr double most_colour_error = 0.5 / 255;
 template <typename T>
 struct PacketScene;
 
+/// Shadows farther than `reach` from a point light are wider than a scene's precision carries.
+struct LampReach {
+  Triple<float> place;
+  float reach2;  ///< squared
+};
+
 /// What traces the samples again whose paths magnify errors beyond what a scene's precision
 /// carries.
 struct ExactScene {
   std::shared_ptr<const PacketScene<double>> scene;  ///< none: nothing is traced again
-  float brightest = 0;  ///< the most that lights make of a surface, any channel
+  float brightest = 0;             ///< the most that lights make of a surface, any channel
+  float nearest = 0;               ///< what rays from the eye meet nearer is traced again
+  std::vector<LampReach> lamps{};  ///< and what any ray meets beyond their reach
 };
 
 }  // namespace raytracer

@@ -31,6 +31,9 @@ constexpr double least_clearance = 1.0 / 256;
 // Two surfaces are apart if rounding moves neither past the other. Derived: each by as much, both
 // as they meet a ray and as a shadow's ray leaves.
 constexpr double gap_roundings = 4 * kappa;
+// What counts for nothing, in pixels. Chosen: a thousandth of what single displaces where it
+// suffices.
+constexpr double exact_px = 1e-6;
 // What every picture's values are rounded to, and the few roundings of a colour before it. Chosen:
 // more than the operations from a sample to a pixel.
 constexpr double colour_rounding = 16 * single_rounding;
@@ -54,16 +57,21 @@ double growth_along_path(const SceneStatistics& statistics, double nearest) {
   return statistics.shadow_path > 0 ? 1 + statistics.shadow_path / nearest : 1;
 }
 
-/// By how much it grows in shadows under a point light of kinds whose shadow rays start at the
-/// shaded points: edges near the light are magnified far from it. Double suffices unless the light
-/// is within a millionth of the scene of them.
-double growth_by_spread(const Features& features, const SceneStatistics& statistics) {
-  bool has_such_shadows = false;
+/// Whether the scene has shadows under point lights of kinds whose shadow rays start at the shaded
+/// points: edges near the light are magnified far from it.
+bool has_spreading_shadows(const Features& features) {
+  bool has = false;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     if (is_sought_from_points<Kind> && features.primitives[kind_index<Kind>] > 0)
-      has_such_shadows = features.casts_shadows && features.light_count(LightRays::converging) > 0;
+      has = features.casts_shadows && features.light_count(LightRays::converging) > 0;
   });
-  return has_such_shadows ? statistics.shadow_spread : 1;
+  return has;
+}
+
+/// By how much an error grows in them. Double suffices unless the light is within a millionth of
+/// the scene of them.
+double growth_by_spread(const Features& features, const SceneStatistics& statistics) {
+  return has_spreading_shadows(features) ? statistics.shadow_spread : 1;
 }
 
 /// Of the kinds that the scene has.
@@ -88,9 +96,13 @@ ArithmeticError foresee_arithmetic_error(Precision precision, const Features& fe
   // Of a sphere on which the eye is, all but what is seen within a pixel of its horizon is farther.
   const double clearance = statistics.all.clearance;
   const double nearest = clearance > 0 ? clearance : statistics.pixel_angle * statistics.farthest;
-  double growth = growth_along_path(statistics, nearest);
-  if (precision != Precision::mixed) growth = std::max(growth, statistics.magnification);
-  if (precision != Precision::double_precision)
+  double growth = 1;
+  if (precision == Precision::mixed)
+    growth =
+        growth_along_path(statistics, std::max(nearest, nearest_in_single(features, statistics)));
+  else
+    growth = std::max(growth_along_path(statistics, nearest), statistics.magnification);
+  if (precision == Precision::single_precision)
     growth = std::max(growth, growth_by_spread(features, statistics));
   ArithmeticError error;
   const double displacement_px = rounding / statistics.pixel_angle * growth;
@@ -104,6 +116,23 @@ ArithmeticError foresee_arithmetic_error(Precision precision, const Features& fe
   const double share = colour_rounding + std::max(statistics.brightest, 1.0) * shading_error;
   error.levels = share < 1 ? 255 * share : 255;
   return error;
+}
+
+double nearest_in_single(const Features& features, const SceneStatistics& statistics) {
+  const double tolerance_px = least_tolerance_px(features);
+  const double direction_error_px = kappa * single_rounding / statistics.pixel_angle;
+  // Where growth_along_path() is as much as is tolerated.
+  return direction_error_px < tolerance_px
+             ? statistics.shadow_path * direction_error_px / (tolerance_px - direction_error_px)
+             : infinity;
+}
+
+double lamp_reach_in_single(const LampDistances& lamp, const Features& features,
+                            const SceneStatistics& statistics) {
+  const double direction_error_px = kappa * single_rounding / statistics.pixel_angle;
+  return has_spreading_shadows(features)
+             ? lamp.nearest * least_tolerance_px(features) / direction_error_px
+             : infinity;
 }
 
 Choice<Precision> choose_precision(Precision requested, const Features& features,
@@ -126,13 +155,16 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
                     "radians wide",
                     direction_error_px, statistics.pixel_angle)};
 
-  const double path_error_px =
-      direction_error_px * growth_along_path(statistics, statistics.nearest);
-  if (!(path_error_px <= tolerance_px))
+  // Samples traced again are sought from the eye as others are from anywhere, which so near to
+  // something loses digits even of double.
+  const double near_error_px = kappa * double_rounding / statistics.pixel_angle *
+                               growth_along_path(statistics, statistics.nearest);
+  if (!(near_error_px <= exact_px))
     return {double_precision,
             because("single would displace shadows by {:.2g} pixels: occluders up to {:.3g} "
                     "times as far as the nearest surface",
-                    path_error_px, statistics.shadow_path / statistics.nearest)};
+                    direction_error_px * growth_along_path(statistics, statistics.nearest),
+                    statistics.shadow_path / statistics.nearest)};
 
   const double surface_error = kappa * single_rounding * statistics.all.distance_in_radii();
   if (surface_error > surface_tolerance)
@@ -146,8 +178,15 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
             because("single could not tell a light from the surface {:.2g} of the extent away",
                     statistics.light_clearance)};
 
+  const double path_error_px =
+      direction_error_px * growth_along_path(statistics, statistics.nearest);
   const double spread_error_px = direction_error_px * growth_by_spread(features, statistics);
-  if (!(spread_error_px <= tolerance_px))
+  // What is beyond is to be the lesser part: planes that go on, and little else.
+  const bool are_lamps_in_reach =
+      std::all_of(statistics.lamps.begin(), statistics.lamps.end(), [&](const LampDistances& lamp) {
+        return lamp_reach_in_single(lamp, features, statistics) > lamp.bounded / 2;
+      });
+  if (!(spread_error_px <= tolerance_px) && !are_lamps_in_reach)
     return {double_precision,
             because("single would displace shadows by {:.2g} pixels: a point light shines {:.3g} "
                     "times as far as to the nearest thing that hides it",
@@ -170,6 +209,20 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
   if (levels > most_levels)
     return {double_precision,
             because("single may change shaded surfaces by {:.2g} levels of 255", levels)};
+
+  if (!(spread_error_px <= tolerance_px))
+    return {mixed,
+            because("single would displace shadows by {:.2g} pixels where a point light shines "
+                    "{:.3g} times as far as to the nearest thing that hides it: what is so "
+                    "far from it is traced in double",
+                    spread_error_px, statistics.shadow_spread)};
+  if (!(path_error_px <= tolerance_px))
+    return {mixed,
+            because("single would displace shadows by {:.2g} pixels on what is nearest, from "
+                    "occluders up to {:.3g} times as far: what is nearer than {:.2g} of the "
+                    "extent is traced in double",
+                    path_error_px, statistics.shadow_path / statistics.nearest,
+                    nearest_in_single(features, statistics))};
 
   const double mirror_error_px = direction_error_px * statistics.magnification;
   if (mirror_error_px > mirror_tolerance_px)

@@ -21,6 +21,14 @@ const char* name_of(Precision precision);
 ArithmeticError foresee_arithmetic_error(Precision precision, const Features& features,
                                          const SceneStatistics& statistics);
 
+/// In mixed precision what rays from the eye meet nearer than this is traced in double: single
+/// would displace the shadows there. In frame coordinates.
+double nearest_in_single(const Features& features, const SceneStatistics& statistics);
+
+/// How far from a point light its shadows are as little displaced in single as is tolerated.
+double lamp_reach_in_single(const LampDistances& lamp, const Features& features,
+                            const SceneStatistics& statistics);
+
 /// Single where its errors stay below a small part of a pixel and half a level of shading, else
 /// double; the first bound that single would break is the reason. `requested` other than automatic
 /// is granted, unless single cannot hold the scene's sizes or number its primitives.

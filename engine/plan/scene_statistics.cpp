@@ -71,6 +71,7 @@ double add_converging_light(const PackedScene& packed, const PackedLight& light,
   });
   const double reach = std::max(all.farthest, to.farthest + to.all.visible_reach);
   to.shadow_spread = std::max(to.shadow_spread, reach / sought_from_points);
+  to.lamps.push_back({light.place, sought_from_points, all.farthest});
   return all.clearance;
 }
 

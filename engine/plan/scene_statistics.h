@@ -18,6 +18,13 @@ struct GrazingLight {
   std::size_t kind;  ///< of the object
 };
 
+/// What of a point light tells how wide its shadows can be, in frame coordinates.
+struct LampDistances {
+  Vec3 place;
+  double nearest;  ///< thing whose shadows are looked for from the points
+  double bounded;  ///< the farthest point of anything that is
+};
+
 /// Lengths are in frame coordinates, distances from the eye.
 struct SceneStatistics {
   std::array<GeometryStatistics, ObjectKinds::count> kinds;  ///< of each kind of object
@@ -29,6 +36,7 @@ struct SceneStatistics {
   /// thing whose shadows are looked for from the points: so much wider a shadow can be than its
   /// occluder.
   double shadow_spread = 1;
+  std::vector<LampDistances> lamps;  ///< of each point light, in their order
   /// The least distance of a point light to a surface, as a share of the farthest extent.
   double light_clearance = infinity;
   /// By how much a reflection can magnify an error of direction, in what it changes of a pixel: a

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <numeric>
 
 #include "engine/errors/error_model.h"
 #include "engine/sample/neighbour_error.h"
@@ -104,6 +105,7 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
   const std::vector<Tile> tiles =
       split_into_tiles(camera.width, camera.height, tracing.plan.tile_side_px.value);
   std::vector<BeyondRange> beyond(tiles.size());
+  std::vector<double> rest_ms(tiles.size());  // that the tiles' other subtiles may take
   std::atomic<bool> stop{false};
   const auto trace = [&](std::size_t i, std::uint16_t subtiles) {
     Tile tile = tiles[i];
@@ -116,15 +118,19 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
       [&](std::size_t i) {
         if (tracing.progress.stop) stop = true;
         if (stop) return;
+        const Stopwatch watch;
         trace(i, first_subtile);
+        rest_ms[i] = watch.elapsed_ms() * (subtiles_in_block - 1);
         spread_first_subtiles(tiles[i], first.image);
       },
       stop);
   if (stop) return {};
 
+  const double tile_ms =
+      std::accumulate(rest_ms.begin(), rest_ms.end(), 0.0) / static_cast<double>(tiles.size());
+  std::atomic<bool> is_whole{true};
   const std::size_t at_once = std::min(tracing.pool.thread_count(), tiles.size());
   const double rounds = static_cast<double>(tiles.size()) / static_cast<double>(at_once);
-  const double tile_ms = tracing.watch.elapsed_ms() * (subtiles_in_block - 1) / rounds;
   // Its errors are guessed afterwards: as long for each tile as for the first.
   const Stopwatch guessing;
   for_each_pixel(tiles[0], block_side, [&](int x, int y) {
@@ -136,6 +142,10 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
       [&](std::size_t i) {
         if (tracing.progress.stop || tracing.is_over_time(tile_ms + guess_ms)) stop = true;
         if (stop) return;
+        if (tracing.is_over_time(rest_ms[i] + guess_ms)) {  // others may not take so long
+          is_whole = false;
+          return;
+        }
         trace(i, other_subtiles);
         for_each_pixel(tiles[i], block_side, [&](int x, int y) {
           first.is_traced[static_cast<std::size_t>(y / block_side) * columns +
@@ -145,7 +155,7 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
       stop);
   if (tracing.progress.stop) return {};
   for (const BeyondRange& in_tile : beyond) tracing.beyond += in_tile;
-  first.is_whole = !stop;
+  first.is_whole = is_whole && !stop;
   ++tracing.passes_done;
   return first;
 }

@@ -155,12 +155,22 @@ void sample(const PacketTracer<T>& tracer, const SamplePattern& pattern, Transfe
 }
 
 /// What traces samples again: all of their rays are followed ones.
-std::shared_ptr<const PacketScene<double>> exact_scene(const Plan& plan, const PackedScene& packed,
-                                                       WorkerPool& pool) {
-  FinderTable finders = plan.finders;
+ExactScene make_exact_scene(const Plan& plan, const PackedScene& packed, WorkerPool& pool) {
+  Features features = plan.features;
+  features.reflects = true;
+  FinderTable finders = choose_finders(features, plan.statistics, plan.kernel.value);
   for (FinderRow& row : finders) row[static_cast<std::size_t>(RayKind::from_eye)] = Finder::none;
-  return std::make_shared<const PacketScene<double>>(
+  ExactScene exact;
+  exact.scene = std::make_shared<const PacketScene<double>>(
       make_packet_scene<double>(packed, plan.features, finders, pool));
+  exact.brightest = static_cast<float>(plan.statistics.brightest);
+  exact.nearest = static_cast<float>(nearest_in_single(plan.features, plan.statistics));
+  for (const LampDistances& lamp : plan.statistics.lamps) {
+    const double reach = lamp_reach_in_single(lamp, plan.features, plan.statistics);
+    if (std::isfinite(reach))
+      exact.lamps.push_back({narrowed<float>(lamp.place), static_cast<float>(reach * reach)});
+  }
+  return exact;
 }
 
 }  // namespace
@@ -174,8 +184,7 @@ Tracer make_tracer(const Plan& plan, PackedScene packed, WorkerPool& pool) {
     if (plan.precision.value == Precision::mixed) {
       PacketTracer<float> tracer{
           make_packet_scene<float>(packed, plan.features, plan.finders, pool), target};
-      tracer.scene.exact = {exact_scene(plan, packed, pool),
-                            static_cast<float>(plan.statistics.brightest)};
+      tracer.scene.exact = make_exact_scene(plan, packed, pool);
       return tracer;
     }
     return PacketTracer<double>{

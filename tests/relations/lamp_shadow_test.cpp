@@ -70,8 +70,7 @@ TEST(LampShadow, of_a_mesh_reaches_the_horizon) {
                      {"vertices", {{0, 0, -4}, {0, 4, -4}, {0, 4, 4}, {0, 0, 4}}},
                      {"triangles", {{0, 1, 2}, {0, 2, 3}}}};
   const json text = far_ground({2, 1.6, 0}, {wall}, 0.4);
-  EXPECT_EQ(make_plan(scene_of(text), this_machine(1)).precision.value,
-            Precision::double_precision);
+  EXPECT_EQ(make_plan(scene_of(text), this_machine(1)).precision.value, Precision::mixed);
   const Image image = image_of(text);
   EXPECT_EQ(count_different(image, image_of(in_precision(text, "double"))), 0);
 }

@@ -126,7 +126,7 @@ TEST(Plan, walks_a_square_under_a_low_light) {
             "cell walk");
 }
 
-TEST(Plan, takes_double_for_shadows_from_square_to_square_as_from_a_sphere) {
+TEST(Plan, mixes_for_shadows_from_square_to_square_as_from_a_sphere) {
   const auto precision_with = [](std::vector<Object> over_it) {
     over_it.push_back({SphereSquare{{}, 1, 1000}, 0});
     Scene scene = scene_with(std::move(over_it));
@@ -134,8 +134,8 @@ TEST(Plan, takes_double_for_shadows_from_square_to_square_as_from_a_sphere) {
     return make_plan(scene, machine).precision.value;
   };
   EXPECT_EQ(precision_with({}), Precision::single_precision);
-  EXPECT_EQ(precision_with({{Sphere{{0, 10, 0}, 0.1}, 0}}), Precision::double_precision);
-  EXPECT_EQ(precision_with({{SphereSquare{{0, 10, 0}, 0.1, 5}, 0}}), Precision::double_precision);
+  EXPECT_EQ(precision_with({{Sphere{{0, 10, 0}, 0.1}, 0}}), Precision::mixed);
+  EXPECT_EQ(precision_with({{SphereSquare{{0, 10, 0}, 0.1, 5}, 0}}), Precision::mixed);
 }
 
 TEST(Plan, numbers_no_more_primitives_in_single_than_it_tells_apart) {

@@ -60,7 +60,17 @@ HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Rays& rays, const H
     const V3<V> direction =
         load(d, hits.direction_x + at, hits.direction_y + at, hits.direction_z + at);
     const V pixel = hn::Iota(d, static_cast<T>(at));
-    store(d, eye.shade(d, direction, hit, rays.active(d, i), pixel, followed), at, colours);
+    auto active = rays.active(d, i);
+    if constexpr (may_be_inexact<T>)
+      if (scene.exact.scene) {
+        const auto is_hit = hn::And(active, hn::Ge(hit.id, hn::Zero(d)));
+        const auto is_near = hn::Lt(hit.t, hn::Set(d, scene.exact.nearest));
+        const V3<V> point = scale(direction, hn::IfThenElseZero(is_hit, hit.t));
+        const auto again = hn::And(is_hit, hn::Or(is_near, beyond_reach(d, scene.exact, point)));
+        hn::Store(hn::IfThenElseZero(again, hn::Set(d, T(1))), d, colours.doubt + at);
+        active = hn::AndNot(again, active);
+      }
+    store(d, eye.shade(d, direction, hit, active, pixel, followed), at, colours);
   }
 }
 

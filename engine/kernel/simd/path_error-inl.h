@@ -80,6 +80,17 @@ HWY_INLINE SurfaceError<V> surface_error(D d, const PacketScene<T>& scene,
   return {place, hn::Min(hn::Div(bent, cosine), most)};
 }
 
+/// The lanes whose points are beyond a light's reach.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M beyond_reach(D d, const ExactScene& exact, const V3<V>& point) {
+  M beyond = hn::Lt(hn::Zero(d), hn::Zero(d));
+  for (const LampReach& lamp : exact.lamps) {
+    const V3<V> path = sub(point, broadcast(d, lamp.place));
+    beyond = hn::Or(beyond, hn::Gt(dot(path, path), hn::Set(d, lamp.reach2)));
+  }
+  return beyond;
+}
+
 /// By how much the lanes' colours may be off.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V colour_error(D d, const PacketScene<T>& scene, const Surface<D>& surface,
@@ -91,7 +102,8 @@ HWY_INLINE V colour_error(D d, const PacketScene<T>& scene, const Surface<D>& su
                               hn::MulAdd(hn::Set(d, T(0.5)), error.direction, at.turn));
   const V change = hn::MulAdd(highlight, root, hn::Mul(surface.material(d, &Row::kd), at.turn));
   const V one = hn::Set(d, T(1));
-  return hn::Min(hn::Mul(change, hn::Set(d, scene.exact.brightest)), one);
+  const V off = hn::Min(hn::Mul(change, hn::Set(d, scene.exact.brightest)), one);
+  return hn::IfThenElse(beyond_reach(d, scene.exact, surface.at.point), one, off);
 }
 
 /// Of the rays that a surface sends on.
