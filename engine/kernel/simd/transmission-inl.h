@@ -81,8 +81,7 @@ HWY_NOINLINE V transmitted_share(D d, const PacketScene<T>& scene, const ShadowR
   V share = hn::Set(d, T(1));
   V left = hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>));
   RayOrigin<V> from = rays.from;
-  const V step = hn::Mul(left, hn::Set(d, 32 * std::numeric_limits<T>::epsilon()));
-  V met = zero;  // since it has got on by that
+  V met = zero;  // since it has got on by more than rounding
   while (true) {
     const Hit<V> hit = find_within(d, scene, from, rays.towards, left, depth, active);
     active = hn::And(active, hn::Ge(hit.id, zero));
@@ -91,7 +90,10 @@ HWY_NOINLINE V transmitted_share(D d, const PacketScene<T>& scene, const ShadowR
     tell_sides(d, scene, rays.towards, active, hn::Gt(depth, zero), surface);
     const V transparency = glass_of(d, scene, surface.at.id, active)(d, &GlassRow<T>::transparency);
     share = hn::IfThenElse(active, hn::Mul(share, transparency), share);
-    met = hn::IfThenElseZero(hn::Lt(hit.t, step), hn::Add(met, hn::Set(d, T(1))));
+    const V3<V>& point = surface.at.point;
+    const V size = hn::Add(hn::Abs(point.x), hn::Add(hn::Abs(point.y), hn::Abs(point.z)));
+    const V rounding = hn::Mul(size, hn::Set(d, 8 * std::numeric_limits<T>::epsilon()));
+    met = hn::IfThenElseZero(hn::Le(hit.t, rounding), hn::Add(met, hn::Set(d, T(1))));
     active = hn::And(active, hn::Gt(share, zero));
     active = hn::And(active, hn::Lt(met, hn::Set(d, T(most_in_one_place))));
     if (hn::AllFalse(d, active)) return share;
