@@ -251,6 +251,26 @@ TEST(Variants, mixed_traces_again_what_mirrors_magnify) {
   }
 }
 
+/// In the midst of them, beside them, along an axis, and so far away that all are in one direction.
+TEST(Variants, finds_shadows_of_spheres_wherever_the_lamp_is) {
+  const std::string matt = R"({"shininess": 20})";
+  for (const char* const place : {"[0, 0, 0]", "[0.5, 3, -6]", "[9, 0, 0]", "[0, -40, 0]",
+                                  "[300, 500, -400]", "[-2e5, 1e5, -3e5]"}) {
+    const Scene scene = with_objects(
+        random_spheres(900, 0.3, matt) +
+            R"(, {"type": "plane", "point": [0, -5, 0], "normal": [0, 1, 0]})",
+        fmt::format(R"({{"type": "point", "position": {}, "intensity": 0.8, "falloff": "none"}})",
+                    place));
+    const Image expected = reference_image(scene);
+    for (const InstructionSet& set : supported_instruction_sets()) {
+      EXPECT_EQ(count_wrong(image_on(set, Precision::double_precision, scene), expected), 0)
+          << place << " on " << set.name;
+      EXPECT_LE(count_wrong(image_on(set, Precision::single_precision, scene), expected), 10)
+          << place << " on " << set.name;
+    }
+  }
+}
+
 /// Light goes through surfaces that single cannot tell apart, and must not go to and fro for ever.
 TEST(Variants, glass_in_single_comes_to_an_end) {
   const std::string glass = R"({"ka": 0, "kd": 0.1, "transparency": 0.9, "ior": 1.5})";

@@ -236,7 +236,8 @@ HWY_INLINE M occluded_by(D d, const Geometry<SphereKind, T>& spheres, const Pack
   if (spheres.finder(RayKind::to_point_light) == Finder::one_by_one)
     return hn::And(lit,
                    occluded_by_each(d, view.balls.casters, view.balls.begins[1], test, values));
-  const V cell = cube_cells(d, view.balls, sub(point, broadcast(d, light.place)));
+  if (hn::AllFalse(d, lit)) return lit;
+  const V cell = cube_cells(d, view.balls, sub(point, broadcast(d, light.place)), lit);
   return occluded_in_cells(d, view.balls, cell, test, values, lit);
 }
 
