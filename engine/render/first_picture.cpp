@@ -4,7 +4,6 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <numeric>
 
 #include "engine/errors/error_model.h"
 #include "engine/sample/neighbour_error.h"
@@ -23,6 +22,11 @@ Tile corner_of(const Image& image, int x, int y, int side) {
 
 int count_pixels(const Tile& tile) {
   return (tile.x_end - tile.x_begin) * (tile.y_end - tile.y_begin);
+}
+
+int count_blocks(const Tile& tile) {
+  const auto along = [](int pixels) { return (pixels + block_side - 1) / block_side; };
+  return along(tile.x_end - tile.x_begin) * along(tile.y_end - tile.y_begin);
 }
 
 /// Calls visit(x, y) for the pixels, or those that begin squares of `step` pixels.
@@ -105,10 +109,9 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
   const std::vector<Tile> tiles =
       split_into_tiles(camera.width, camera.height, tracing.plan.tile_side_px.value);
   std::vector<BeyondRange> beyond(tiles.size());
-  std::vector<double> rest_ms(tiles.size());  // that the tiles' other subtiles may take
+  std::vector<double> block_ms(tiles.size());  // that the rest of a tile's block probably takes
   std::atomic<bool> stop{false};
-  const auto trace = [&](std::size_t i, std::uint16_t subtiles) {
-    Tile tile = tiles[i];
+  const auto trace = [&](std::size_t i, Tile tile, std::uint16_t subtiles) {
     tile.subtiles = subtiles;
     beyond[i] +=
         render_tile(tracing.tracer, pattern, tracing.scene.render.transfer, tile, &first.image);
@@ -118,16 +121,15 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
       [&](std::size_t i) {
         if (tracing.progress.stop) stop = true;
         if (stop) return;
-        const Stopwatch watch;
-        trace(i, first_subtile);
-        rest_ms[i] = watch.elapsed_ms() * (subtiles_in_block - 1);
+        // By the clock a tile whose thread had to wait would be left as it is.
+        const ThreadStopwatch watch;
+        trace(i, tiles[i], first_subtile);
+        block_ms[i] = watch.elapsed_ms() * (subtiles_in_block - 1) / count_blocks(tiles[i]);
         spread_first_subtiles(tiles[i], first.image);
       },
       stop);
   if (stop) return {};
 
-  const double tile_ms =
-      std::accumulate(rest_ms.begin(), rest_ms.end(), 0.0) / static_cast<double>(tiles.size());
   std::atomic<bool> is_whole{true};
   const std::size_t at_once = std::min(tracing.pool.thread_count(), tiles.size());
   const double rounds = static_cast<double>(tiles.size()) / static_cast<double>(at_once);
@@ -140,14 +142,14 @@ std::optional<FirstPicture> trace_first_picture(Tracing& tracing) {
   tracing.pool.run(
       tiles.size(),
       [&](std::size_t i) {
-        if (tracing.progress.stop || tracing.is_over_time(tile_ms + guess_ms)) stop = true;
-        if (stop) return;
-        if (tracing.is_over_time(rest_ms[i] + guess_ms)) {  // others may not take so long
-          is_whole = false;
-          return;
-        }
-        trace(i, other_subtiles);
         for_each_pixel(tiles[i], block_side, [&](int x, int y) {
+          if (tracing.progress.stop || tracing.is_over_time(guess_ms)) stop = true;
+          if (stop) return;
+          if (tracing.is_over_time(block_ms[i] + guess_ms)) {  // others may not take so long
+            is_whole = false;
+            return;
+          }
+          trace(i, corner_of(first.image, x, y, block_side), other_subtiles);
           first.is_traced[static_cast<std::size_t>(y / block_side) * columns +
                           static_cast<std::size_t>(x / block_side)] = 1;
         });

@@ -133,6 +133,16 @@ TEST(Glass, weakens_light_by_each_of_its_surfaces) {
   EXPECT_EQ(only_color(text), Vec3{});
 }
 
+TEST(Glass, lets_light_through_however_many_surfaces_it_has) {
+  // Forty surfaces, close and far apart, before a lamp without distance.
+  json text = document(camera_json(1, 1, 1e-6),
+                       {plane_json({0, 0, 5}, {0, 0, -1}, diffuse_material({1, 1, 1}))},
+                       {distant_json({0, -1, 1})});
+  for (int i = 0; i < 20; ++i)
+    text["objects"].push_back(sphere_json({0, 3 + 2.5 * i, 2 - 2.5 * i}, 1 + 0.02 * i, glass(0.9)));
+  expect_gray(text, std::pow(0.9, 40) / std::numbers::sqrt2);
+}
+
 TEST(Glass, is_lit_from_behind_through_itself) {
   // The far inside of a ball, seen through its front: the light comes through the front, too.
   json material = glass(0.5, 1);
