@@ -1,0 +1,98 @@
+// Every finder finds what the reference finds, also where the plan would choose another.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/scene_plan.h"
+#include "tests/variants/compare.h"
+#include "tests/variants/image_by.h"
+#include "tests/variants/random_documents.h"
+#include "tests/variants/scenes.h"
+
+namespace raytracer::test {
+namespace {
+
+/// In the midst of them, beside them, along an axis, and so far away that all are in one direction.
+TEST(Finders, find_shadows_of_spheres_wherever_the_lamp_is) {
+  const std::string matt = R"({"shininess": 20})";
+  for (const char* const place : {"[0, 0, 0]", "[0.5, 3, -6]", "[9, 0, 0]", "[0, -40, 0]",
+                                  "[300, 500, -400]", "[-2e5, 1e5, -3e5]"}) {
+    const Scene scene = with_objects(
+        random_spheres(900, 0.3, matt) +
+            R"(, {"type": "plane", "point": [0, -5, 0], "normal": [0, 1, 0]})",
+        fmt::format(R"({{"type": "point", "position": {}, "intensity": 0.8, "falloff": "none"}})",
+                    place));
+    const Image expected = reference_image(scene);
+    for (const InstructionSet& set : supported_instruction_sets()) {
+      EXPECT_EQ(count_wrong(image_on(set, Precision::double_precision, scene), expected), 0)
+          << place << " on " << set.name;
+      EXPECT_LE(count_wrong(image_on(set, Precision::single_precision, scene), expected), 10)
+          << place << " on " << set.name;
+    }
+  }
+}
+
+template <class Kind>
+void expect_alike_by_every_finder() {
+  for (const NamedScene& named : scenes()) {
+    Scene scene = named.scene;
+    scene.render.precision = Precision::double_precision;
+    Plan plan = make_plan(scene, this_machine());
+    const std::size_t count = plan.features.primitives[kind_index<Kind>];
+    if (count == 0) continue;
+    const Image expected = reference_image(scene);
+    for (const Finder otherwise : {Finder::tree, Finder::one_by_one}) {
+      if (otherwise == Finder::one_by_one && count > 10 * Kind::few.followed) continue;
+      for (const bool by_bins : {false, true}) {
+        for (const bool by_grids : {false, true}) {
+          FinderRow& row = plan.finders[kind_index<Kind>];
+          row.fill(otherwise);
+          set(row, RayKind::from_eye, by_bins ? Finder::screen_bins : Finder::tree);
+          if (by_grids) set(row, RayKind::to_distant_light, Finder::light_grid);
+          EXPECT_EQ(count_wrong(image_by(plan, scene), expected), 0)
+              << named.name << (by_bins ? ", bins" : "") << (by_grids ? ", grids" : "");
+        }
+      }
+    }
+  }
+}
+
+TEST(Finders, find_triangles_alike_by_every_finder) {
+  expect_alike_by_every_finder<TriangleKind>();
+}
+
+TEST(Finders, find_cylinders_alike_by_every_finder) {
+  expect_alike_by_every_finder<CylinderKind>();
+}
+
+TEST(Finders, find_cones_alike_by_every_finder) { expect_alike_by_every_finder<ConeKind>(); }
+
+TEST(Finders, find_spheres_in_an_image_wider_than_sixteen_bits_count) {
+  Scene scene =
+      with_objects(R"({"type": "sphere", "center": [5.6, 0, 0], "radius": 0.2})", distant_lights);
+  scene.camera.width = 400'000;
+  scene.camera.height = 1;
+  const Image expected = reference_image(scene);
+  const InstructionSet set = supported_instruction_sets().front();
+  EXPECT_EQ(count_wrong(image_on(set, Precision::double_precision, scene), expected), 0);
+  const float* const background = expected.pixel(0, 0);
+  EXPECT_NE(*expected.pixel(387'600, 0), *background) << "no sphere where the test looks";
+}
+
+TEST(Finders, find_spheres_that_fill_the_image_by_a_tree) {
+  Scene scene = with_objects(random_spheres(4000, 5, "{}"), distant_lights);
+  scene.render.precision = Precision::double_precision;
+  scene.camera.width = 700;
+  scene.camera.height = 500;
+  const Plan plan = make_plan(scene, this_machine());
+  ASSERT_EQ(plan.kernel.value, Kernel::packets) << plan.kernel.reason();
+  EXPECT_EQ(finder_of(plan.finders[kind_index<SphereKind>], RayKind::from_eye), Finder::tree);
+  scene.camera.width = 70;
+  scene.camera.height = 50;
+  Plan with_tree = make_plan(scene, this_machine());
+  set(with_tree.finders[kind_index<SphereKind>], RayKind::from_eye, Finder::tree);
+  EXPECT_EQ(count_wrong(image_by(with_tree, scene), reference_image(scene)), 0);
+}
+
+}  // namespace
+}  // namespace raytracer::test
