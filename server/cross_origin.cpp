@@ -54,6 +54,7 @@ void add_cross_origin_fields(const httplib::Request& request, httplib::Response&
     response.set_header(
         "Access-Control-Expose-Headers",
         "ETag, Location, Retry-After, Server-Timing, X-Request-Id, Render-Samples, "
+        "Render-Light-Samples, "
         "Render-Error, Render-Precision, Render-Stop, Render-Tasks, Render-Workers");
   }
   if (origin == every_origin) return;

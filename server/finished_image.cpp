@@ -22,6 +22,8 @@ FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queu
   image.fields = {{"Render-Samples", fmt::format("{:.6g}", rendering.samples_per_pixel)},
                   {"Render-Precision", name_of(rendering.precision)},
                   {"Render-Stop", stop}};
+  if (rendering.light_samples > 0)
+    image.fields.emplace_back("Render-Light-Samples", std::to_string(rendering.light_samples));
   if (rendering.estimated_error)
     image.fields.emplace_back("Render-Error", fmt::format("{:.3g}", *rendering.estimated_error));
   if (sharing.tasks > 0) {

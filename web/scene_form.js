@@ -118,12 +118,13 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
 
     const lights = scene.lights.map((light, index) => {
       const pointer = `/lights/${index}`;
-      const where = light?.type === "point" ? "position" : "direction";
+      const where = { point: "position", distant: "direction" }[light?.type];
       const name = `Light ${index + 1}`;
-      return row(name, `${light?.type}, ${where}`, [
-        colour(`${name}, colour`, `${pointer}/color`), ...point(`${name}, ${where}`, `${pointer}/${where}`),
+      return row(name, [light?.type, where].filter(Boolean).join(", "), [
+        colour(`${name}, colour`, `${pointer}/color`), ...(where ? point(`${name}, ${where}`, `${pointer}/${where}`) : []),
         labelled("intensity", number(`${name}, intensity`, `${pointer}/intensity`, { min: 0 })),
-        ...(where === "position" ? [labelled("falloff", choice(`${name}, falloff`, `${pointer}/falloff`, ["inverse_square", "none"]))] : [])]);
+        ...(where === "direction" ? [labelled("softness", number(`${name}, angle`, `${pointer}/angle`, { step: 0.01, min: 0, max: 3.14 }))] : []),
+        ...(where === "position" ? [labelled("softness", number(`${name}, radius`, `${pointer}/radius`, { min: 0 })), labelled("falloff", choice(`${name}, falloff`, `${pointer}/falloff`, ["inverse_square", "none"]))] : [])]);
     });
     if (lights.length > 0) groups.push(group("Lights", lights));
     groups.push(group("Surroundings", [
@@ -144,7 +145,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
 }
 
 const transparent = "transparent";
-const defaults = { color: [1, 1, 1], background: [0, 0, 0], ambient: 0.2, kd: 0.7, ks: 0.3, reflectivity: 0, transparency: 0, ior: 1.5, fresnel: false, intensity: 1 };
+const defaults = { color: [1, 1, 1], background: [0, 0, 0], ambient: 0.2, kd: 0.7, ks: 0.3, reflectivity: 0, transparency: 0, ior: 1.5, fresnel: false, intensity: 1, angle: 0, radius: 0 };
 
 /// What decides which controls there are.
 function shapeOf({ objects, materials, lights }) {

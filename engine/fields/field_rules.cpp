@@ -25,7 +25,8 @@ std::string complaint_about_integer(double value, const ValueRange& range) {
 std::string ValueRange::describe() const {
   if (std::isinf(least)) return fmt::format("at most {}", most);
   if (std::isinf(most)) return fmt::format("{} {}", least_excluded ? "above" : "at least", least);
-  return fmt::format("{} {} to {}", least_excluded ? "above" : "from", least, most);
+  return fmt::format("{} {} to {}{}", least_excluded ? "above" : "from", least,
+                     most_excluded ? "below " : "", most);
 }
 
 std::string out_of_range(double value, std::string_view wanted) {

@@ -17,9 +17,11 @@ struct ValueRange {
   double least = -infinity;
   double most = infinity;
   bool least_excluded = false;
+  bool most_excluded = false;
 
   bool contains(double value) const {
-    return (least_excluded ? value > least : value >= least) && value <= most;
+    return (least_excluded ? value > least : value >= least) &&
+           (most_excluded ? value < most : value <= most);
   }
   std::string describe() const;
 };

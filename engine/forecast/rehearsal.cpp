@@ -9,6 +9,7 @@
 
 #include "engine/errors/error_model.h"
 #include "engine/measure/stopwatch.h"
+#include "engine/plan/light_sampling.h"
 #include "engine/plan/sampling.h"
 #include "engine/plan/tiles.h"
 #include "engine/sample/pattern.h"
@@ -184,8 +185,8 @@ double Rehearsal::error_of(double samples) const {
 
 Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
                    const RenderProgress& progress, double pass_limit_ms) {
-  const int side =
-      std::min(Model::tile_side_px, interruptible_side_px(many_samples, scene.lights.size()));
+  const int side = std::min(Model::tile_side_px,
+                            interruptible_side_px(many_samples, light_rays_per_sample(scene)));
   const std::vector<Tile> all = split_into_tiles(scene.camera.width, scene.camera.height, side);
   const auto columns = static_cast<std::size_t>((scene.camera.width + side - 1) / side);
   const std::vector<TimedTile> tiles =

@@ -1,7 +1,9 @@
 #include "engine/kernel/packet_scene.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
+#include <utility>
 
 #include "engine/parallel/chunks.h"
 
@@ -21,10 +23,43 @@ PacketMaterials<T> make_materials(const PackedScene& scene, const Features& feat
   return materials;
 }
 
+/// So many views are made side by side, and not each by all threads.
+constexpr std::size_t many_lights = 32;
+
+template <typename T>
+PacketLight<T> packet_light(const PackedLight& light, std::size_t index) {
+  return {light.kind,  light.rays, narrowed<T>(light.place), saturated<T>(light.emission),
+          light.fades, index};
+}
+
+/// Adds a soft light; where rays to it share directions, each is one of the `lights` that
+/// geometries have views of.
+template <typename T>
+void add_soft_light(const SoftLight& soft, std::vector<PackedLight>& lights,
+                    PacketScene<T>& packed) {
+  constexpr auto most = static_cast<double>(std::numeric_limits<T>::max());
+  PacketSoftLight<T> to{packet_light<T>(soft.light, 0),
+                        soft.light.shape,
+                        static_cast<T>(std::min(soft.light.size, most)),
+                        soft.per_set,
+                        {},
+                        {}};
+  for (const Vec3& place : soft.places) {
+    if (soft.light.rays == LightRays::parallel) {
+      lights.push_back({soft.light.kind, LightRays::parallel, place, {}, false});
+      to.directions.push_back(packet_light<T>(lights.back(), lights.size() - 1));
+    } else {
+      to.places.push_back(narrowed<T>(place));
+    }
+  }
+  packed.soft_lights.push_back(std::move(to));
+}
+
 /// The geometry of one kind, and its rows of the table.
 template <class Kind, typename T>
-void make_geometry(const PackedScene& scene, const FinderRow& finders, WorkerPool& pool,
-                   Geometry<Kind, T>& geometry, PacketScene<T>& packed) {
+void make_geometry(const PackedScene& scene, const std::vector<PackedLight>& lights,
+                   const FinderRow& finders, WorkerPool& pool, Geometry<Kind, T>& geometry,
+                   PacketScene<T>& packed) {
   using Layout = PacketLayout<Kind, T>;
   const std::span<const typename Kind::Primitive> primitives(of_kind<Kind>(scene.primitives));
   geometry.count = primitives.size();
@@ -79,9 +114,20 @@ void make_geometry(const PackedScene& scene, const FinderRow& finders, WorkerPoo
   }
   if constexpr (HasEyeView<Layout, typename Kind::Primitive>)
     geometry.eye = Layout::eye_view(primitives, finders, pool);
-  geometry.lights.reserve(scene.lights.size());
-  for (const PackedLight& light : scene.lights)
-    geometry.lights.push_back(Layout::light_view(primitives, light, finders, scene.numbers, pool));
+  const auto view_of = [&](const PackedLight& light, WorkerPool& of) {
+    return Layout::light_view(primitives, light, finders, scene.numbers, of);
+  };
+  if (lights.size() < many_lights) {
+    geometry.lights.reserve(lights.size());
+    for (const PackedLight& light : lights) geometry.lights.push_back(view_of(light, pool));
+    return;
+  }
+  geometry.lights.resize(lights.size());
+  pool.run(pool.thread_count(), [&](std::size_t thread) {
+    WorkerPool alone(1);
+    for (std::size_t i = thread; i < lights.size(); i += pool.thread_count())
+      geometry.lights[i] = view_of(lights[i], alone);
+  });
 }
 
 /// Whether distant lights' grids are larger than what a processor's caches keep of them. Where they
@@ -111,15 +157,15 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
   packed.primitives.resize(scene.numbers.count());
   for (const CornerValues& values : scene.corner_values)
     if (!values.empty()) packed.corners.resize(values.first + values.corners.size());
+  std::vector<PackedLight> lights = scene.lights;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    packed.lights.push_back(packet_light<T>(lights[i], i));
+  for (const SoftLight& soft : scene.soft_lights) add_soft_light(soft, lights, packed);
+  packed.light_sets = scene.light_sets;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
-    make_geometry<Kind, T>(scene, finders[kind_index<Kind>], pool,
+    make_geometry<Kind, T>(scene, lights, finders[kind_index<Kind>], pool,
                            std::get<kind_index<Kind>>(packed.geometry.kinds), packed);
   });
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const PackedLight& light = scene.lights[i];
-    packed.lights.push_back({light.kind, light.rays, narrowed<T>(light.place),
-                             saturated<T>(light.emission), light.fades, i});
-  }
   packed.fetches_light_cells = exceed_caches(packed.geometry);
   packed.background = narrowed<T>(scene.background);
   packed.shadows = scene.shadows;

@@ -39,6 +39,18 @@ struct Geometries {
   }
 };
 
+/// A light that is larger than a point.
+template <typename T>
+struct PacketSoftLight {
+  PacketLight<T> light;  ///< its middle; of a sky only the emission counts
+  LightShape shape;
+  T size;               ///< as PackedLight has it
+  std::size_t per_set;  ///< of its places
+  /// Its places, set after set, as SoftLight has them; where rays share directions, these.
+  std::vector<Triple<T>> places;
+  std::vector<PacketLight<T>> directions;
+};
+
 template <typename T>
 struct PacketScene {
   View view;
@@ -46,10 +58,12 @@ struct PacketScene {
   Triple<T> right;
   Triple<T> up;
   Geometries<T> geometry;
-  bool fetches_light_cells;  ///< before they are needed: the caches cannot hold them all
-  bool has_flat;             ///< primitives without curvature
-  bool has_own_normals;      ///< primitives whose kind computes them
-  std::vector<PacketLight<T>> lights;
+  bool fetches_light_cells;            ///< before they are needed: the caches cannot hold them all
+  bool has_flat;                       ///< primitives without curvature
+  bool has_own_normals;                ///< primitives whose kind computes them
+  std::vector<PacketLight<T>> lights;  ///< that are points
+  std::vector<PacketSoftLight<T>> soft_lights;
+  int light_sets;                    ///< of places on these
   PrimitiveRows<T> primitives;       ///< by their numbers
   LargeArray<CornerRow<T>> corners;  ///< of primitives whose corners tell normals or colours
   PacketMaterials<T> materials;

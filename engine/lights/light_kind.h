@@ -15,11 +15,20 @@
 
 namespace raytracer {
 
-/// What rays to a light share, by which finders look for what is in their way. Of a light whose
-/// rays share neither, another would be needed, and with it a RayKind (finders/finder.h).
+/// What rays to a light share, by which finders look for what is in their way. Those to a soft one
+/// go to places on it, which are the same for many points.
 enum class LightRays : std::uint8_t {
-  parallel,    ///< a direction
+  parallel,    ///< a direction, or each of some directions
   converging,  ///< the point where they end
+  neither,     ///< they are sought as followed rays are
+};
+inline constexpr std::size_t light_rays_count = 3;
+
+/// Where a light shines from: all but a point's is soft.
+enum class LightShape : std::uint8_t {
+  point,  ///< a place or a direction
+  disc,   ///< across the line towards its middle
+  sky,    ///< every direction
 };
 
 /// A light in frame coordinates.
@@ -29,6 +38,17 @@ struct PackedLight {
   Vec3 place;    ///< parallel: unit vector towards the light; converging: where it is
   Rgb emission;  ///< i; of one that fades, at distance 1
   bool fades;    ///< with the distance's square
+  LightShape shape = LightShape::point;
+  /// Of a disc of directions the tangent of half its angle, of one around a place its radius; of a
+  /// sky how far away what hides it may be.
+  double size = 0;
+
+  bool is_soft() const { return shape != LightShape::point; }
+  /// Whether `place` is where its middle is.
+  bool has_place() const {
+    return rays == LightRays::converging ||
+           (rays == LightRays::neither && shape == LightShape::disc);
+  }
 };
 
 /// A light as a point sees it.
@@ -38,10 +58,19 @@ struct ArrivingLight {
   Rgb intensity;    ///< that arrives; finite
 };
 
-/// What the rays to it share.
+/// What the rays to it share, and where it shines from; the latter's size in frame coordinates, as
+/// PackedLight has it.
 template <class Light>
-concept HasRays = requires {
-  { Light::rays } -> std::convertible_to<LightRays>;
+concept HasRays = requires(const Light& x, const Frame& frame) {
+  { rays_of(x) } -> std::same_as<LightRays>;
+  { shape_of(x) } -> std::same_as<LightShape>;
+  { size_of(x, frame) } -> std::same_as<double>;
+};
+
+/// Shines from everywhere, so that nothing arrives from any one direction.
+template <class Light>
+concept ShinesFromEverywhere = requires {
+  requires Light::shines_from_everywhere;
 };
 
 /// The space that it takes: calls include(point, reach).
@@ -79,6 +108,7 @@ concept Arrives = requires(const PackedLight& light, const SurfacePoint& point) 
 
 template <class Light>
 concept LightKind = DocumentedType<Light> && HasRays<Light> && HasLightExtents<Light> &&
-    IsPacked<Light> && HasFalloff<Light> && HasBrightest<Light> && Arrives<Light>;
+    IsPacked<Light> && HasFalloff<Light> && HasBrightest<Light> &&
+    (Arrives<Light> || ShinesFromEverywhere<Light>);
 
 }  // namespace raytracer

@@ -10,7 +10,7 @@ namespace raytracer::HWY_NAMESPACE {
 template <class D, class Kind, class... Rest, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE ArrivingLights<V> arriving_light(D d, Types<Kind, Rest...>, std::size_t kind,
                                             const PacketLight<T>& light, const V3<V>& points) {
-  if constexpr (sizeof...(Rest) > 0)
+  if constexpr (!(ShinesFromEverywhere<Rest> && ...))
     if (light.kind != kind) return arriving_light(d, Types<Rest...>(), kind + 1, light, points);
   return arriving(d, std::type_identity<Kind>(), light, points);
 }

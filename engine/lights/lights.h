@@ -9,10 +9,12 @@
 #include "engine/lights/distant/distant_light.h"
 #include "engine/lights/light_kind.h"
 #include "engine/lights/point/point_light.h"
+#include "engine/lights/sky/sky_light.h"
 
 namespace raytracer {
 
-using LightKinds = Types<DistantLight, PointLight>;
+/// Those that shine from everywhere last.
+using LightKinds = Types<DistantLight, PointLight, SkyLight>;
 static_assert(each_satisfies<LightKinds>([]<LightKind Kind>(std::type_identity<Kind>) {}));
 
 struct Light {
@@ -30,11 +32,22 @@ struct Light {
 /// light reaches every surface that faces it.
 enum class Shadows : std::uint8_t { black, ambient, off };
 
+inline LightRays rays_of(const Light& light) {
+  return std::visit([](const auto& kind) { return rays_of(kind); }, light.source);
+}
+
+inline bool is_soft(const Light& light) {
+  return std::visit([](const auto& kind) { return shape_of(kind); }, light.source) !=
+         LightShape::point;
+}
+
 inline PackedLight pack_light(const Light& light, const Frame& frame) {
   return std::visit(
       [&](const auto& kind) -> PackedLight {
-        return {light.source.index(), kind.rays, place_of(kind, frame),
-                emission_of(kind, light.color * light.intensity, frame), fades(kind)};
+        return {light.source.index(),  rays_of(kind),
+                place_of(kind, frame), emission_of(kind, light.color * light.intensity, frame),
+                fades(kind),           shape_of(kind),
+                size_of(kind, frame)};
       },
       light.source);
 }

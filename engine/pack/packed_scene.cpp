@@ -119,8 +119,13 @@ PackedScene pack_scene(const Scene& scene, WorkerPool* pool) {
         object.shape);
   }
   packed.corner_values = find_corner_values(scene);
-  for (const Light& light : lights_in_use(scene))
-    packed.lights.push_back(pack_light(light, packed.frame));
+  for (const Light& light : lights_in_use(scene)) {
+    const PackedLight packed_light = pack_light(light, packed.frame);
+    if (packed_light.is_soft())
+      packed.soft_lights.push_back(place_samples(packed_light, LightSampling{}));
+    else
+      packed.lights.push_back(packed_light);
+  }
   packed.background = scene.background.value_or(Rgb{});
   packed.ambient = scene.ambient;
   packed.shadows = scene.shadows;

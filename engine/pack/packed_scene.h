@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "engine/lights/light_places.h"
 #include "engine/lights/lights.h"
 #include "engine/materials/materials.h"
 #include "engine/math/frame.h"
@@ -51,7 +52,9 @@ struct PackedScene {
   PrimitiveMaterials material_index;
   std::vector<CornerValues> corner_values;  ///< by object; none if no object has any
   std::vector<Material> materials;
-  std::vector<PackedLight> lights;  ///< that can change a colour
+  std::vector<PackedLight> lights;     ///< that can change a colour, and are points
+  std::vector<SoftLight> soft_lights;  ///< that can, and are larger
+  int light_sets = 1;                  ///< of places on these
   Rgb background;
   double ambient = 0;
   Shadows shadows = Shadows::black;
@@ -70,6 +73,7 @@ struct PackedScene {
 Frame make_frame(const Scene& scene);
 
 /// `pool`: whose threads help where there is much to do, if there is one; the result is the same.
+/// Soft lights get 64 places.
 PackedScene pack_scene(const Scene& scene, WorkerPool* pool);
 
 }  // namespace raytracer

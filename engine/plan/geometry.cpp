@@ -1,5 +1,7 @@
 #include "engine/plan/geometry.h"
 
+#include "engine/plan/light_sampling.h"
+
 namespace raytracer {
 namespace {
 
@@ -7,20 +9,26 @@ namespace {
 // with 2 to 6 spheres, 1.04 with 8, 1.15 with 12, 1.9 with 32.
 constexpr std::size_t few_for_single_rays = 7;
 
+/// Primitives times directions of soft lights whose grids are kept at once: some 500 MB.
+constexpr double most_listed = 16e6;
+
 /// The entries that screen bins of so many primitives may have: of 12 bytes, so that they take no
 /// more memory than the primitives themselves.
 double most_blocks(std::size_t primitives) { return 1e6 + 8 * static_cast<double>(primitives); }
 
 /// Of a bounded kind.
 template <class Kind>
-FinderRow choose_structures(std::size_t count, double blocks) {
+FinderRow choose_structures(std::size_t count, double blocks, std::size_t directions) {
   const bool are_few = count <= Kind::few.to_lights;
   FinderRow row;
   const auto set = [&](RayKind rays, Finder finder) {
     row[static_cast<std::size_t>(rays)] = finder;
   };
   set(RayKind::from_eye, blocks <= most_blocks(count) ? Finder::screen_bins : Finder::tree);
-  set(RayKind::to_distant_light, are_few ? Finder::one_by_one : Finder::light_grid);
+  const bool fit = static_cast<double>(count) * static_cast<double>(directions) <= most_listed;
+  set(RayKind::to_distant_light, are_few ? Finder::one_by_one
+                                 : fit   ? Finder::light_grid
+                                         : Finder::tree);
   set(RayKind::to_point_light, are_few                ? Finder::one_by_one
                                : Kind::has_point_grid ? Finder::point_grid
                                                       : Finder::tree);
@@ -40,7 +48,8 @@ bool has_rays(RayKind rays, const Features& features) {
     case RayKind::followed:
       break;
   }
-  return features.reflects || features.transmits;
+  return features.reflects || features.transmits ||
+         (features.casts_shadows && features.light_count(LightRays::neither) > 0);
 }
 
 FinderRow with_each(Finder finder) {
@@ -70,7 +79,9 @@ Choice<Kernel> choose_kernel(const Features& features, const SceneStatistics& st
 }
 
 FinderTable choose_finders(const Features& features, const SceneStatistics& statistics,
-                           Kernel kernel) {
+                           Kernel kernel, const LightSampling& light_sampling) {
+  const std::size_t directions =
+      features.soft_lights > 0 ? shared_directions(light_sampling, features) : 0;
   FinderTable table{};
   std::size_t bounded = 0;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
@@ -83,7 +94,7 @@ FinderTable choose_finders(const Features& features, const SceneStatistics& stat
     if constexpr (Kind::search == Search::own) row = with_each(Finder::lattice_walk);
     if constexpr (Kind::search == Search::bounded) {
       if (kernel == Kernel::packets)
-        row = choose_structures<Kind>(count, statistics.kinds[kind_index<Kind>].blocks);
+        row = choose_structures<Kind>(count, statistics.kinds[kind_index<Kind>].blocks, directions);
       else if (bounded > few_for_single_rays)
         row = with_each(Finder::tree);
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/finders/finder.h"
+#include "engine/lights/light_places.h"
 #include "engine/objects/objects.h"
 #include "engine/plan/choice.h"
 #include "engine/plan/scene_statistics.h"
@@ -28,7 +29,7 @@ using FinderTable = std::array<FinderRow, ObjectKinds::count>;
 Choice<Kernel> choose_kernel(const Features& features, const SceneStatistics& statistics);
 
 FinderTable choose_finders(const Features& features, const SceneStatistics& statistics,
-                           Kernel kernel);
+                           Kernel kernel, const LightSampling& light_sampling);
 
 /// How some kinds of rays find one kind of object, in words.
 struct FinderExplanation {

@@ -24,7 +24,9 @@ Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& mac
   plan.precision = precision_for(scene, plan);
   plan.arithmetic_error =
       foresee_arithmetic_error(plan.precision.value, plan.features, plan.statistics);
-  plan.finders = choose_finders(plan.features, plan.statistics, plan.kernel.value);
+  plan.light_sampling = choose_light_sampling(scene, plan.features);
+  plan.finders =
+      choose_finders(plan.features, plan.statistics, plan.kernel.value, plan.light_sampling.value);
   plan.sampling = choose_sampling(scene.render, plan.statistics);
   plan.instruction_set = machine.instruction_set;
   plan.tile_side_px =

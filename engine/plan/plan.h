@@ -4,6 +4,7 @@
 
 #include "engine/plan/choice.h"
 #include "engine/plan/geometry.h"
+#include "engine/plan/light_sampling.h"
 #include "engine/plan/machine.h"
 #include "engine/plan/precision.h"
 #include "engine/plan/sampling.h"
@@ -20,6 +21,7 @@ struct Plan {
   Choice<Kernel> kernel;
   Choice<Precision> precision;       ///< never automatic
   ArithmeticError arithmetic_error;  ///< in that precision
+  Choice<LightSampling> light_sampling;
   FinderTable finders;
   Choice<Sampling> sampling;
   InstructionSet instruction_set;

@@ -89,6 +89,7 @@ double shadow_path(const PackedScene& packed, const SceneStatistics& statistics)
       for_each_kind([&]<class Other>(std::type_identity<Other>) {
         for (const auto& other : of_kind<Other>(packed.primitives)) box.include(bounds(other));
       });
+      if (!packed.soft_lights.empty()) longest = std::max(longest, 2 * statistics.farthest);
       for (const auto& primitive : of_kind<Kind>(packed.primitives))
         for (const PackedLight& light : packed.lights) {
           double path = infinity;
@@ -100,6 +101,7 @@ double shadow_path(const PackedScene& packed, const SceneStatistics& statistics)
   return longest;
 }
 
+/// Of those that are points: rays to others go every way.
 double lowest_light(const PackedScene& packed) {
   double lowest = 1;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
@@ -119,7 +121,8 @@ std::vector<GrazingLight> grazing_lights(const Scene& scene, const PackedScene& 
     if constexpr (HasGrazingLight<Kind>)
       for (const auto& primitive : of_kind<Kind>(packed.primitives))
         for (std::size_t i = 0; i < scene.lights.size() && grazing.size() < most_named; ++i)
-          if (is_grazed(primitive, pack_light(scene.lights[i], packed.frame)))
+          if (!is_soft(scene.lights[i]) &&
+              is_grazed(primitive, pack_light(scene.lights[i], packed.frame)))
             grazing.push_back({i, primitive.id.object, kind_index<Kind>});
   });
   return grazing;
@@ -140,13 +143,13 @@ SceneStatistics gather_statistics(const Scene& scene, const PackedScene& packed,
   statistics.farthest = statistics.all.farthest;
   for (const Light& light : scene.lights) {
     const PackedLight packed_light = pack_light(light, packed.frame);
-    if (packed_light.rays == LightRays::converging)
+    if (packed_light.has_place())
       statistics.farthest = std::max(statistics.farthest, length(packed_light.place));
   }
   for (const Light& light : scene.lights) {
     const PackedLight packed_light = pack_light(light, packed.frame);
     double clearance = infinity;
-    if (packed_light.rays == LightRays::converging)
+    if (packed_light.has_place())
       clearance = add_converging_light(packed, packed_light, pool, statistics);
     std::visit(
         [&](const auto& source) {

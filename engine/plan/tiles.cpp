@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "engine/math/block.h"
+#include "engine/plan/light_sampling.h"
 #include "engine/scene/overrides.h"
 #include "engine/text/pluralised.h"
 
@@ -17,28 +18,28 @@ constexpr double most_rays = 3 << 14;
 constexpr double few_rays = 1 << 14;
 constexpr int largest = 64;
 
-double rays_per_pixel(int samples, std::size_t light_count) {
-  return samples * (1 + static_cast<double>(light_count));
+double rays_per_pixel(int samples, std::size_t light_rays) {
+  return samples * (1 + static_cast<double>(light_rays));
 }
 
 }  // namespace
 
-int interruptible_side_px(int samples, std::size_t light_count) {
-  const double rays = rays_per_pixel(samples, light_count);
+int interruptible_side_px(int samples, std::size_t light_rays) {
+  const double rays = rays_per_pixel(samples, light_rays);
   int side = largest;
   while (side > block_side && side * side * rays > most_rays) side /= 2;
   return side;
 }
 
 bool is_one_tile(const Scene& scene, int samples) {
-  return count_rays(scene, 1) * rays_per_pixel(samples, scene.lights.size()) <= few_rays;
+  return count_rays(scene, 1) * rays_per_pixel(samples, light_rays_per_sample(scene)) <= few_rays;
 }
 
 namespace {
 
 int tile_side_px(const Scene& scene, int samples, std::size_t thread_count) {
   const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
-  int side = interruptible_side_px(samples, scene.lights.size());
+  int side = interruptible_side_px(samples, light_rays_per_sample(scene));
   while (side > block_side &&
          pixels / (side * side) < tiles_per_thread * static_cast<double>(thread_count))
     side /= 2;

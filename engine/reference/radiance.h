@@ -18,7 +18,8 @@ namespace raytracer {
 inline ArrivingLight arriving_light(const PackedLight& light, const SurfacePoint& point) {
   ArrivingLight result;
   LightKinds::for_each([&]<class Kind>(std::type_identity<Kind> kind) {
-    if (light.kind == LightKinds::index_of<Kind>()) result = arriving(kind, light, point);
+    if constexpr (!ShinesFromEverywhere<Kind>)
+      if (light.kind == LightKinds::index_of<Kind>()) result = arriving(kind, light, point);
   });
   constexpr double most = std::numeric_limits<double>::max();
   Rgb& i = result.intensity;
@@ -48,44 +49,104 @@ inline PointShading shading_at(const PackedScene& scene, const SurfacePoint& poi
   return shading;
 }
 
-/// How much of `light` reaches `point`, which `normal` shades: 0 unless it is on the side of that
-/// and of the surface; what is in between hides it or weakens it.
+/// How much reaches `point` of what shines from a direction, so far away: 0 unless that is on the
+/// surface's side; what is in between hides it or weakens it.
 template <typename Finder>
-double visible_share(const PackedScene& scene, const ArrivingLight& light,
-                     const SurfacePoint& point, const Vec3& normal, const Finder& finder) {
-  if (!(dot(normal, light.towards) > 0 && dot(point.normal, light.towards) > 0)) return 0;
+double share_along(const PackedScene& scene, const SurfacePoint& point, const Vec3& towards,
+                   double distance, const Finder& finder) {
+  if (!(dot(point.normal, towards) > 0)) return 0;
   if (scene.shadows == Shadows::off) return 1;
-  const Ray ray{point, light.towards};
+  const Ray ray{point, towards};
   // A light that lies in a surface is not hidden by it: there t is the distance but for rounding.
   constexpr double nearer = 1 - 0x1p-40;
   if (!scene.transmits) {
-    AnyHit query(ray, light.distance * nearer);
+    AnyHit query(ray, distance * nearer);
     finder.visit(query);
     return query.found() ? 0 : 1;
   }
   const auto transparency_of = [&](const PrimitiveId& id) {
     return scene.material_of(id).transparency;
   };
-  Transmission query(ray, light.distance * nearer, transparency_of);
+  Transmission query(ray, distance * nearer, transparency_of);
   finder.visit(query);
   return query.share();
 }
 
+/// How much of a disc that shines reaches a point: the mean over the places of a set.
+template <typename Finder>
+double share_of_disc(const PackedScene& scene, const SoftLight& soft, const ArrivingLight& middle,
+                     const SurfacePoint& point, int light_set, const Finder& finder) {
+  const bool is_parallel = soft.light.rays == LightRays::parallel;
+  const Across around = across(middle.towards);
+  double sum = 0;
+  for (std::size_t i = 0; i < soft.per_set; ++i) {
+    const Vec3& place = soft.places[static_cast<std::size_t>(light_set) * soft.per_set + i];
+    if (is_parallel) {
+      sum += share_along(scene, point, place, infinity, finder);
+      continue;
+    }
+    const Vec3 path = middle.distance * middle.towards +
+                      soft.light.size * (place.x * around.first + place.y * around.second);
+    sum += share_along(scene, point, unit(path), length(path), finder);
+  }
+  return sum / static_cast<double>(soft.per_set);
+}
+
+/// How much of a sky reaches a point: the mean over the directions of a set, by the cosine.
+template <typename Finder>
+double share_of_sky(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,
+                    const Vec3& normal, int light_set, const Finder& finder) {
+  double sum = 0;
+  double weights = 0;
+  for (std::size_t i = 0; i < soft.per_set; ++i) {
+    const Vec3& towards = soft.places[static_cast<std::size_t>(light_set) * soft.per_set + i];
+    const double cosine = dot(normal, towards);
+    if (!(cosine > 0)) continue;
+    weights += cosine;
+    sum += cosine * share_along(scene, point, towards, soft.light.size, finder);
+  }
+  return weights > 0 ? sum / weights : 0;
+}
+
+/// The colour that a soft light gives a point, without the ambient part.
+template <typename Finder>
+Rgb soft_light(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,
+               const PointShading& shading, const Vec3& view, int light_set, const Finder& finder,
+               double& share) {
+  const Material& material = shading.material;
+  if (soft.light.shape == LightShape::sky) {
+    share = share_of_sky(scene, soft, point, shading.normal, light_set, finder);
+    return (share * material.kd) * (material.color * soft.light.emission);
+  }
+  const ArrivingLight middle = arriving_light(soft.light, point);
+  if (!(dot(shading.normal, middle.towards) > 0)) return {};
+  share = share_of_disc(scene, soft, middle, point, light_set, finder);
+  return share > 0 ? share * direct_light(material, middle, shading.normal, view) : Rgb{};
+}
+
 /// The colour of a point under all lights, without what it mirrors.
-/// `view` is the unit vector towards the viewer.
+/// `view` is the unit vector towards the viewer; `light_set`: of the places on soft lights.
 template <typename Finder>
 Rgb shade(const PackedScene& scene, const Finder& finder, const SurfacePoint& point,
-          const PointShading& shading, const Vec3& view) {
+          const PointShading& shading, const Vec3& view, int light_set) {
   const Material& material = shading.material;
   const Rgb ambient = material.color * (material.ka * scene.ambient);
   Rgb sum;
   if (scene.shadows != Shadows::black) sum += ambient;
   for (const PackedLight& packed_light : scene.lights) {
     const ArrivingLight light = arriving_light(packed_light, point);
-    const double share = visible_share(scene, light, point, shading.normal, finder);
+    if (!(dot(shading.normal, light.towards) > 0)) continue;
+    const double share = share_along(scene, point, light.towards, light.distance, finder);
     if (!(share > 0)) continue;
     if (scene.shadows == Shadows::black) sum += ambient;
     sum += share * direct_light(material, light, shading.normal, view);
+  }
+  for (const SoftLight& soft : scene.soft_lights) {
+    double share = 0;
+    const Rgb direct = soft_light(scene, soft, point, shading, view, light_set, finder, share);
+    if (!(share > 0)) continue;
+    if (scene.shadows == Shadows::black) sum += ambient;
+    sum += direct;
   }
   return sum;
 }
@@ -137,9 +198,11 @@ struct Sight {
   bool meets_object = false;
 };
 
-/// `direction` is unit.
+/// `direction` is unit. `light_set` is that of what the eye sees itself, `followed_light_set` that
+/// of what it sees in mirrors and through glass.
 template <typename Finder>
-Sight see(const PackedScene& scene, const Finder& finder, const Vec3& direction) {
+Sight see(const PackedScene& scene, const Finder& finder, const Vec3& direction, int light_set = 0,
+          int followed_light_set = 0) {
   Sight sight;
   Rgb& sum = sight.radiance;
   std::vector<WeightedRay> rays{{{SurfacePoint{}, direction}}};
@@ -155,7 +218,8 @@ Sight see(const PackedScene& scene, const Finder& finder, const Vec3& direction)
     sight.meets_object = true;  // others follow only what the eye's ray has met
     const SurfacePoint point = query.point();
     const PointShading shading = shading_at(scene, point);
-    sum += current.weight * shade(scene, finder, point, shading, -current.ray.direction);
+    sum += current.weight * shade(scene, finder, point, shading, -current.ray.direction,
+                                  current.depth == 0 ? light_set : followed_light_set);
     if (current.depth < scene.max_depth) add_followers(scene, current, point, shading, rays);
   }
   return sight;

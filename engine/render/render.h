@@ -20,7 +20,8 @@ enum class Stop { samples, target, budget, cancelled };
 /// What is true of an image.
 struct RenderReport {
   std::size_t pixel_count = 0;
-  double samples_per_pixel = 0;           ///< mean
+  double samples_per_pixel = 0;  ///< mean
+  int light_samples = 0;         ///< of each soft light, for each pixel; 0 if there is none
   std::optional<double> estimated_error;  ///< rms; nothing without an image
   Precision precision = Precision::double_precision;
   /// Pixels of the image; under a contract `clamped` is as the first pass has it, and `not_numbers`

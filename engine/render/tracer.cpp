@@ -82,7 +82,9 @@ PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& patt
     const double up = away_from_middle(sample.y, pattern.jitter) * moved.y;
     const Sight sight =
         see(*tracer.scene, tracer.finder,
-            view.direction(x + sample.x + across, view.height - 1 - y + sample.y + up));
+            view.direction(x + sample.x + across, view.height - 1 - y + sample.y + up),
+            light_set_of(x, y, static_cast<int>(i), tracer.scene->light_sets),
+            static_cast<int>(i) % tracer.scene->light_sets);
     const Rgb seen = clamped(sight.radiance);
     pixel.seen += beyond_range(sight.radiance);
     Mean& half = i < pattern.half_a_count ? half_a : half_b;
@@ -158,7 +160,8 @@ void sample(const PacketTracer<T>& tracer, const SamplePattern& pattern, Transfe
 ExactScene make_exact_scene(const Plan& plan, const PackedScene& packed, WorkerPool& pool) {
   Features features = plan.features;
   features.reflects = true;
-  FinderTable finders = choose_finders(features, plan.statistics, plan.kernel.value);
+  FinderTable finders =
+      choose_finders(features, plan.statistics, plan.kernel.value, plan.light_sampling.value);
   for (FinderRow& row : finders) row[static_cast<std::size_t>(RayKind::from_eye)] = Finder::none;
   ExactScene exact;
   exact.scene = std::make_shared<const PacketScene<double>>(
@@ -176,6 +179,9 @@ ExactScene make_exact_scene(const Plan& plan, const PackedScene& packed, WorkerP
 }  // namespace
 
 Tracer make_tracer(const Plan& plan, PackedScene packed, WorkerPool& pool) {
+  packed.light_sets = plan.light_sampling.value.sets;
+  for (SoftLight& soft : packed.soft_lights)
+    soft = place_samples(soft.light, plan.light_sampling.value);
   if (plan.kernel.value == Kernel::packets) {
     const std::int64_t target = plan.instruction_set.target;
     if (plan.precision.value == Precision::single_precision)

@@ -91,11 +91,7 @@ std::size_t Features::light_count() const {
 }
 
 std::size_t Features::light_count(LightRays rays) const {
-  std::size_t count = 0;
-  LightKinds::for_each([&]<class Kind>(std::type_identity<Kind>) {
-    if (Kind::rays == rays) count += lights[LightKinds::index_of<Kind>()];
-  });
-  return count;
+  return lights_by_rays[static_cast<std::size_t>(rays)];
 }
 
 std::vector<Light> lights_in_use(const Scene& scene) {
@@ -112,6 +108,8 @@ Features find_features(const Scene& scene) {
   for (const Light& light : lights_on(used, scene)) {
     is_lit = is_lit || emits(light);
     ++features.lights[light.source.index()];
+    ++features.lights_by_rays[static_cast<std::size_t>(rays_of(light))];
+    features.soft_lights += is_soft(light) ? 1 : 0;
   }
   const bool ambient_needs_light = scene.shadows == Shadows::black;
   features.has_ambient =

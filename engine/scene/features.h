@@ -23,6 +23,8 @@ struct Features {
   /// Of each kind, those that can change a colour. One without emission does so where shadows are
   /// black: it brings the ambient part.
   std::array<std::size_t, LightKinds::count> lights{};
+  std::array<std::size_t, light_rays_count> lights_by_rays{};  ///< the same
+  std::size_t soft_lights = 0;                                 ///< of them
   bool casts_shadows = false;  ///< a light's visibility has to be found out
   bool has_ambient = false;    ///< some surface shows an ambient part
   bool has_diffuse = false;    ///< some surface has kd > 0 under a light that emits
@@ -44,7 +46,7 @@ struct Features {
 
   std::size_t primitive_count() const;
   std::size_t light_count() const;
-  /// Of the kinds to which rays share that.
+  /// Of those to which rays share that.
   std::size_t light_count(LightRays rays) const;
 };
 

@@ -29,7 +29,8 @@ struct SchemaOf {
     Json number{{"type", "number"}};
     if (std::isfinite(rule.range.least))
       number[rule.range.least_excluded ? "exclusiveMinimum" : "minimum"] = rule.range.least;
-    if (std::isfinite(rule.range.most)) number["maximum"] = rule.range.most;
+    if (std::isfinite(rule.range.most))
+      number[rule.range.most_excluded ? "exclusiveMaximum" : "maximum"] = rule.range.most;
     return number;
   }
   Json operator()(const NotBothZeroRule&) const { return (*this)(NumberRule{not_negative}); }
@@ -79,6 +80,8 @@ Json default_json(const Value& value, const Rule& rule) {
     return {value.x, value.y, value.z};
   else if constexpr (std::is_same_v<Value, std::optional<Vec3>>)
     return default_json(*value, rule);
+  else if constexpr (std::is_floating_point_v<Value>)
+    return std::isfinite(value) ? Json(value) : Json();
   else if constexpr (std::is_arithmetic_v<Value>)
     return value;
   else

@@ -70,6 +70,11 @@ TEST(CanonicalBytes, differ_for_every_value_that_can_change_a_pixel) {
   expect_new("/lights/0", lamp);
   lamp["falloff"] = "none";
   expect_new("/lights/0", lamp);
+  lamp["radius"] = 0.1;
+  expect_new("/lights/0", lamp);
+  expect_new("/lights/0/angle", 0.1);
+  expect_new("/lights/0", {{"type", "sky"}});
+  expect_new("/lights/0", {{"type", "sky"}, {"reach", 2}});
   expect_new("/lights/0", {{"type", "point"}, {"position", {0, -1, 0}}});
   expect_new("/materials/red/color", "#fe0000");
   expect_new("/materials/red/ka", 0.5);

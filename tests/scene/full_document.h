@@ -15,9 +15,11 @@ inline json full_document() {
                "width": 70, "height": 50},
     "background": [0.53, 0.8, 0.92], "ambient": 0.2, "shadows": "black",
     "lights": [
-      {"type": "distant", "direction": [-0.6, -1, 0.7], "color": [1, 1, 1], "intensity": 0.9},
+      {"type": "distant", "direction": [-0.6, -1, 0.7], "color": [1, 1, 1], "intensity": 0.9,
+       "angle": 0},
       {"type": "point", "position": [0, 10, 0], "color": "#ffeedd", "intensity": 1500,
-       "falloff": "inverse_square"}],
+       "falloff": "inverse_square", "radius": 0},
+      {"type": "sky", "color": [0.5, 0.6, 0.7], "intensity": 0.3, "reach": 4}],
     "materials": {"red": {"color": [0.9, 0.2, 0.2], "ka": 1, "kd": 0.7, "ks": 0.3,
                           "shininess": 50, "reflectivity": 0, "transparency": 0, "ior": 1.5,
                           "fresnel": false}},

@@ -144,6 +144,11 @@ const std::vector<Wrong> wrong_lights{
     at("IntensityNegative", "/lights/0/intensity", -1, range),
     at("IntensityText", "/lights/1/intensity", "bright", number),
     at("FalloffOther", "/lights/1/falloff", "linear", "\"inverse_square\", \"none\""),
+    at("AngleNegative", "/lights/0/angle", -0.1, range),
+    at("AngleOfPi", "/lights/0/angle", 3.141592653589793, "below 3.14159"),
+    at("LightRadiusNegative", "/lights/1/radius", -1, range),
+    at("ReachZero", "/lights/2/reach", 0, range),
+    at("ReachText", "/lights/2/reach", "far", number),
 };
 
 const std::vector<Wrong> wrong_materials{

@@ -99,7 +99,9 @@ TEST(Values, of_lights_are_taken_over) {
   EXPECT_EQ(scene.lights[0].color, (Rgb{0.5, 0.25, 1}));
   EXPECT_EQ(std::get<PointLight>(scene.lights[1].source).position, (Vec3{7, 8, 9}));
   EXPECT_EQ(scene.lights[1].intensity, 1500);
+  EXPECT_EQ(std::get<DistantLight>(scene.lights[0].source).angle, 0);
   EXPECT_EQ(std::get<PointLight>(scene.lights[1].source).falloff, Falloff::inverse_square);
+  EXPECT_EQ(std::get<PointLight>(scene.lights[1].source).radius, 0);
   EXPECT_EQ(scene.lights[1].color, (Rgb{0.1, 0.2, 0.3}));
 }
 

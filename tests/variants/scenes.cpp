@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "engine/scene/read_scene.h"
 #include "tests/variants/random_documents.h"
@@ -50,6 +51,13 @@ Scene straight_sheet() {
   return scene;
 }
 
+/// Where each pixel takes many rays.
+Scene small(Scene scene) {
+  scene.camera.width = 48;
+  scene.camera.height = 36;
+  return scene;
+}
+
 }  // namespace
 
 Scene prepared(const std::string& text) {
@@ -73,7 +81,8 @@ std::vector<NamedScene> scenes() {
   std::vector<NamedScene> scenes;
   for (const auto& entry : std::filesystem::directory_iterator(SCENES_DIRECTORY)) {
     std::ifstream file(entry.path(), std::ios::binary);
-    const Scene scene = prepared({std::istreambuf_iterator<char>(file), {}});
+    Scene scene = prepared({std::istreambuf_iterator<char>(file), {}});
+    if (std::any_of(scene.lights.begin(), scene.lights.end(), is_soft)) scene = small(scene);
     scenes.push_back({entry.path().stem().string(), scene});
   }
   const std::string matt = R"({"shininess": 20})";
@@ -124,6 +133,23 @@ std::vector<NamedScene> scenes() {
         add(" cones", random_cones(count, material));
       }
   }
+  const std::string sky = R"({"type": "sky", "color": [0.7, 0.8, 1], "intensity": 0.6})";
+  const std::string near_sky = R"({"type": "sky", "intensity": 0.6, "reach": 1.5})";
+  const std::string sun = R"({"type": "distant", "direction": [-1, -2, 1.5], "angle": 0.3})";
+  const std::string lamp =
+      R"({"type": "point", "position": [4, 6, -5], "radius": 1, "intensity": 500})";
+  const std::string glass = R"({"transparency": 0.7, "fresnel": true})";
+  for (const auto& [light, material] :
+       {std::pair(sky, matt), std::pair(near_sky, glass), std::pair(sun, mirror),
+        std::pair(lamp, matt), std::pair(lamp, glass), std::pair(sky + "," + sun, glass)})
+    scenes.push_back(
+        {"soft light " + light + " on " + material,
+         small(with_objects(random_spheres(60, 0.6, material) + "," + random_cylinders(4, matt) +
+                                "," + random_cones(4, matt) + "," + smooth_sheet(4, matt) + "," +
+                                floor,
+                            light))});
+  scenes.push_back(
+      {"square under a sky", small(with_objects(square + "xz\"}," + floor, sky + "," + sun))});
   scenes.push_back({"sheet seen along its corners", straight_sheet()});
   for (const std::string axes : {"xz", "xy", "yz"})
     scenes.push_back(

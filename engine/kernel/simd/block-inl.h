@@ -31,6 +31,12 @@ struct PacketShape {
   static constexpr int height = lanes / width;
   static constexpr int packets_across = block_side / width;
   static constexpr int packets = block_pixels / lanes;
+
+  /// The place of the block's pixel (x, y), packet by packet.
+  static constexpr std::size_t index_of(int x, int y) {
+    const int packet = y / height * packets_across + x / width;
+    return static_cast<std::size_t>(packet * lanes + y % height * width + x % width);
+  }
 };
 
 /// Where a packet lies in its block, in pixels.

@@ -27,6 +27,8 @@ struct InnerPacket {
 template <typename T>
 class RayStack {
  public:
+  std::size_t light_set = 0;  ///< of all: of places on soft lights
+
   std::size_t count() const { return count_; }
 
   /// Adds the lanes of `mask`.
@@ -62,7 +64,8 @@ class RayStack {
              {at(0), at(1), at(2)},
              at(12),
              at(13),
-             {at(16), at(17)}},
+             {at(16), at(17)},
+             light_set},
             at(14),
             at(15)};
   }
@@ -118,8 +121,9 @@ HWY_NOINLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const InnerPac
   Surface<D> surface = surface_at(d, scene, rays.from, rays.direction, hit, is_hit);
   tell_sides(d, scene, rays.direction, is_hit, hn::Gt(packet.solids, zero), surface);
   LightThroughSurfaces<D> between(d, packet.solids);
-  const V3<V> colour =
-      select(is_hit, shade(d, scene, surface, negate(rays.direction), is_hit, between), background);
+  const V3<V> colour = select(
+      is_hit, shade(d, scene, surface, negate(rays.direction), is_hit, rays.light_set, between),
+      background);
   PathError<V> error = rays.error;
   M goes_on = hn::And(is_hit, hn::Gt(packet.followers, zero));
   if constexpr (may_be_inexact<T>)

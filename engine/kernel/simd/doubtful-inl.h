@@ -17,15 +17,18 @@ struct DoubtfulSamples {
   alignas(64) double index[block_pixels];
 };
 
+/// Those whose pixels have a place, as `rays` count them, in the pattern of light sets.
 template <class D, class Rays, typename T = hn::TFromD<D>>
-HWY_INLINE void find_doubtful(D d, const Rays& rays, const SampleColours<T>& colours,
+HWY_INLINE void find_doubtful(D d, const Rays& rays, int place, const SampleColours<T>& colours,
                               DoubtfulSamples& samples) {
+  samples.count = 0;
   const auto most = hn::Set(d, static_cast<T>(most_colour_error));
   for (std::size_t begin = 0; begin < block_pixels; begin += hn::Lanes(d)) {
     // What is no number is doubtful as well.
     const auto doubtful = hn::Not(hn::Le(hn::Load(d, colours.doubt + begin), most));
     for (std::uint64_t bits = bits_of(d, doubtful); bits != 0; bits &= bits - 1) {
       const std::size_t at = begin + hwy::Num0BitsBelowLS1Bit_Nonzero64(bits);
+      if (rays.place_of(static_cast<int>(at)) != place) continue;
       const SamplePoint point = rays.image_point(static_cast<int>(at));
       samples.x[samples.count] = point.x;
       samples.y[samples.count] = point.y;
@@ -38,6 +41,7 @@ HWY_INLINE void find_doubtful(D d, const Rays& rays, const SampleColours<T>& col
 /// something, else 0.
 template <class Followed>
 HWY_INLINE void trace_samples(const PacketScene<double>& scene, const DoubtfulSamples& samples,
+                              std::size_t light_set, std::size_t followed_light_set,
                               SampleColours<double>& colours, float* cover) {
   const hn::ScalableTag<double> d;
   using V = hn::Vec<decltype(d)>;
@@ -46,6 +50,7 @@ HWY_INLINE void trace_samples(const PacketScene<double>& scene, const DoubtfulSa
   const RayOrigin<V> origin = eye.origin(d);
   const V far_away = hn::Set(d, std::numeric_limits<double>::max());
   Followed followed;
+  followed.light_set = followed_light_set;
   alignas(64) double channels[4][hn::MaxLanes(d)];
   for (std::size_t i = 0; i < samples.count; i += hn::Lanes(d)) {
     const auto active = hn::FirstN(d, samples.count - i);
@@ -54,7 +59,7 @@ HWY_INLINE void trace_samples(const PacketScene<double>& scene, const DoubtfulSa
         eye.direction(d, 0, 0, hn::IfThenElseZero(active, hn::Load(d, samples.x + i)),
                       hn::Neg(hn::IfThenElseZero(active, hn::Load(d, samples.y + i))));
     const Hit<V> hit = find_followed(d, scene, origin, direction, far_away, active);
-    const V3<V> colour = eye.shade(d, direction, hit, active, pixel, followed);
+    const V3<V> colour = eye.shade(d, direction, hit, active, pixel, light_set, followed);
     hn::Store(colour.x, d, channels[0]);
     hn::Store(colour.y, d, channels[1]);
     hn::Store(colour.z, d, channels[2]);
@@ -75,18 +80,21 @@ template <class D, class Rays>
 HWY_NOINLINE void trace_doubtful_again(D d, const PacketScene<double>& scene, const Rays& rays,
                                        SampleColours<float>& colours, float* cover) {
   DoubtfulSamples samples;
-  find_doubtful(d, rays, colours, samples);
-  if (samples.count == 0) return;
   SampleColours<double> exact;
-  if (scene.transmits)
-    trace_samples<RayStack<double>>(scene, samples, exact, cover);
-  else
-    trace_samples<FollowedRays<double>>(scene, samples, exact, cover);
-  for (std::size_t i = 0; i < samples.count; ++i) {
-    const auto at = static_cast<std::size_t>(samples.index[i]);
-    colours.red[at] = static_cast<float>(exact.red[at]);
-    colours.green[at] = static_cast<float>(exact.green[at]);
-    colours.blue[at] = static_cast<float>(exact.blue[at]);
+  for (int place = 0; place < rays.place_count(); ++place) {
+    find_doubtful(d, rays, place, colours, samples);
+    if (samples.count == 0) continue;
+    const std::size_t own = rays.light_set_at(place);
+    if (scene.transmits)
+      trace_samples<RayStack<double>>(scene, samples, own, rays.light_set(), exact, cover);
+    else
+      trace_samples<FollowedRays<double>>(scene, samples, own, rays.light_set(), exact, cover);
+    for (std::size_t i = 0; i < samples.count; ++i) {
+      const auto at = static_cast<std::size_t>(samples.index[i]);
+      colours.red[at] = static_cast<float>(exact.red[at]);
+      colours.green[at] = static_cast<float>(exact.green[at]);
+      colours.blue[at] = static_cast<float>(exact.blue[at]);
+    }
   }
 }
 

@@ -12,6 +12,10 @@ struct Hits {
   alignas(64) T direction_x[block_pixels], direction_y[block_pixels], direction_z[block_pixels];
   alignas(64) T t[block_pixels], id[block_pixels], u[block_pixels], v[block_pixels];
   alignas(64) T normal_x[block_pixels], normal_y[block_pixels], normal_z[block_pixels];
+
+  static constexpr T (Hits::*const columns[])[block_pixels] = {
+      &Hits::direction_x, &Hits::direction_y, &Hits::direction_z, &Hits::t,        &Hits::id,
+      &Hits::u,           &Hits::v,           &Hits::normal_x,    &Hits::normal_y, &Hits::normal_z};
 };
 
 /// Asks the memory for what occluded() will need of distant lights' grids for the points of
@@ -39,39 +43,134 @@ HWY_INLINE void fetch_for_shading(D d, const PacketScene<T>& scene, const Hits<T
   prefetch_light_cells(d, scene, scale(direction, hn::Load(d, hits.t + at)), hit);
 }
 
-/// The colours of what packets have hit; the rays that follow are kept in `followed`.
+/// The colours of what the packet of hits from the at-th on has hit, of the block's pixels `pixel`;
+/// the rays that follow are kept in `followed`. Lanes that have to be traced again are taken out of
+/// `active`, and are those of `again`.
+template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE V3<V> shade_hit(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t at, V pixel,
+                           M active, std::size_t light_set, Followed& followed, M& again) {
+  const PacketScene<T>& scene = eye.scene();
+  const V none = hn::Set(d, T(-1));
+  Hit<V> hit{hn::Load(d, hits.t + at), hn::Load(d, hits.id + at), none, none};
+  if (scene.has_own_normals) {
+    hit.u = hn::Load(d, hits.u + at);
+    hit.v = hn::Load(d, hits.v + at);
+    hit.normal = load(d, hits.normal_x + at, hits.normal_y + at, hits.normal_z + at);
+  }
+  const V3<V> direction =
+      load(d, hits.direction_x + at, hits.direction_y + at, hits.direction_z + at);
+  if constexpr (may_be_inexact<T>)
+    if (scene.exact.scene) {
+      const M is_hit = hn::And(active, hn::Ge(hit.id, hn::Zero(d)));
+      const M is_near = hn::Lt(hit.t, hn::Set(d, scene.exact.nearest));
+      const V3<V> point = scale(direction, hn::IfThenElseZero(is_hit, hit.t));
+      again = hn::And(is_hit, hn::Or(is_near, beyond_reach(d, scene.exact, point)));
+      active = hn::AndNot(again, active);
+    }
+  return eye.shade(d, direction, hit, active, pixel, light_set, followed);
+}
+
+/// The colours of what packets have hit.
 template <class D, class Rays, class Followed, typename T = hn::TFromD<D>>
-HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Rays& rays, const Hits<T>& hits,
-                           bool fetches, Followed& followed, SampleColours<T>& colours) {
-  using V = hn::Vec<D>;
+HWY_INLINE void shade_packets(D d, const EyeRays<D>& eye, const Rays& rays, const Hits<T>& hits,
+                              bool fetches, Followed& followed, SampleColours<T>& colours) {
   const PacketScene<T>& scene = eye.scene();
   if (fetches) fetch_for_shading(d, scene, hits, rays, 0);
   for (int i = 0; i < rays.count(); ++i) {
     if (fetches) fetch_for_shading(d, scene, hits, rays, i + 1);
     if (!rays.is_in(i)) continue;
     const std::size_t at = static_cast<std::size_t>(i) * PacketShape<D>::lanes;
-    const V none = hn::Set(d, T(-1));
-    Hit<V> hit{hn::Load(d, hits.t + at), hn::Load(d, hits.id + at), none, none};
-    if (scene.has_own_normals) {
-      hit.u = hn::Load(d, hits.u + at);
-      hit.v = hn::Load(d, hits.v + at);
-      hit.normal = load(d, hits.normal_x + at, hits.normal_y + at, hits.normal_z + at);
-    }
-    const V3<V> direction =
-        load(d, hits.direction_x + at, hits.direction_y + at, hits.direction_z + at);
-    const V pixel = hn::Iota(d, static_cast<T>(at));
-    auto active = rays.active(d, i);
+    const auto pixel = hn::Iota(d, static_cast<T>(at));
+    const auto active = rays.active(d, i);
+    auto again = hn::AndNot(active, active);
+    const auto colour =
+        shade_hit(d, eye, hits, at, pixel, active, rays.light_set(), followed, again);
     if constexpr (may_be_inexact<T>)
-      if (scene.exact.scene) {
-        const auto is_hit = hn::And(active, hn::Ge(hit.id, hn::Zero(d)));
-        const auto is_near = hn::Lt(hit.t, hn::Set(d, scene.exact.nearest));
-        const V3<V> point = scale(direction, hn::IfThenElseZero(is_hit, hit.t));
-        const auto again = hn::And(is_hit, hn::Or(is_near, beyond_reach(d, scene.exact, point)));
+      if (scene.exact.scene)
         hn::Store(hn::IfThenElseZero(again, hn::Set(d, T(1))), d, colours.doubt + at);
-        active = hn::AndNot(again, active);
-      }
-    store(d, eye.shade(d, direction, hit, active, pixel, followed), at, colours);
+    store(d, colour, at, colours);
   }
+}
+
+/// The pixels of a block in such an order that those of a packet use the same set of places on soft
+/// lights and are near each other: in squares of 8 x 8, those that have the same place in each
+/// square of 2 x 2.
+template <class D>
+struct PixelsByLightSet {
+  static constexpr int square = 8;
+  static constexpr int of_place = square * square / 4;
+  static_assert(of_place % PacketShape<D>::lanes == 0);
+
+  int x;
+  int y;
+
+  explicit PixelsByLightSet(int i) {
+    const int in_square = i % (square * square);
+    const int place = in_square / of_place;
+    const int nth = in_square % of_place;
+    const int squares_before = i / (square * square);
+    constexpr int squares_across = block_side / square;
+    x = squares_before % squares_across * square + 2 * (nth % 4) + place % 2;
+    y = squares_before / squares_across * square + 2 * (nth / 4) + place / 2;
+  }
+};
+
+/// The same of a block, in packets of pixels that use one set of places on soft lights.
+template <class D, class Rays, class Followed, typename T = hn::TFromD<D>>
+HWY_NOINLINE void shade_by_light_sets(D d, const EyeRays<D>& eye, const Rays& rays,
+                                      const Hits<T>& hits, Followed& followed,
+                                      SampleColours<T>& colours) {
+  using Shape = PacketShape<D>;
+  const PacketScene<T>& scene = eye.scene();
+  alignas(64) T is_active[block_pixels] = {};
+  for (int i = 0; i < rays.count(); ++i)
+    if (rays.is_in(i))
+      hn::Store(hn::IfThenElseZero(rays.active(d, i), hn::Set(d, T(1))), d,
+                is_active + static_cast<std::size_t>(i) * Shape::lanes);
+  Hits<T> arranged;
+  alignas(64) T pixels[block_pixels];
+  alignas(64) T arranged_active[block_pixels];
+  for (std::size_t to = 0; to < block_pixels; ++to) {
+    const PixelsByLightSet<D> place(static_cast<int>(to));
+    const std::size_t from = Shape::index_of(place.x, place.y);
+    pixels[to] = static_cast<T>(from);
+    arranged_active[to] = is_active[from];
+    for (const auto& column : Hits<T>::columns) (arranged.*column)[to] = (hits.*column)[from];
+  }
+  for (std::size_t at = 0; at < block_pixels; at += Shape::lanes) {
+    const auto active = hn::Gt(hn::Load(d, arranged_active + at), hn::Zero(d));
+    if (hn::AllFalse(d, active)) continue;
+    const PixelsByLightSet<D> place(static_cast<int>(at));
+    const std::size_t light_set = rays.light_set_at(place.y % 2 * 2 + place.x % 2);
+    auto again = hn::AndNot(active, active);
+    const auto colour = shade_hit(d, eye, arranged, at, hn::Load(d, pixels + at), active, light_set,
+                                  followed, again);
+    alignas(64) T values[4][Shape::lanes];
+    hn::Store(colour.x, d, values[0]);
+    hn::Store(colour.y, d, values[1]);
+    hn::Store(colour.z, d, values[2]);
+    hn::Store(hn::IfThenElseZero(again, hn::Set(d, T(1))), d, values[3]);
+    for (std::size_t lane = 0; lane < Shape::lanes; ++lane) {
+      const auto pixel = static_cast<std::size_t>(pixels[at + lane]);
+      colours.red[pixel] = values[0][lane];
+      colours.green[pixel] = values[1][lane];
+      colours.blue[pixel] = values[2][lane];
+      if constexpr (may_be_inexact<T>)
+        if (scene.exact.scene) colours.doubt[pixel] = values[3][lane];
+    }
+  }
+}
+
+/// The colours of what packets have hit; the rays that follow are kept in `followed`.
+template <class D, class Rays, class Followed, typename T = hn::TFromD<D>>
+HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Rays& rays, const Hits<T>& hits,
+                           bool fetches, Followed& followed, SampleColours<T>& colours) {
+  followed.light_set = rays.light_set();
+  if constexpr (Rays::are_of_block)
+    if (HWY_UNLIKELY(eye.scene().light_sets > 1))
+      return shade_by_light_sets(d, eye, rays, hits, followed, colours);
+  shade_packets(d, eye, rays, hits, fetches, followed, colours);
 }
 
 /// The same where surfaces let rays through, and what those that follow see.

@@ -37,18 +37,18 @@ class EyeRays {
   }
 
   /// The colours of what they hit, not yet clamped. `pixel` has their places in the block, for
-  /// `followed`, which keeps the rays that follow.
+  /// `followed`, which keeps the rays that follow; `light_set` is of places on soft lights.
   HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Hit<V>& hit, hn::Mask<D> active,
-                         V pixel, FollowedRays<T>& followed) const {
-    const Packet<V> packet{origin(d), direction, hn::Set(d, T(1)), pixel, eye_error(d)};
+                         V pixel, std::size_t light_set, FollowedRays<T>& followed) const {
+    const Packet<V> packet{origin(d), direction, hn::Set(d, T(1)), pixel, eye_error(d), light_set};
     return shade_packet(d, scene_, packet, hit, active, scene_.reflects, followed,
                         static_cast<V*>(nullptr));
   }
 
   /// The same where surfaces let rays through.
   HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Hit<V>& hit, hn::Mask<D> active,
-                         V pixel, RayStack<T>& followed) const {
-    const Packet<V> packet{origin(d), direction, hn::Set(d, T(1)), pixel, eye_error(d)};
+                         V pixel, std::size_t light_set, RayStack<T>& followed) const {
+    const Packet<V> packet{origin(d), direction, hn::Set(d, T(1)), pixel, eye_error(d), light_set};
     const InnerPacket<V> outside{packet, hn::Zero(d), hn::Set(d, static_cast<T>(scene_.max_depth))};
     return shade_packet(d, scene_, outside, hit, active, followed, static_cast<V*>(nullptr));
   }

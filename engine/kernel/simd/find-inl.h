@@ -85,6 +85,33 @@ HWY_INLINE M occluded_by_kind(D d, const Geometry<Kind, T>& geometry, const Pack
   return occluded_by(d, geometry, light, rays, lit);
 }
 
+/// Lanes of `lit` from which something of one kind stands nearer than `distance`.
+template <class D, class Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE M stands_nearer(D d, const Geometry<Kind, T>& geometry, const RayOrigin<V>& from,
+                           const V3<V>& towards, V distance, M lit) {
+  if constexpr (Kind::search == Search::bounded)
+    if (geometry.finder(RayKind::followed) == Finder::tree)
+      return occluded_in_tree(d, geometry.tree, from, towards, distance, lit);
+  const V none = hn::Set(d, T(-1));
+  Hit<V> hit{distance, none, none, none};
+  intersect_followed(d, geometry, from, towards, lit, hit);
+  return hn::And(lit, hn::Ge(hit.id, hn::Zero(d)));
+}
+
+/// Lanes of `lit` from which something stands on the way to a place on a soft light, by what finds
+/// followed rays.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_followed(D d, const PacketScene<T>& scene, const ShadowRays<V>& rays, M lit) {
+  const V distance = hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>));
+  M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
+  for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
+    dark = hn::Or(
+        dark, stands_nearer(d, geometry, rays.from, rays.towards, distance, hn::AndNot(dark, lit)));
+  });
+  return dark;
+}
+
 /// Lanes of `lit` from which something stands before the light.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M occluded(D d, const PacketScene<T>& scene, const PacketLight<T>& light,

@@ -14,6 +14,7 @@ struct Packet {
   V weight;  ///< of what they see in their pixels
   V pixel;   ///< its index in the block
   PathError<V> error;
+  std::size_t light_set = 0;  ///< of places on soft lights
 };
 
 /// The order that puts the lanes of `mask`, at least one, first. Made once for all values to be
@@ -38,6 +39,7 @@ template <typename T>
 class FollowedRays {
  public:
   int count = 0;
+  std::size_t light_set = 0;  ///< of all
 
   /// Adds the lanes of `mask`, at least one.
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
@@ -68,7 +70,8 @@ class FollowedRays {
             {at(0), at(1), at(2)},
             at(12),
             at(13),
-            error};
+            error,
+            light_set};
   }
 
  private:
@@ -120,9 +123,10 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
   const V3<V> background = broadcast(d, scene.background);
   if (hn::AllFalse(d, is_hit)) return background;
   const Surface<D> surface = surface_at(d, scene, packet.from, packet.direction, hit, is_hit);
-  const V3<V> colour =
-      select(is_hit, shade(d, scene, surface, negate(packet.direction), is_hit, OpaqueSurfaces()),
-             background);
+  const V3<V> colour = select(is_hit,
+                              shade(d, scene, surface, negate(packet.direction), is_hit,
+                                    packet.light_set, OpaqueSurfaces()),
+                              background);
   V weight = zero;
   M mirrors = hn::Lt(zero, zero);
   if (follows) {
@@ -136,7 +140,7 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
       error = note_errors(d, scene, surface, packet, hit.t, is_hit, mirrors, doubt);
   if (!goes_on || hn::AllFalse(d, mirrors)) return colour;
   const V3<V> direction = mirrored(d, scene, surface, packet.direction);
-  followed.add(d, Packet<V>{surface.at, direction, weight, packet.pixel, error}, mirrors);
+  followed.add(d, Packet<V>{surface.at, direction, weight, packet.pixel, error, 0}, mirrors);
   return colour;
 }
 
@@ -197,6 +201,7 @@ void trace_step(const PacketScene<T>& scene, const FollowedRays<T>& rays, bool f
 template <typename T>
 void trace_followed(const PacketScene<T>& scene, FollowedRays<T>& rays, SampleColours<T>& colours) {
   FollowedRays<T> others;
+  others.light_set = rays.light_set;
   FollowedRays<T>* now = &rays;
   FollowedRays<T>* next = &others;
   for (int depth = 1; now->count > 0; ++depth) {

@@ -21,6 +21,7 @@
 #include "engine/kernel/simd/block-inl.h"
 #include "engine/kernel/simd/find-inl.h"
 #include "engine/kernel/simd/surface-inl.h"
+#include "engine/kernel/simd/soft_light-inl.h"
 #include "engine/kernel/simd/shade-inl.h"
 #include "engine/kernel/simd/path_error-inl.h"
 #include "engine/kernel/simd/followed_rays-inl.h"

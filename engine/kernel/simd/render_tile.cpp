@@ -1,6 +1,7 @@
 #include "engine/kernel/simd/render_tile.h"
 
 #include "engine/kernel/this_machine.h"
+#include "engine/lights/light_places.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/kernel/simd/render_tile.cpp"  // this file, once per target
@@ -71,10 +72,30 @@ template <class D, typename T = hn::TFromD<D>>
 class SamplePackets {
  public:
   HWY_INLINE SamplePackets(const BlockRays<D>& rays, BlockCandidates<T>& candidates,
-                           const Block& block, const SamplePoint& sample)
-      : rays_(rays), candidates_(candidates), block_(block), sample_(sample) {}
+                           const Block& block, const SamplePoint& sample, std::size_t light_set)
+      : rays_(rays),
+        candidates_(candidates),
+        block_(block),
+        sample_(sample),
+        light_set_(light_set) {}
 
   static constexpr int count() { return PacketShape<D>::packets; }
+  static constexpr bool are_of_block = true;
+  /// Of places on soft lights, for followed rays; pixels differ from it by their place in a square.
+  HWY_INLINE std::size_t light_set() const { return light_set_; }
+  /// The places in the pattern of light sets, 2 x 2 if there are several.
+  HWY_INLINE int place_count() const { return light_sets() > 1 ? 4 : 1; }
+  HWY_INLINE int place_of(int ray) const {
+    if (light_sets() == 1) return 0;
+    constexpr int lanes = PacketShape<D>::lanes;
+    constexpr int width = PacketShape<D>::width;
+    const PacketPlace<D> packet(ray / lanes);
+    return (packet.y + ray % lanes / width) % 2 * 2 + (packet.x + ray % lanes % width) % 2;
+  }
+  HWY_INLINE std::size_t light_set_at(int place) const {
+    return static_cast<std::size_t>(
+        light_set_of(place % 2, place / 2, static_cast<int>(light_set_), light_sets()));
+  }
   HWY_INLINE bool is_in(int i) const { return PacketPlace<D>(i).is_in(block_); }
   HWY_INLINE SubtileCandidates<T> candidates(int i) const {
     return {candidates_, PacketPlace<D>(i).subtile()};
@@ -89,10 +110,13 @@ class SamplePackets {
   }
 
  private:
+  HWY_INLINE int light_sets() const { return rays_.eye.scene().light_sets; }
+
   const BlockRays<D>& rays_;
   BlockCandidates<T>& candidates_;
   const Block& block_;
   const SamplePoint& sample_;
+  std::size_t light_set_;
 };
 
 /// Sums over a block's pixels, in addition to their colours', that tell their errors.
@@ -245,7 +269,9 @@ void render_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
     }
     // Later samples find in the caches what the first has met.
     const bool fetches = sample == 0 && scene.fetches_light_cells;
-    trace_packets(d, rays.eye, SamplePackets<D>(rays, candidates, block, pattern.points[sample]),
+    trace_packets(d, rays.eye,
+                  SamplePackets<D>(rays, candidates, block, pattern.points[sample],
+                                   sample % static_cast<std::size_t>(scene.light_sets)),
                   fetches, colours, cover != nullptr ? cover->sample : nullptr);
     Highest<D> highest(d);
     for (int packet = 0; packet < Shape::packets; ++packet) {

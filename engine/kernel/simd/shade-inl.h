@@ -11,6 +11,13 @@ struct OpaqueSurfaces {
                        const ShadowRays<V>& rays, M lit) const {
     return hn::AndNot(occluded(d, scene, light, rays, lit), lit);
   }
+  /// How much of a place on a soft light, which rays do not share, the lanes of `lit` have.
+  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+  HWY_INLINE V share_along(D d, const PacketScene<T>& scene, const ShadowRays<V>& rays,
+                           M lit) const {
+    return hn::IfThenElseZero(hn::AndNot(occluded_followed(d, scene, rays, lit), lit),
+                              hn::Set(d, T(1)));
+  }
   /// What is left of the light that would arrive.
   template <class V>
   HWY_INLINE V weakened(V share) const {
@@ -19,11 +26,12 @@ struct OpaqueSurfaces {
 };
 
 /// The colour of the packet's points, without what they mirror or show behind them; rubbish in
-/// lanes not `active`. `between` tells what stands before a light.
+/// lanes not `active`. `between` tells what stands before a light; `light_set` is of places on soft
+/// ones.
 template <class D, class Between, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surface,
-                       const V3<V>& view, M active, Between&& between) {
+                       const V3<V>& view, M active, std::size_t light_set, Between&& between) {
   const RayOrigin<V>& point = surface.at;
   const V zero = hn::Zero(d);
   const MaterialPacket<D> material(d, scene.materials, surface.material, surface.normal, view);
@@ -48,6 +56,10 @@ HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surfa
     const V ambient = ambient_needs_light ? hn::IfThenElseZero(lit, material.ambient) : zero;
     sum = add(sum, mul_add(arriving.emission, share, V3<V>{ambient, ambient, ambient}));
   }
+  if (HWY_UNLIKELY(!scene.soft_lights.empty()))
+    sum = add(sum,
+              soft_light(d, scene, surface, material, ambient_needs_light ? material.ambient : zero,
+                         active, light_set, between));
   const V3<V>& colour = surface.color;
   return {hn::Mul(sum.x, colour.x), hn::Mul(sum.y, colour.y), hn::Mul(sum.z, colour.z)};
 }

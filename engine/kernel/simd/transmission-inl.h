@@ -123,6 +123,10 @@ class LightThroughSurfaces {
     share_ = hn::IfThenElse(doubtful, through, share_);
     return hn::And(lit, hn::Gt(share_, hn::Zero(d)));
   }
+  HWY_INLINE V share_along(D d, const PacketScene<T>& scene, const ShadowRays<V>& rays,
+                           M lit) const {
+    return hn::IfThenElseZero(lit, transmitted_share(d, scene, rays, depth_, lit));
+  }
   HWY_INLINE V weakened(V share) const { return hn::Mul(share, share_); }
 
  private:

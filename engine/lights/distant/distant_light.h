@@ -1,8 +1,11 @@
-// Light from infinitely far away, travelling along a direction.
+// Light from infinitely far away, travelling along a direction; with an angle, from a disc.
 //
 //   { "type": "distant", "direction": [-0.6, -1, 0.7], "color": [1, 1, 1], "intensity": 0.9 }
+//   { "type": "distant", "direction": [-0.6, -1, 0.7], "angle": 0.0093 }
 #pragma once
 
+#include <cmath>
+#include <numbers>
 #include <string_view>
 #include <tuple>
 
@@ -11,14 +14,24 @@
 namespace raytracer {
 
 struct DistantLight {
-  Vec3 direction;  ///< not zero, any length
+  Vec3 direction;    ///< not zero, any length
+  double angle = 0;  ///< its diameter as seen from anywhere, in radians; below pi
 
   static constexpr std::string_view type = "distant";
   static constexpr std::string_view description = "From infinitely far away.";
-  static constexpr auto fields = std::tuple(required(
-      "direction", &DistantLight::direction, DirectionRule{}, "Where the light travels to."));
-  static constexpr LightRays rays = LightRays::parallel;
+  static constexpr auto fields =
+      std::tuple(required("direction", &DistantLight::direction, DirectionRule{},
+                          "Where the light travels to."),
+                 optional("angle", &DistantLight::angle,
+                          NumberRule{{.least = 0, .most = std::numbers::pi, .most_excluded = true}},
+                          "Its diameter as seen from anywhere, in radians: soft shadows."));
 };
+
+inline LightRays rays_of(const DistantLight&) { return LightRays::parallel; }
+inline LightShape shape_of(const DistantLight& light) {
+  return light.angle > 0 ? LightShape::disc : LightShape::point;
+}
+inline double size_of(const DistantLight& light, const Frame&) { return std::tan(light.angle / 2); }
 
 template <typename Include>
 void for_each_extent(const DistantLight&, const Include&) {}

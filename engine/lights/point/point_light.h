@@ -1,9 +1,11 @@
-// Light from a point; its intensity is spread over 4 pi distance^2, or is the same everywhere.
+// Light from a point, or a disc around one that faces what it shines on; its intensity is spread
+// over 4 pi distance^2, or is the same everywhere.
 //
 //   { "type": "point", "position": [0, 10, 0], "color": "#ffeedd", "intensity": 1500 }
 //   { "type": "point", "position": [0, 10, 0], "intensity": 0.8, "falloff": "none" }
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <string_view>
@@ -18,6 +20,7 @@ enum class Falloff : std::uint8_t { inverse_square, none };
 struct PointLight {
   Vec3 position;
   Falloff falloff = Falloff::inverse_square;
+  double radius = 0;
 
   static constexpr std::string_view type = "point";
   static constexpr std::string_view description =
@@ -25,13 +28,24 @@ struct PointLight {
   static constexpr auto fields =
       std::tuple(required("position", &PointLight::position, PointRule{}),
                  optional("falloff", &PointLight::falloff, ChoiceRule{"inverse_square", "none"},
-                          "Whether it falls with the distance."));
-  static constexpr LightRays rays = LightRays::converging;
+                          "Whether it falls with the distance."),
+                 optional("radius", &PointLight::radius, NumberRule{not_negative},
+                          "Of the disc that shines: soft shadows."));
 };
+
+inline LightRays rays_of(const PointLight& light) {
+  return light.radius > 0 ? LightRays::neither : LightRays::converging;
+}
+inline LightShape shape_of(const PointLight& light) {
+  return light.radius > 0 ? LightShape::disc : LightShape::point;
+}
+inline double size_of(const PointLight& light, const Frame& frame) {
+  return std::ldexp(light.radius, -frame.exponent());
+}
 
 template <typename Include>
 void for_each_extent(const PointLight& light, const Include& include) {
-  include(light.position, 0);
+  include(light.position, light.radius);
 }
 
 inline Vec3 place_of(const PointLight& light, const Frame& frame) {

@@ -64,6 +64,9 @@ class BlinnPhongPacket {
         kd_(rows(d, &MaterialRow<T>::kd)),
         ks_(rows(d, &MaterialRow<T>::ks)) {}
 
+  /// kd: what a sky makes shine.
+  HWY_INLINE V diffuse() const { return kd_; }
+
   /// kd (N.L) + ks max(0, H.N)^shininess, for N.L > 0.
   HWY_INLINE V share(D d, const V3<V>& towards, V incidence) const {
     const V diffuse = hn::Mul(kd_, incidence);

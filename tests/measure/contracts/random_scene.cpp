@@ -70,6 +70,15 @@ json light(Dice& dice, double half, int count) {
     light["falloff"] = "none";
     light["intensity"] = json_of(strength);
   }
+  if (dice.happens(0.15)) {
+    if (is_distant)
+      light["angle"] = json_of(dice.of_any_size(0.01, 1));
+    else
+      light["radius"] = json_of(distance * dice.of_any_size(0.01, 0.3));
+  } else if (dice.happens(0.15)) {
+    light = {{"type", "sky"}, {"intensity", json_of(strength)}};
+    if (dice.happens(0.3)) light["reach"] = json_of(half * dice.of_any_size(0.1, 2));
+  }
   if (dice.happens(0.6)) light["color"] = json_of(Vec3{0.75, 0.75, 0.75} + dice.point(0.25));
   return light;
 }

@@ -18,7 +18,9 @@ SceneFeatures features_of(const Scene& scene) {
         object.shape);
   }
   for (const Light& light : scene.lights) {
-    std::visit([&](const auto& kind) { features.lights.insert(kind.type); }, light.source);
+    std::visit(
+        [&](const auto& kind) { features.lights.insert(is_soft(light) ? "soft" : kind.type); },
+        light.source);
     const double first = scene.lights[0].color.x * scene.lights[0].intensity;
     const Rgb emission = light.color * light.intensity;
     features.has_uneven_lights |= max_abs(emission - Rgb{first, first, first}) > 0;

@@ -1,0 +1,148 @@
+// Light from discs and skies: the mean over places on them.
+
+#include <cstddef>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer::HWY_NAMESPACE {
+
+/// Two unit vectors across each lane's, as across() in lights/light_places.h.
+template <class V>
+struct AcrossPackets {
+  V3<V> first;
+  V3<V> second;
+
+  template <class D>
+  HWY_INLINE AcrossPackets(D d, const V3<V>& axis) {
+    const V one = hn::Set(d, hn::TFromD<D>(1));
+    const V sign = hn::CopySign(one, axis.z);
+    const V a = hn::Div(hn::Neg(one), hn::Add(sign, axis.z));
+    const V b = hn::Mul(hn::Mul(axis.x, axis.y), a);
+    first = {hn::MulAdd(hn::Mul(sign, axis.x), hn::Mul(axis.x, a), one), hn::Mul(sign, b),
+             hn::Neg(hn::Mul(sign, axis.x))};
+    second = {b, hn::MulAdd(hn::Mul(axis.y, axis.y), a, sign), hn::Neg(axis.y)};
+  }
+};
+
+/// How soft lights reach a packet's points.
+template <class D, class Between, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+class SoftLightOnPacket {
+ public:
+  /// `light_set`: of the places. All are referred to.
+  HWY_INLINE SoftLightOnPacket(D d, const PacketScene<T>& scene, const Surface<D>& surface,
+                               std::size_t light_set, Between& between)
+      : d_(d), scene_(scene), surface_(surface), light_set_(light_set), between_(between) {}
+
+  /// The share of a disc that the lanes of `lit` have; 0 in others.
+  HWY_INLINE V share_of_disc(const PacketSoftLight<T>& soft, const ArrivingLights<V>& middle,
+                             M lit) const {
+    V sum = hn::Zero(d_);
+    const std::size_t first = light_set_ * soft.per_set;
+    if (!soft.directions.empty()) {
+      for (std::size_t i = first; i < first + soft.per_set; ++i)
+        sum = hn::Add(sum, share_along(soft.directions[i], lit));
+    } else {
+      const AcrossPackets<V> around(d_, middle.towards);
+      const V3<V> path = scale(middle.towards, middle.path);
+      for (std::size_t i = first; i < first + soft.per_set; ++i) {
+        const V across = hn::Set(d_, soft.places[i].x * soft.size);
+        const V along = hn::Set(d_, soft.places[i].y * soft.size);
+        const V3<V> to = mul_add(around.first, across, mul_add(around.second, along, path));
+        const V distance = hn::Sqrt(dot(to, to));
+        sum = hn::Add(sum, share_along(unit(d_, to), distance, lit));
+      }
+    }
+    return hn::Mul(sum, hn::Set(d_, T(1) / static_cast<T>(soft.per_set)));
+  }
+
+  /// Likewise of a sky: by the cosine.
+  HWY_INLINE V share_of_sky(const PacketSoftLight<T>& soft, M active) const {
+    const V zero = hn::Zero(d_);
+    V sum = zero;
+    V weights = zero;
+    const std::size_t first = light_set_ * soft.per_set;
+    for (std::size_t i = first; i < first + soft.per_set; ++i) {
+      const bool is_shared = !soft.directions.empty();
+      const V3<V> towards = broadcast(d_, is_shared ? soft.directions[i].place : soft.places[i]);
+      const V cosine = dot(surface_.normal, towards);
+      const M lit = hn::And(active, hn::Gt(cosine, zero));
+      if (hn::AllFalse(d_, lit)) continue;
+      weights = hn::Add(weights, hn::IfThenElseZero(lit, cosine));
+      const V share = is_shared ? share_along(soft.directions[i], lit)
+                                : share_along(towards, hn::Set(d_, soft.size), lit);
+      sum = hn::MulAdd(cosine, share, sum);
+    }
+    return hn::IfThenElseZero(hn::Gt(weights, zero), hn::Div(sum, weights));
+  }
+
+ private:
+  /// What of `lit` is above the surface.
+  HWY_INLINE M above(const V3<V>& towards, M lit) const {
+    return hn::And(lit, hn::Gt(dot(surface_.at.normal, towards), hn::Zero(d_)));
+  }
+  /// From a direction that rays share.
+  HWY_INLINE V share_along(const PacketLight<T>& direction, M lit) const {
+    const V one = hn::Set(d_, T(1));
+    const V3<V> towards = broadcast(d_, direction.place);
+    lit = above(towards, lit);
+    if (scene_.shadows == Shadows::off) return hn::IfThenElseZero(lit, one);
+    if (hn::AllFalse(d_, lit)) return hn::Zero(d_);
+    const V far_away = hn::Set(d_, std::numeric_limits<T>::max());
+    const ShadowRays<V> rays{surface_.at, towards, far_away, dot(surface_.at.normal, towards)};
+    lit = between_.reached(d_, scene_, direction, rays, lit);
+    return hn::IfThenElseZero(lit, between_.weakened(one));
+  }
+  /// From wherever each lane's ray goes.
+  HWY_INLINE V share_along(const V3<V>& towards, V distance, M lit) const {
+    lit = above(towards, lit);
+    if (scene_.shadows == Shadows::off) return hn::IfThenElseZero(lit, hn::Set(d_, T(1)));
+    if (hn::AllFalse(d_, lit)) return hn::Zero(d_);
+    return between_.share_along(
+        d_, scene_, ShadowRays<V>{surface_.at, towards, distance, dot(surface_.at.normal, towards)},
+        lit);
+  }
+
+  D d_;
+  const PacketScene<T>& scene_;
+  const Surface<D>& surface_;
+  std::size_t light_set_;
+  Between& between_;
+};
+
+/// The sum of what soft lights make of a packet's points, without their colours; `ambient` comes
+/// with each light that is seen.
+template <class D, class Between, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_NOINLINE V3<V> soft_light(D d, const PacketScene<T>& scene, const Surface<D>& surface,
+                              const MaterialPacket<D>& material, V ambient, M active,
+                              std::size_t light_set, Between& between) {
+  const V zero = hn::Zero(d);
+  const SoftLightOnPacket<D, Between> light(d, scene, surface, light_set, between);
+  V3<V> sum{zero, zero, zero};
+  for (const PacketSoftLight<T>& soft : scene.soft_lights) {
+    V had;
+    V share;
+    V3<V> emission;
+    if (soft.shape == LightShape::sky) {
+      had = light.share_of_sky(soft, active);
+      share = hn::Mul(had, material.diffuse());
+      emission = broadcast(d, soft.light.emission);
+    } else {
+      const ArrivingLights<V> middle = arriving_light(d, soft.light, surface.at.point);
+      const V incidence = dot(surface.normal, middle.towards);
+      const M lit = hn::And(active, hn::Gt(incidence, zero));
+      if (hn::AllFalse(d, lit)) continue;
+      had = hn::IfThenElseZero(lit, light.share_of_disc(soft, middle, lit));
+      share = hn::IfThenElseZero(hn::Gt(had, zero),
+                                 hn::Mul(had, material.share(d, middle.towards, incidence)));
+      emission = middle.emission;
+    }
+    const V shown = hn::IfThenElseZero(hn::Gt(had, zero), ambient);
+    sum = add(sum, mul_add(emission, share, V3<V>{shown, shown, shown}));
+  }
+  return sum;
+}
+
+}  // namespace raytracer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

@@ -1,0 +1,43 @@
+// Places on soft lights, from which their light is sampled: the same for many points, so that what
+// hides one of them is found as what hides a light that is no larger.
+//
+// They are in sets. Neighbouring pixels and samples use different ones, which turns the bands that
+// few places make into grain.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/lights/light_kind.h"
+
+namespace raytracer {
+
+/// How many places lights are sampled at.
+struct LightSampling {
+  int sets = 1;
+  int per_set = 64;  ///< of a disc; of a sky, of which each point has half, twice as many
+};
+
+/// A soft light and the places on it, set after set: of a disc of directions and of a sky unit
+/// vectors towards them; of a disc around a place their (x, y) in the unit disc.
+struct SoftLight {
+  PackedLight light;
+  std::size_t per_set = 0;
+  std::vector<Vec3> places;
+};
+
+SoftLight place_samples(const PackedLight& light, const LightSampling& sampling);
+
+/// Two unit vectors across a unit vector and each other (T. Duff et al., Building an Orthonormal
+/// Basis, Revisited, JCGT 2017).
+struct Across {
+  Vec3 first;
+  Vec3 second;
+};
+Across across(const Vec3& axis);
+
+/// The set that a sample of a pixel uses, of 1, 2 or a multiple of 4: each of a square of 2 x 2
+/// pixels another, as far as there are, and each of as many samples.
+int light_set_of(int x, int y, int sample, int sets);
+
+}  // namespace raytracer

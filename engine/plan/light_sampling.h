@@ -1,0 +1,25 @@
+// At how many places soft lights are sampled.
+#pragma once
+
+#include <cstddef>
+
+#include "engine/lights/light_places.h"
+#include "engine/plan/choice.h"
+#include "engine/scene/features.h"
+#include "engine/scene/scene.h"
+
+namespace raytracer {
+
+/// For scenes that have soft lights.
+Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& features);
+
+/// The most directions that rays to soft lights share, all lights together.
+std::size_t shared_directions(const LightSampling& sampling, const Features& features);
+
+/// The places of each soft light that a pixel with so many samples has.
+int light_samples_per_pixel(const LightSampling& sampling, int samples);
+
+/// How many rays a sample sends to lights, about.
+std::size_t light_rays_per_sample(const Scene& scene);
+
+}  // namespace raytracer
