@@ -5,6 +5,7 @@
 namespace raytracer::client {
 
 const Format* format_of(std::string_view path) {
+  path = without_compression(path);
   const auto is_same = [](char a, char b) {
     return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b - 'A' + 'a') : b);
   };
