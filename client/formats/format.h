@@ -35,8 +35,8 @@ inline constexpr std::array formats{
     Format{".tsv", open_tsv, Openness::atoms},
 };
 
-/// By the ending of a path, small letters or capitals, and without .gz or .zst after it; null if it
-/// is no format's.
+/// By the ending of a path, small letters or capitals, and without .gz or .zst after it; or a LAMMPS
+/// dump by the beginning "dump." of its name. Null if it is no format's.
 const Format* format_of(std::string_view path);
 
 }  // namespace raytracer::client

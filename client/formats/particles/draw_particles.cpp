@@ -1,7 +1,7 @@
 #include "client/formats/particles/draw_particles.h"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
 
 #include "client/failure.h"
 #include "client/formats/particles/color_map.h"
@@ -35,35 +35,40 @@ struct Paint {
   std::vector<model::Rgb> colors;          ///< none, or one for each
 };
 
-std::vector<model::Rgb> mapped(const std::vector<float>& values, const Wishes& wishes,
-                               DrawingScale& scale) {
+/// A material for each of 256 steps of the map that has a value: in a document a third as long as
+/// with a colour for each particle.
+Paint mapped(const std::vector<float>& values, const Wishes& wishes, DrawingScale& scale) {
   if (!scale.range) {
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     scale.range = {*least, *most};
   }
   const auto [least, most] = *scale.range;
-  constexpr std::size_t steps = 256;
-  std::vector<model::Rgb> table;
-  for (std::size_t i = 0; i < steps; ++i)
-    table.push_back(linear(color_on_map(wishes.color_map, static_cast<float>(i) / (steps - 1))));
-  std::vector<model::Rgb> colors;
-  colors.reserve(values.size());
   // Halves: the difference of two large numbers may be too large itself.
   const float width = most / 2 - least / 2;
+  constexpr std::size_t steps = 256;
+  constexpr std::uint32_t unseen = ~std::uint32_t{0};
+  std::vector<std::uint32_t> material_of_step(steps, unseen);
+  Paint result;
+  result.material_of.reserve(values.size());
   for (const float value : values) {
     const float share = width > 0 ? std::clamp((value / 2 - least / 2) / width, 0.0F, 1.0F) : 0.5F;
-    colors.push_back(table[static_cast<std::size_t>(share * (steps - 1) + 0.5F)]);
+    const auto step = static_cast<std::size_t>(std::lround(share * (steps - 1)));
+    std::uint32_t& material = material_of_step[step];
+    if (material == unseen) {
+      material = static_cast<std::uint32_t>(result.materials.size());
+      const float on_map = static_cast<float>(step) / (steps - 1);
+      result.materials.push_back(material_of(color_on_map(wishes.color_map, on_map), ""));
+    }
+    result.material_of.push_back(material);
   }
-  return colors;
+  return result;
 }
 
 Paint paint(Particles& particles, const Wishes& wishes, DrawingScale& scale) {
+  if (!particles.values.empty()) return mapped(particles.values, wishes, scale);
   Paint result;
   constexpr model::Rgb white{1, 1, 1};
-  if (!particles.values.empty()) {
-    result.materials.push_back(material_of(white, ""));
-    result.colors = mapped(particles.values, wishes, scale);
-  } else if (!particles.groups.empty()) {
+  if (!particles.groups.empty()) {
     for (std::size_t i = 0; i < particles.group_names.size(); ++i) {
       const auto known = residue_color(particles.group_names[i]);
       const bool is_residue = wishes.color == "residue" && known;

@@ -121,7 +121,7 @@ std::vector<std::array<std::uint32_t, 2>> bonds_by_distance(
 }
 
 double typical_spacing(const std::vector<model::Triple>& places) {
-  constexpr std::size_t most_asked = 64;
+  constexpr std::size_t most_asked = 32;
   const std::size_t step = std::max<std::size_t>(1, places.size() / most_asked);
   std::vector<double> nearest;
   for (std::size_t i = 0; i < places.size(); i += step) {
