@@ -6,6 +6,7 @@
 #include <memory>
 #include <string_view>
 
+#include "client/formats/meshes/mesh_file.h"
 #include "client/formats/nff/nff_file.h"
 #include "client/formats/particles/open_particles.h"
 #include "client/formats/scene_file.h"
@@ -33,10 +34,15 @@ inline constexpr std::array formats{
     Format{".lammpstrj", open_lammps_dump, Openness::atoms},
     Format{".csv", open_csv, Openness::atoms},
     Format{".tsv", open_tsv, Openness::atoms},
+    Format{".ply", open_ply, Openness::view},
+    Format{".obj", open_obj, Openness::view},
+    Format{".stl", open_stl, Openness::view},
+    Format{".gltf", open_gltf, Openness::view},
+    Format{".glb", open_glb, Openness::view},
 };
 
-/// By the ending of a path, small letters or capitals, and without .gz or .zst after it; or a LAMMPS
-/// dump by the beginning "dump." of its name. Null if it is no format's.
+/// By the ending of a path, small letters or capitals, and without .gz or .zst after it; or a
+/// LAMMPS dump by the beginning "dump." of its name. Null if it is no format's.
 const Format* format_of(std::string_view path);
 
 }  // namespace raytracer::client

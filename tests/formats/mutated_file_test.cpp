@@ -57,7 +57,10 @@ TEST(MutatedFile, is_read_or_refused_with_lines) {
     int refused = 0;
     for (const client::Reading& frame : read_text(*format, whole))
       ASSERT_TRUE(frame.errors.empty()) << frame.errors.front().what;
-    for (int round = 0; round < 2'000; ++round) {
+    // Meshes have a process each.
+    const bool is_mesh = format->openness == client::Openness::view;
+    const int rounds = is_mesh ? 100 : 2'000;
+    for (int round = 0; round < rounds; ++round) {
       const std::string text = damaged(whole, random);
       const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
       client::Wishes wishes;
@@ -79,8 +82,8 @@ TEST(MutatedFile, is_read_or_refused_with_lines) {
         ++refused;
       }
     }
-    EXPECT_GT(read, 50);
-    EXPECT_GT(refused, 50);
+    EXPECT_GT(read, rounds / 40);
+    EXPECT_GT(refused, rounds / 40);
   }
 }
 
