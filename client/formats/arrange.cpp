@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "client/failure.h"
@@ -203,6 +204,50 @@ Standpoint best_standpoint(const model::Scene& scene, Upright upright) {
   return {unit(towards), best.axes[1]};
 }
 
+/// Round an axis through the origin, of length 1: O. Rodrigues's formula.
+Triple turned(const Triple& v, const Triple& axis, double angle) {
+  const double cosine = std::cos(angle);
+  return sum(sum(scaled(v, cosine), scaled(cross(axis, v), std::sin(angle))),
+             scaled(axis, dot(axis, v) * (1 - cosine)));
+}
+
+/// How near the eye may be for balls to lie within each side of the picture. A ball touches the
+/// plane through the eye and a side where the depth lets through as much as its place across, and
+/// its radius over the plane's slope.
+struct FrameFit {
+  Triple right;
+  Triple above;
+  Triple towards_eye;
+  double tangent_right;
+  double tangent_up;
+  std::array<double, 4> reach{none, none, none, none};  ///< left, right, below, above
+  double x = 0;                                         ///< where the eye is, across
+  double y = 0;
+
+  static constexpr double none = -std::numeric_limits<double>::max();
+
+  void add(const Triple& place, double radius) {
+    const double depth = dot(place, towards_eye);
+    const auto widen = [&](double& side, double across, double tangent) {
+      side = std::max(side, depth + (across + radius * std::sqrt(1 + tangent * tangent)) / tangent);
+    };
+    widen(reach[0], -dot(place, right), tangent_right);
+    widen(reach[1], dot(place, right), tangent_right);
+    widen(reach[2], -dot(place, above), tangent_up);
+    widen(reach[3], dot(place, above), tangent_up);
+  }
+
+  /// Moves the eye to where both sides are as near.
+  void center() {
+    x = (reach[1] / 2 - reach[0] / 2) * tangent_right;
+    y = (reach[3] / 2 - reach[2] / 2) * tangent_up;
+    reach[0] = reach[1] = reach[0] / 2 + reach[1] / 2;
+    reach[2] = reach[3] = reach[2] / 2 + reach[3] / 2;
+  }
+
+  double distance() const { return *std::max_element(reach.begin(), reach.end()); }
+};
+
 }  // namespace
 
 model::View view_of_all(const model::Scene& scene, const Wishes& wishes, Upright upright) {
@@ -218,39 +263,26 @@ model::View view_of_all(const model::Scene& scene, const Wishes& wishes, Upright
   const Triple right = unit(cross(up, towards_eye));
   const Triple above = cross(towards_eye, right);
 
-  // How near the eye may be to the origin's plane for each side of the picture: a ball touches the
-  // plane through the eye and that side where its place across, plus its radius over the plane's
-  // slope, is as much as the depth lets through.
-  const double tangent_right = std::tan(fov / 2) / margin;
-  const double tangent_up = tangent_right * wishes.height_px / wishes.width_px;
-  constexpr double none = -std::numeric_limits<double>::max();
-  std::array<double, 4> reach{none, none, none, none};
-  double nearest = none;
-  each_ball(scene, [&](const Triple& center, double radius) {
-    const double depth = dot(center, towards_eye);
-    const auto widen = [&](double& side, double across, double tangent) {
-      side = std::max(side, depth + (across + radius * std::sqrt(1 + tangent * tangent)) / tangent);
-    };
-    const double x = dot(center, right);
-    const double y = dot(center, above);
-    widen(reach[0], -x, tangent_right);
-    widen(reach[1], x, tangent_right);
-    widen(reach[2], -y, tangent_up);
-    widen(reach[3], y, tangent_up);
-    nearest = std::max(nearest, depth + radius);
-  });
-  const double x = (reach[1] / 2 - reach[0] / 2) * tangent_right;
-  const double y = (reach[3] / 2 - reach[2] / 2) * tangent_up;
-  const double distance = std::max(reach[0] / 2 + reach[1] / 2, reach[2] / 2 + reach[3] / 2);
   const Box along = box_around(scene, {right, above, towards_eye});
-  const double middle = along.low[2] / 2 + along.high[2] / 2;
+  const Triple pivot = along.center();
+  const double tangent_right = std::tan(fov / 2) / margin;
+  FrameFit fit{right, above, towards_eye, tangent_right,
+               tangent_right * wishes.height_px / wishes.width_px};
+  each_ball(scene, [&](const Triple& center, double radius) {
+    const Triple place = sum(center, scaled(pivot, -1));
+    if (!wishes.is_turned) return fit.add(place, radius);
+    constexpr int turns = 16;
+    for (int i = 0; i < turns; ++i)
+      fit.add(turned(place, up, 2 * std::numbers::pi * i / turns), radius);
+  });
+  // What turns stays where its axis is.
+  if (!wishes.is_turned) fit.center();
 
   model::View view{};
-  const Triple on_axis = sum(scaled(right, x), scaled(above, y));
-  view.at = sum(on_axis, scaled(towards_eye, middle));
-  view.from = sum(on_axis, scaled(towards_eye, distance));
+  view.at = sum(pivot, sum(scaled(right, fit.x), scaled(above, fit.y)));
+  view.from = sum(view.at, scaled(towards_eye, fit.distance()));
   if (view.from == view.at) view.from = sum(view.at, towards_eye);
-  view.up = above;
+  view.up = up;
   view.fov = 2 * std::atan(std::tan(fov / 2) / wishes.zoom);
   view.width_px = wishes.width_px;
   view.height_px = wishes.height_px;
@@ -264,8 +296,9 @@ void light_studio(model::Scene& scene) {
   const model::View& view = scene.view;
   const Triple ahead = unit(sum(view.at, scaled(view.from, -1)));
   const Triple right = unit(cross(ahead, view.up));
+  const Triple above = cross(right, ahead);
   const auto direction = [&](double to_right, double upward, double forward) {
-    return sum(sum(scaled(right, to_right), scaled(view.up, upward)), scaled(ahead, forward));
+    return sum(sum(scaled(right, to_right), scaled(above, upward)), scaled(ahead, forward));
   };
   constexpr Triple white{1, 1, 1};
   scene.lights.emplace_back(model::Sun{direction(0.5, -0.8, 1), white, 1});

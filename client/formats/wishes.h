@@ -18,6 +18,7 @@ struct Wishes {
 
   std::optional<model::Triple> view;  ///< from where, as a direction; none: the best
   double zoom = 1;
+  bool is_turned = false;  ///< everything is to stay in view while the eye goes round
   model::Background background = model::Triple{1, 1, 1};
   int width_px = 700;
   int height_px = 500;
