@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <gemmi/elem.hpp>
 
 #include "client/formats/particles/screen_color.h"
@@ -35,6 +36,9 @@ std::uint8_t number_of(gemmi::El element) {
   return number < static_cast<std::size_t>(gemmi::El::D) ? static_cast<std::uint8_t>(number) : 0;
 }
 
+/// The tables' decimals, which floats have not.
+double hundredths(float radius) { return std::round(100 * static_cast<double>(radius)) / 100; }
+
 gemmi::El gemmi_element(std::uint8_t element) { return static_cast<gemmi::El>(element); }
 
 }  // namespace
@@ -59,11 +63,11 @@ std::string_view symbol_of(std::uint8_t element) {
 }
 
 double van_der_waals_radius(std::uint8_t element) {
-  return static_cast<double>(gemmi::vdw_radius(gemmi_element(element)));
+  return hundredths(gemmi::vdw_radius(gemmi_element(element)));
 }
 
 double covalent_radius(std::uint8_t element) {
-  return static_cast<double>(gemmi::covalent_radius(gemmi_element(element)));
+  return hundredths(gemmi::covalent_radius(gemmi_element(element)));
 }
 
 model::Rgb color_of(std::uint8_t element) {
