@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <deque>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <numeric>
@@ -92,8 +93,15 @@ void shoot(Api& api, const NextRequest& next, Film& film, FilmProgress& progress
       }
     }
   };
-  int frame = 0;
-  for (auto request = next(); request; request = next(), ++frame) {
+  std::exception_ptr end;  // what is wrong with a frame; those before it are finished
+  for (int frame = 0;; ++frame) {
+    std::optional<FrameRequest> request;
+    try {
+      request = next();
+    } catch (const InputError&) {
+      end = std::current_exception();
+    }
+    if (!request) break;
     if (film.has(frame)) {
       if (under_way.empty()) progress.skip_to(frame + 1);
       continue;
@@ -102,6 +110,7 @@ void shoot(Api& api, const NextRequest& next, Film& film, FilmProgress& progress
     start(frame, *request);
   }
   while (!under_way.empty()) take_oldest();
+  if (end) std::rethrow_exception(end);
 }
 
 /// With the server that keeps the scene.
