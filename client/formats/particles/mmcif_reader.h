@@ -4,13 +4,13 @@
 #pragma once
 
 #include <array>
-#include <gemmi/cifdoc.hpp>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "client/formats/particles/atom_collector.h"
+#include "client/formats/particles/cif_contents.h"
 #include "client/formats/particles/particle_reader.h"
 #include "client/formats/text_source.h"
 
@@ -30,15 +30,12 @@ class MmcifReader : public ParticleReader {
   std::string value(std::size_t row, int column) const;
   double number(std::size_t row, int column) const;
   LineError wrong(std::size_t row, const std::string& what) const;
-  void add_bonds(Particles& particles);
-  Particles read_small_structure();
+  void add_bonds(Particles& particles) const;
+  Particles read_cell();
 
   AtomCollector atoms_;
   bool has_bonds_;
-  gemmi::cif::Document document_;
-  gemmi::cif::Block* block_ = nullptr;
-  gemmi::cif::Loop* sites_ = nullptr;  ///< none: a small structure
-  int sites_line_ = 1;
+  CifContents contents_;
   std::size_t row_ = 0;
   std::size_t row_count_ = 0;
   std::array<int, 3> place_{};

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <gemmi/pdb.hpp>
 
 #include "client/formats/particles/columns.h"
 #include "client/formats/particles/elements.h"
@@ -41,7 +40,12 @@ std::optional<int> serial_of(std::string_view text) {
   if (error == std::errc() && stop == end) return serial;
   constexpr std::size_t width = 5;
   if (text.size() != width || text[0] < 'A') return std::nullopt;
-  return gemmi::pdb_impl::read_serial(std::string(text).c_str());
+  // cci.lbl.gov/hybrid_36: A0000 is the first.
+  constexpr int base = 36;
+  constexpr int first = 10 * base * base * base * base;
+  const auto [last, wrong] = std::from_chars(text.data(), end, serial, base);
+  if (wrong != std::errc() || last != end) return std::nullopt;
+  return serial - first + 100'000;
 }
 
 std::uint8_t element_of_name(std::string_view line) {
