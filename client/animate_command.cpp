@@ -128,6 +128,8 @@ NextRequest turn(Api& api, const AnimateArguments& arguments, const SceneText& s
 }
 
 void animate(AnimateArguments& arguments, const ServerChoice& server) {
+  if (arguments.turntable == 0 && arguments.frames.empty())
+    throw InputError("animate: what is to move? Give --turntable N or --frames all");
   arguments.scene.wishes.is_turned = arguments.turntable > 0;
   const std::unique_ptr<Film> film = open_film(arguments.target);
   FilmProgress progress(arguments.turntable);
@@ -167,14 +169,14 @@ void add_animate(CLI::App& app, const ServerChoice& server) {
   const auto arguments = std::make_shared<AnimateArguments>();
   CLI::App& command = add_scene_command(
       app, "animate", "Render a turn round a scene or a file's frames", arguments->scene);
-  CLI::Option_group& what = *command.add_option_group("What moves");
-  what.add_option("--turntable", arguments->turntable, "A turn round the scene in N frames")
-      ->option_text("N")
-      ->check(CLI::Range(1, 100'000));
-  what.add_option("--frames", arguments->frames, "The file's models or time steps")
+  CLI::Option* const turntable =
+      command.add_option("--turntable", arguments->turntable, "A turn round the scene in N frames")
+          ->option_text("N")
+          ->check(CLI::Range(1, 100'000));
+  command.add_option("--frames", arguments->frames, "The file's models or time steps")
       ->option_text("all")
-      ->check(CLI::IsMember({"all"}));
-  what.require_option(1);
+      ->check(CLI::IsMember({"all"}))
+      ->excludes(turntable);
   command
       .add_option("-o,--output", arguments->target.output,
                   "FRAMES-%04d.png, MOTION.apng, or - with --format y4m")

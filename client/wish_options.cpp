@@ -65,7 +65,7 @@ void add_wish_options(CLI::App& command, SceneChoice& scene) {
             },
             help)
         ->option_text(value_name)
-        ->group("Files without a look of their own");
+        ->group("Molecules, particles and meshes");
   };
   add("--style", "spacefill|ball-and-stick|sticks", "How atoms are drawn [spacefill]",
       [](Wishes& wishes, const std::string& name) { wishes.style = style_of(name); })
@@ -90,7 +90,7 @@ void add_wish_options(CLI::App& command, SceneChoice& scene) {
             scene.wishes.with_water = true;
           },
           "Show the water of a molecule's file")
-      ->group("Files without a look of their own");
+      ->group("Molecules, particles and meshes");
 }
 
 }  // namespace raytracer::client

@@ -123,7 +123,7 @@ TEST_F(Animate, error_of_a_later_frame_is_said_after_the_earlier_ones) {
 
 TEST_F(Animate, arguments_that_do_not_go_together_are_refused) {
   const std::string file = folder_.write("atoms.xyz", three_frames);
-  expect_input_error(animate({file, "-o", "a.apng"}), "--turntable,--frames");
+  expect_input_error(animate({file, "-o", "a.apng"}), "Give --turntable N or --frames all");
   expect_input_error(animate({file, "--turntable", "3", "-o", "a.png"}), "names no frames");
   expect_input_error(animate({file, "--turntable", "3", "-o", "-"}), "--format y4m");
   expect_input_error(animate({file, "--turntable", "3", "-o", "a.apng", "--format", "y4m"}),
