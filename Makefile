@@ -110,13 +110,16 @@ fuzz:
 	.ci/install build test fuzz
 	$(call configure,build-fuzz,-DRAYTRACER_TESTS=ON -DRAYTRACER_FUZZ=ON \
 	  -DCMAKE_CXX_COMPILER=clang++ -DRAYTRACER_SANITIZE=$(fuzz_sanitizers))
-	@cmake --build build-fuzz --parallel $(JOBS) --target fuzz_read_scene fuzz_render fuzz_read_nff
-	@mkdir -p build-fuzz/documents build-fuzz/scenes build-fuzz/nff
+	@cmake --build build-fuzz --parallel $(JOBS) --target fuzz_read_scene fuzz_render fuzz_read_nff \
+	  fuzz_read_particles
+	@mkdir -p build-fuzz/documents build-fuzz/scenes build-fuzz/nff build-fuzz/particles
 	cd build-fuzz && ./fuzz_read_scene -max_total_time=$(fuzz_seconds) -timeout=10 \
 	  -dict=../tests/fuzz/scene.dict -max_len=4096 documents ../server/scenes ../tests/extremes/scenes
 	cd build-fuzz && ./fuzz_render -max_total_time=$(fuzz_seconds) -timeout=20 -max_len=600 scenes
 	cd build-fuzz && ./fuzz_read_nff -max_total_time=$(fuzz_seconds) -timeout=10 \
 	  -dict=../tests/fuzz/nff.dict -max_len=4096 nff ../tests/formats/files
+	cd build-fuzz && ./fuzz_read_particles -max_total_time=$(fuzz_seconds) -timeout=10 \
+	  -dict=../tests/fuzz/particles.dict -max_len=8192 particles ../tests/formats/files
 
 # Measures what tasks cost here, and from that how far a cluster goes.
 cluster_runs = tests/measure/cluster/runs
@@ -168,7 +171,7 @@ help:
 	@echo "make contracts targets on random scenes (SEED=$(SEED) SCENES=$(SCENES)): are they kept, and told truly?"
 	@echo "make bench     times beside other renderers; SCENE=FILE for any document"
 	@echo "make extremes  scenes at the extremes against exact pictures, other renderers beside it"
-	@echo "make fuzz      a minute each of random documents, scenes and NFF files, with libFuzzer"
+	@echo "make fuzz      a minute each of random documents, scenes and files, with libFuzzer"
 	@echo "make cluster-simulation  how far many machines go, from what tasks cost here"
 	@echo "make load      small pictures a second against /healthz, with wrk"
 	@echo "make soak      ten minutes of mixed traffic: no memory, thread or descriptor is lost"

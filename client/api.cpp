@@ -61,8 +61,10 @@ struct Api::Connection {
   httplib::Response post(const std::string& path, const SceneText& scene, const Overrides& query,
                          int expected_status, const httplib::Headers& headers = {}) {
     interrupts.check();
+    const std::string target = with_query(path, query);
     const httplib::Result result =
-        client.Post(with_query(path, query), headers, scene.text, "application/json");
+        query.contains("scene") ? client.Post(target, headers)
+                                : client.Post(target, headers, scene.text, "application/json");
     interrupts.check();
     if (result.error() == httplib::Error::Write)
       throw ServerError(fmt::format(
@@ -94,8 +96,8 @@ struct Api::Connection {
     if (result->status == 401)
       throw InputError(fmt::format("{}: {}: give --token or RAYTRACER_TOKEN", server, detail));
     if (result->has_header("Retry-After"))
-      throw ServerError(fmt::format("{}: {}; try again in {} s", server, detail,
-                                    result->get_header_value("Retry-After")));
+      throw ServerBusy(fmt::format("{}: {}; try again in {} s", server, detail,
+                                   result->get_header_value("Retry-After")));
     throw ServerError(fmt::format("{}: {} was answered with status {}: {}", server, request,
                                   result->status,
                                   detail.empty() ? "is it a raytracer-server?" : detail));
@@ -123,6 +125,8 @@ Api::Api(const ServerUrl& url, const std::string& token, Interrupts& interrupts)
 }
 
 Api::~Api() { connection_->interrupts.on_signal(nullptr); }
+
+std::string Api::url() const { return connection_->url.text(); }
 
 std::vector<ShippedScene> Api::scenes() {
   const json list = connection_->parse(connection_->get("/scenes"), "scenes");
@@ -170,6 +174,11 @@ std::string Api::plan(const SceneText& scene, const Overrides& overrides) {
   const httplib::Response response = connection_->post("/plan", scene, overrides, 200);
   connection_->parse(response, "features");
   return response.body;
+}
+
+std::string Api::keep_scene(const SceneText& scene) {
+  const httplib::Response response = connection_->post("/scenes", scene, {}, 201);
+  return text_of(connection_->parse(response, "id"), "id");
 }
 
 Job Api::start_job(const SceneText& scene, const Overrides& query, std::string_view media_type) {

@@ -64,6 +64,9 @@ class Api {
   Api(const Api&) = delete;
   Api& operator=(const Api&) = delete;
 
+  /// "http://127.0.0.1:8080"
+  std::string url() const;
+
   std::vector<ShippedScene> scenes();
   /// Throws InputError that lists the names if there is none of this one.
   SceneText shipped_scene(const std::string& name);
@@ -77,8 +80,12 @@ class Api {
   /// The server's plan for the scene, a JSON text.
   std::string plan(const SceneText& scene, const Overrides& overrides);
 
-  /// `query` may say the task; without it the job is a render. `media_type`: of the picture that
-  /// will be fetched; empty for a curve.
+  /// Keeps a scene for later: the name that `scene` in a query may have.
+  std::string keep_scene(const SceneText& scene);
+
+  /// If `query` names a scene, it is that one. Throws ServerBusy if no job can be taken
+  /// now. `query` may say the task; without it the job is a render. `media_type`: of the picture
+  /// that will be fetched; empty for a curve.
   Job start_job(const SceneText& scene, const Overrides& query, std::string_view media_type = {});
   Job job(const std::string& id);
   RenderedImage job_image(const std::string& id, std::string_view media_type);

@@ -26,14 +26,6 @@ CLI::Option* add_override(CLI::App& command, Overrides& overrides, const std::st
   return command.add_option_function<Value>(flag, store, help)->option_text(value_name);
 }
 
-/// For CLI11: finite and greater than 0.
-std::string refuse_unless_positive(const std::string& text) {
-  double value = 0;
-  const bool is_positive = CLI::detail::lexical_cast(text, value) && value > 0 &&
-                           value <= std::numeric_limits<double>::max();
-  return is_positive ? "" : fmt::format("'{}' is not a number greater than 0", text);
-}
-
 /// For CLI11: as HTTP takes it in a header.
 std::string refuse_unless_token(const std::string& text) {
   const bool is_token =
@@ -42,6 +34,13 @@ std::string refuse_unless_token(const std::string& text) {
 }
 
 }  // namespace
+
+std::string refuse_unless_positive(const std::string& text) {
+  double value = 0;
+  const bool is_positive = CLI::detail::lexical_cast(text, value) && value > 0 &&
+                           value <= std::numeric_limits<double>::max();
+  return is_positive ? "" : fmt::format("'{}' is not a number greater than 0", text);
+}
 
 void add_server_options(CLI::App& app, ServerChoice& server) {
   app.add_option_function<std::string>(
@@ -64,11 +63,12 @@ CLI::App& add_command(CLI::App& app, const std::string& name, const std::string&
 }
 
 CLI::App& add_scene_command(CLI::App& app, const std::string& name, const std::string& purpose,
-                            std::string& scene) {
+                            SceneChoice& scene) {
   CLI::App& command = add_command(app, name, purpose);
-  command.add_option("SCENE", scene, "File, shipped scene, or - for standard input")
+  command.add_option("SCENE", scene.name, "File, shipped scene, or - for standard input")
       ->required()
       ->option_text(" ");
+  add_wish_options(command, scene);
   return command;
 }
 

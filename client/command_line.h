@@ -21,9 +21,16 @@ void add_server_options(CLI::App& app, ServerChoice& server);
 
 CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& purpose);
 
-/// A command that is about a scene: a file, "-", or a shipped scene's name.
+/// A command that is about a scene: a file, "-", or a shipped scene's name. With the options about
+/// what a file may leave open.
 CLI::App& add_scene_command(CLI::App& app, const std::string& name, const std::string& purpose,
-                            std::string& scene);
+                            SceneChoice& scene);
+
+/// These options alone.
+void add_wish_options(CLI::App& command, SceneChoice& scene);
+
+/// For CLI11: a number that is finite and greater than 0.
+std::string refuse_unless_positive(const std::string& text);
 
 /// Options that say how accurate a picture is to be.
 void add_accuracy_options(CLI::App& command, Overrides& overrides);

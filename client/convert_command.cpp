@@ -18,7 +18,7 @@ namespace raytracer::client {
 namespace {
 
 struct ConvertArguments {
-  std::string file;
+  SceneChoice file;
   std::optional<OutputFile> output;  ///< none: standard output
 };
 
@@ -43,7 +43,7 @@ void add_convert(CLI::App& app, const ServerChoice&) {
   const auto arguments = std::make_shared<ConvertArguments>();
   CLI::App& command = add_command(app, "convert", "Convert a file to a scene document");
   command.footer("It needs no server.");
-  command.add_option("FILE", arguments->file, "File: " + all_endings())
+  command.add_option("FILE", arguments->file.name, "File: " + all_endings())
       ->required()
       ->option_text(" ")
       ->check([](const std::string& path) {
@@ -51,6 +51,7 @@ void add_convert(CLI::App& app, const ServerChoice&) {
                    ? ""
                    : fmt::format("the ending of '{}' is none of {}", path, all_endings());
       });
+  add_wish_options(command, arguments->file);
   add_output_option(command, arguments->output, "Scene document: .json [standard output]",
                     {".json"});
   command.callback([arguments] { convert_file(*arguments); });

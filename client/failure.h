@@ -15,6 +15,11 @@ class ServerError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// It has too much to do to take more now.
+class ServerBusy : public ServerError {
+  using ServerError::ServerError;
+};
+
 /// A signal asks the client to end: exit status 128 + signal, as a shell counts.
 class Interrupted : public std::runtime_error {
  public:

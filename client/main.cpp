@@ -30,7 +30,7 @@ void run(int argc, char** argv) {
   app.footer(footer);
   app.set_help_flag("-h,--help", "Print this help");
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
-  app.get_formatter()->column_width(34);
+  app.get_formatter()->column_width(43);
   app.require_subcommand(0, 1);
   app.callback([&app] {  // called last: a name that is no command has then been refused as such
     if (app.get_subcommands().empty()) throw CLI::RequiredError("A command");

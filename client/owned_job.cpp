@@ -14,9 +14,14 @@ using std::chrono::milliseconds;
 
 void OwnedJob::wait(const std::string& doing) {
   ProgressBar bar;
+  wait(doing,
+       [&](const Job& job) { bar.show(job.status == "queued" ? "queued" : doing, job.progress); });
+}
+
+void OwnedJob::wait(const std::string& doing, const std::function<void(const Job&)>& show) {
   milliseconds pause(10);
   for (; job_.status == "queued" || job_.status == "running"; job_ = api_.job(job_.id)) {
-    bar.show(job_.status == "queued" ? "queued" : doing, job_.progress);
+    show(job_);
     api_.pause(pause);
     pause = std::min(pause * 3 / 2, milliseconds(200));
   }

@@ -1,6 +1,7 @@
 // A job that ends with the client, whichever way.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "client/api.h"
@@ -19,6 +20,8 @@ class OwnedJob {
   /// Returns when the job is done, with a bar in a terminal that says what it is `doing`.
   /// Throws ServerError if it never will be.
   void wait(const std::string& doing);
+  /// The same with a bar that is there already: `show` is called again and again.
+  void wait(const std::string& doing, const std::function<void(const Job&)>& show);
 
  private:
   Api& api_;

@@ -112,14 +112,14 @@ std::string plan_text(const std::string& json, int width) {
 }
 
 struct PlanArguments {
-  std::string scene;
+  SceneChoice scene;
   bool as_json = false;  ///< the server's own answer
   Overrides overrides;
 };
 
 void plan(const PlanArguments& arguments, const ServerChoice& server) {
   std::string json;
-  with_scene(arguments.scene, server, [&](Api& api, const SceneText& scene) {
+  with_scene(arguments.scene, arguments.overrides, server, [&](Api& api, const SceneText& scene) {
     json = api.plan(scene, arguments.overrides);
   });
   constexpr int most_columns = 100;  // longer lines are hard to read

@@ -24,7 +24,7 @@ namespace raytracer::client {
 namespace {
 
 struct RenderArguments {
-  std::string scene;
+  SceneChoice scene;
   std::optional<OutputFile> output;  ///< none: the terminal, or standard output
   Overrides overrides;
   bool watch = false;  ///< again whenever the file changes
@@ -53,16 +53,16 @@ void wait_for_change(const std::filesystem::path& file, std::filesystem::file_ti
 /// Renders the file again and again, whenever it changes, until a signal ends it. What is wrong
 /// with it is said, and waits for the next change.
 void watch(const RenderArguments& arguments, const ServerChoice& server, const Delivery& deliver) {
-  const std::filesystem::path file = arguments.scene;
+  const std::filesystem::path file = arguments.scene.name;
   if (!std::filesystem::is_regular_file(file))
     throw InputError(
-        fmt::format("--watch needs a scene in a file, and '{}' is none", arguments.scene));
+        fmt::format("--watch needs a scene in a file, and '{}' is none", arguments.scene.name));
   with_server(server, [&](Api& api) {
     for (;;) {
       std::error_code gone;
       const auto seen = std::filesystem::last_write_time(file, gone);
       try {
-        if (const auto scene = read_scene_file(arguments.scene))
+        if (const auto scene = read_scene_file(arguments.scene, arguments.overrides))
           deliver(render_scene(*scene, arguments.overrides, deliver.media_type(), api),
                   scene->label);
       } catch (const InputError& error) {
@@ -77,8 +77,8 @@ void render(const RenderArguments& arguments, const ServerChoice& server) {
   const Delivery deliver(arguments.output);
   if (arguments.watch) return watch(arguments, server, deliver);
   RenderedImage image;
-  const SceneText scene =
-      with_scene(arguments.scene, server, [&](Api& api, const SceneText& rendered) {
+  const SceneText scene = with_scene(
+      arguments.scene, arguments.overrides, server, [&](Api& api, const SceneText& rendered) {
         image = render_scene(rendered, arguments.overrides, deliver.media_type(), api);
       });
   deliver(image, scene.label);

@@ -26,24 +26,65 @@ std::string read_to_end(std::FILE* file, const std::string& label) {
   return text;
 }
 
-/// The scene document that the text means.
-std::string convert(const Format& format, const std::string& text, const std::string& label) {
-  const Reading reading = format.read(text);
+/// In the place of an InputError that does not name its file.
+template <typename Read>
+auto naming(const std::string& label, Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", label, error.what()));
+  }
+}
+
+Wishes with_size(Wishes wishes, const Overrides& overrides) {
+  const auto replace = [&](const char* name, int& value) {
+    const auto given = overrides.find(name);
+    if (given != overrides.end()) value = std::stoi(given->second);
+  };
+  replace("width", wishes.width_px);
+  replace("height", wishes.height_px);
+  return wishes;
+}
+
+std::unique_ptr<SceneFile> open(const Format& format, const SceneChoice& choice,
+                                const Overrides& overrides) {
+  return format.open({source_of_file(choice.name), choice.name},
+                     with_size(choice.wishes, overrides));
+}
+
+/// The scene document that a frame means.
+SceneText document_of(const Reading& reading, const std::string& label) {
   std::vector<std::string> errors;
   for (const LineError& error : reading.errors)
-    errors.push_back(fmt::format("{}:{}: {}", label, error.line, error.what));
+    errors.push_back(error.line > 0 ? fmt::format("{}:{}: {}", label, error.line, error.what)
+                                    : fmt::format("{}: {}", label, error.what));
   if (!errors.empty()) throw InputError(fmt::format("{}", fmt::join(errors, "\n")));
-  for (const Omission& kind : reading.omissions)
-    fmt::print(stderr, "{}:{}: {} {}\n", label, kind.first_line, kind.count,
-               kind.count == 1 ? kind.one : kind.many);
-  return model::to_document(reading.scene);
+  for (const Omission& kind : reading.omissions) {
+    const std::string place =
+        kind.first_line > 0 ? fmt::format("{}:{}", label, kind.first_line) : label;
+    fmt::print(stderr, "{}: {} {}\n", place, kind.count, kind.count == 1 ? kind.one : kind.many);
+  }
+  return {label, model::to_document(reading.scene), false};
+}
+
+/// Wishes for what a scene says itself are refused.
+void refuse_wishes(const SceneChoice& choice, Openness openness) {
+  for (const std::string& option : choice.wished) {
+    const bool is_of_atoms = option != "--view" && option != "--zoom" && option != "--background";
+    if (openness == Openness::atoms || (openness == Openness::view && !is_of_atoms)) continue;
+    throw InputError(
+        fmt::format("{}: {} says this itself; the option is for {}", option, choice.name,
+                    is_of_atoms ? "atoms and other particles" : "formats without a camera"));
+  }
 }
 
 }  // namespace
 
-std::optional<SceneText> read_scene_file(const std::string& scene) {
-  if (scene == "-") return SceneText{"standard input", read_to_end(stdin, "standard input")};
+std::optional<SceneText> read_scene_file(const SceneChoice& choice, const Overrides& overrides) {
+  const std::string& scene = choice.name;
   const Format* const format = format_of(scene);
+  refuse_wishes(choice, format ? format->openness : Openness::nothing);
+  if (scene == "-") return SceneText{"standard input", read_to_end(stdin, "standard input")};
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(scene, error);
   if (!std::filesystem::exists(status) || std::filesystem::is_directory(status)) {
@@ -52,12 +93,29 @@ std::optional<SceneText> read_scene_file(const std::string& scene) {
     throw InputError(scene + (std::filesystem::exists(status) ? ": is a directory, not a scene"
                                                               : ": there is no such file"));
   }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(scene.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) throw InputError(fmt::format("{}: cannot be opened: {}", scene, std::strerror(errno)));
-  const std::string text = read_to_end(file.get(), scene);
-  if (format) return SceneText{scene, convert(*format, text, scene), false};
-  return SceneText{scene, text};
+  if (!format)
+    return naming(scene, [&] { return SceneText{scene, read_all(*source_of_file(scene))}; });
+  const auto file = naming(scene, [&] { return open(*format, choice, overrides); });
+  const Reading reading = naming(scene, [&] { return file->next_frame().value(); });
+  SceneText document = document_of(reading, scene);
+  if (file->has_more())
+    fmt::print(stderr, "{}: the first frame; animate --frames all shows all\n", scene);
+  return document;
+}
+
+NextFrame read_frames(const SceneChoice& choice, const Overrides& overrides) {
+  const Format* const format = format_of(choice.name);
+  if (!format || format->openness != Openness::atoms)
+    throw InputError(
+        fmt::format("{}: has no frames; --turntable N goes round any scene", choice.name));
+  const std::string& label = choice.name;
+  const std::shared_ptr<SceneFile> file =
+      naming(label, [&] { return open(*format, choice, overrides); });
+  return [file, label]() -> std::optional<SceneText> {
+    const std::optional<Reading> reading = naming(label, [&] { return file->next_frame(); });
+    if (!reading) return std::nullopt;
+    return document_of(*reading, label);
+  };
 }
 
 }  // namespace raytracer::client

@@ -2,9 +2,15 @@
 // format, standard input, or the server's own shelf.
 #pragma once
 
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "client/formats/scene_file.h"
+#include "client/formats/wishes.h"
 
 namespace raytracer::client {
 
@@ -17,9 +23,26 @@ struct SceneText {
 /// The server's query parameters by name; they stand over the scene's own values.
 using Overrides = std::map<std::string, std::string>;
 
-/// The scene if `scene` is "-" or names a file; none if it may be a shipped scene's name. A file
-/// whose ending is that of another format becomes a scene document; what that cannot say is said on
-/// standard error. Throws InputError for what cannot be read, and for a path that is not there.
-std::optional<SceneText> read_scene_file(const std::string& scene);
+/// What stands in SCENE's place on the command line, and the options about what it may leave open.
+struct SceneChoice {
+  std::string name;  ///< a file, "-", or a shipped scene's name
+  Wishes wishes;
+  std::vector<std::string> wished;  ///< the options that were given, "--style"
+};
+
+/// The scene if the choice is "-" or a file; none if it may be a shipped scene's name. A file whose
+/// ending is that of another format becomes a scene document: its first frame; what that cannot say
+/// is said on standard error. Throws InputError for what cannot be read, for a path that is not
+/// there, and for wishes where the scene leaves nothing open. Of the overrides the size of the
+/// image counts.
+std::optional<SceneText> read_scene_file(const SceneChoice& choice,
+                                         const Overrides& overrides = {});
+
+/// Frame for frame what a file of another format means; the next one is read while it is called.
+/// Returns nothing behind the last one. Throws as above.
+using NextFrame = std::function<std::optional<SceneText>()>;
+
+/// Throws InputError if it is no file of another format.
+NextFrame read_frames(const SceneChoice& choice, const Overrides& overrides);
 
 }  // namespace raytracer::client

@@ -17,7 +17,7 @@ namespace raytracer::client {
 namespace {
 
 struct TradeoffArguments {
-  std::string scene;
+  SceneChoice scene;
   std::optional<OutputFile> output;  ///< none: as text on standard output
   Overrides overrides;
 };
@@ -32,12 +32,12 @@ void tradeoff(const TradeoffArguments& arguments, const ServerChoice& server) {
   Overrides query = arguments.overrides;
   query["task"] = "tradeoff";
   std::string json;
-  const SceneText scene =
-      with_scene(arguments.scene, server, [&](Api& api, const SceneText& measured) {
-        OwnedJob job(api, api.start_job(measured, query));
-        job.wait("measuring");
-        json = api.job_result(job.id());
-      });
+  const SceneText scene = with_scene(arguments.scene, arguments.overrides, server,
+                                     [&](Api& api, const SceneText& measured) {
+                                       OwnedJob job(api, api.start_job(measured, query));
+                                       job.wait("measuring");
+                                       json = api.job_result(job.id());
+                                     });
 
   const Curve curve = read_curve(json);
   if (!arguments.output) {

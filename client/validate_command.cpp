@@ -12,11 +12,11 @@
 namespace raytracer::client {
 
 void add_validate(CLI::App& app, const ServerChoice& server) {
-  const auto name = std::make_shared<std::string>();
-  add_scene_command(app, "validate", "Check a scene without rendering it", *name)
-      .callback([name, &server] {
+  const auto choice = std::make_shared<SceneChoice>();
+  add_scene_command(app, "validate", "Check a scene without rendering it", *choice)
+      .callback([choice, &server] {
         const SceneText scene = with_scene(
-            *name, server, [](Api& api, const SceneText& checked) { api.validate(checked); });
+            *choice, {}, server, [](Api& api, const SceneText& checked) { api.validate(checked); });
         fmt::print("{}: valid\n", scene.label);
       });
 }

@@ -22,14 +22,15 @@ void with_server(const ServerChoice& choice, const std::function<void(Api&)>& us
   }
 }
 
-SceneText with_scene(const std::string& name, const ServerChoice& choice,
+SceneText with_scene(const SceneChoice& scene, const Overrides& overrides,
+                     const ServerChoice& server,
                      const std::function<void(Api&, const SceneText&)>& use) {
-  std::optional<SceneText> scene = read_scene_file(name);
-  with_server(choice, [&](Api& api) {
-    if (!scene) scene = api.shipped_scene(name);
-    use(api, *scene);
+  std::optional<SceneText> text = read_scene_file(scene, overrides);
+  with_server(server, [&](Api& api) {
+    if (!text) text = api.shipped_scene(scene.name);
+    use(api, *text);
   });
-  return *std::move(scene);
+  return *std::move(text);
 }
 
 }  // namespace raytracer::client

@@ -15,9 +15,10 @@ namespace raytracer::client {
 /// ended meanwhile, a ServerError that says how.
 void with_server(const ServerChoice& choice, const std::function<void(Api&)>& use);
 
-/// The same with the scene that `name` means: a file, which is read first, "-", or a shipped one.
-/// Returns the scene.
-SceneText with_scene(const std::string& name, const ServerChoice& choice,
+/// The same with the scene that is chosen: a file, which is read first, "-", or a shipped one. The
+/// overrides say the size of its image. Returns the scene.
+SceneText with_scene(const SceneChoice& scene, const Overrides& overrides,
+                     const ServerChoice& server,
                      const std::function<void(Api&, const SceneText&)>& use);
 
 }  // namespace raytracer::client

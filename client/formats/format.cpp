@@ -5,6 +5,7 @@
 namespace raytracer::client {
 
 const Format* format_of(std::string_view path) {
+  path = without_compression(path);
   const auto is_same = [](char a, char b) {
     return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b - 'A' + 'a') : b);
   };
@@ -14,7 +15,10 @@ const Format* format_of(std::string_view path) {
         return path.size() >= ending.size() &&
                std::equal(ending.begin(), ending.end(), path.end() - ending.size(), is_same);
       });
-  return format == formats.end() ? nullptr : format;
+  if (format != formats.end()) return format;
+  // LAMMPS's own examples write dump.melt: what ends other formats begins the name.
+  const std::string_view name = path.substr(path.rfind('/') + 1);
+  return name.starts_with("dump.") ? format_of("a.dump") : nullptr;
 }
 
 }  // namespace raytracer::client

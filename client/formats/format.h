@@ -3,21 +3,46 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string_view>
 
-#include "client/formats/nff/read_nff.h"
-#include "client/formats/reading.h"
+#include "client/formats/meshes/mesh_file.h"
+#include "client/formats/nff/nff_file.h"
+#include "client/formats/particles/open_particles.h"
+#include "client/formats/scene_file.h"
 
 namespace raytracer::client {
 
+/// Which wishes a file of a format leaves open.
+enum class Openness { nothing, view, atoms };
+
 struct Format {
   std::string_view ending;
-  Reading (*read)(std::string_view text);
+  std::unique_ptr<SceneFile> (*open)(FileInput input, const Wishes& wishes);
+  Openness openness;
 };
 
-inline constexpr std::array formats{Format{".nff", read_nff}};
+inline constexpr std::array formats{
+    Format{".nff", open_nff, Openness::nothing},
+    Format{".pdb", open_pdb, Openness::atoms},
+    Format{".ent", open_pdb, Openness::atoms},
+    Format{".cif", open_mmcif, Openness::atoms},
+    Format{".mmcif", open_mmcif, Openness::atoms},
+    Format{".xyz", open_xyz, Openness::atoms},
+    Format{".extxyz", open_xyz, Openness::atoms},
+    Format{".dump", open_lammps_dump, Openness::atoms},
+    Format{".lammpstrj", open_lammps_dump, Openness::atoms},
+    Format{".csv", open_csv, Openness::atoms},
+    Format{".tsv", open_tsv, Openness::atoms},
+    Format{".ply", open_ply, Openness::view},
+    Format{".obj", open_obj, Openness::view},
+    Format{".stl", open_stl, Openness::view},
+    Format{".gltf", open_gltf, Openness::view},
+    Format{".glb", open_glb, Openness::view},
+};
 
-/// By the ending of a path, small letters or capitals; null if it is no format's.
+/// By the ending of a path, small letters or capitals, and without .gz or .zst after it; or a
+/// LAMMPS dump by the beginning "dump." of its name. Null if it is no format's.
 const Format* format_of(std::string_view path);
 
 }  // namespace raytracer::client

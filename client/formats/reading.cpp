@@ -4,7 +4,8 @@
 
 namespace raytracer::client {
 
-void Reading::omit(int line, std::string_view one, std::string_view many) {
+void add_omission(std::vector<Omission>& omissions, int line, std::string_view one,
+                  std::string_view many) {
   auto kind = std::find_if(omissions.begin(), omissions.end(),
                            [&](const Omission& known) { return known.one == one; });
   if (kind == omissions.end())

@@ -11,7 +11,7 @@ namespace raytracer::client {
 
 /// Something is wrong with a line of a file. `what` says what is, and what to write.
 struct LineError {
-  int line;  ///< from 1
+  int line;  ///< from 1; 0: the file has no lines
   std::string what;
 };
 
@@ -23,13 +23,18 @@ struct Omission {
   int first_line = 0;
 };
 
+/// One more of a kind, by its `one`.
+void add_omission(std::vector<Omission>& omissions, int line, std::string_view one,
+                  std::string_view many);
+
 struct Reading {
   model::Scene scene;  ///< means something only without errors
   std::vector<Omission> omissions;
   std::vector<LineError> errors;
 
-  /// One more of a kind, by its `one`.
-  void omit(int line, std::string_view one, std::string_view many);
+  void omit(int line, std::string_view one, std::string_view many) {
+    add_omission(omissions, line, one, many);
+  }
 };
 
 }  // namespace raytracer::client

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 namespace raytracer::client::model {
 namespace {
@@ -13,24 +15,39 @@ namespace {
 /// Appends JSON to a text; places turn from the file's coordinates into the scene's.
 class DocumentWriter {
  public:
-  std::string text() const { return fmt::to_string(text_); }
+  std::string take() && { return std::move(text_); }
 
   void scene(const Scene& scene) {
     print("{{\n  \"camera\": ");
     view(scene.view);
     print(",\n  \"background\": ");
-    numbers(scene.background);
-    print(",\n  \"ambient\": {},\n  \"lights\": [", scene.ambient);
-    lines(scene.lights, [this](const Lamp& one) { light(one); });
+    if (scene.background)
+      numbers(*scene.background);
+    else
+      print("\"transparent\"");
+    print(",\n  \"ambient\": {},", scene.ambient);
+    if (!scene.is_shadow_black) print("\n  \"shadows\": \"ambient\",");
+    print("\n  \"lights\": [");
+    lines(scene.lights, [this](const Light& one) {
+      std::visit([this](const auto& known) { light(known); }, one);
+    });
     print("],\n  \"materials\": {{");
-    std::size_t index = 0;
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+      const std::string& name = scene.materials[i].name;
+      names_.push_back(name.empty() ? fmt::format("fill{}", i + 1) : name);
+    }
+    auto name = names_.begin();
     lines(scene.materials, [&](const Material& one) {
-      print("\"fill{}\": ", ++index);
+      print("\"{}\": ", *name++);
       material(one);
     });
     print("}},\n  \"objects\": [");
     lines(scene.objects, [this](const Objects& all) { objects(all); });
-    print("]\n}}\n");
+    print("]");
+    if (scene.target_rmse > 0)
+      print(",\n  \"render\": {{\"target_rmse\": {}, \"transfer\": \"{}\"}}", scene.target_rmse,
+            scene.is_srgb ? "srgb" : "linear");
+    print("\n}}\n");
   }
 
  private:
@@ -61,11 +78,34 @@ class DocumentWriter {
     print("]");
   }
 
-  /// Of a single item, which has a name of its own, no list.
-  void places(std::string_view name, std::string_view name_of_one, const std::vector<Triple>& all) {
-    if (all.size() > 1) return list(name, all, [this](const Triple& one) { place(one); });
+  /// Of one item, which has a name of its own, no list.
+  void places(std::string_view name, std::string_view name_of_one, const std::vector<Triple>& all,
+              bool is_one) {
+    if (!is_one) return list(name, all, [this](const Triple& one) { place(one); });
     print(", \"{}\": ", name_of_one);
     place(all.front());
+  }
+
+  void colors(const std::vector<Rgb>& all) {
+    if (all.empty()) return;
+    list("colors", all, [this](const Rgb& one) {
+      print("[");
+      share(one[0]);
+      print(", ");
+      share(one[1]);
+      print(", ");
+      share(one[2]);
+      print("]");
+    });
+  }
+
+  /// A number in [0, 1] in thousandths, of which an eye sees none.
+  void share(float value) {
+    const int thousandths = static_cast<int>(std::lround(std::clamp(value, 0.0F, 1.0F) * 1000));
+    if (thousandths % 1000 == 0)
+      print("{}", thousandths / 1000);
+    else
+      print("0.{:03d}", thousandths);
   }
 
   /// Of equal ones no list.
@@ -94,6 +134,14 @@ class DocumentWriter {
     print(", \"intensity\": {}, \"falloff\": \"none\"}}", lamp.intensity);
   }
 
+  void light(const Sun& sun) {
+    print("{{\"type\": \"distant\", \"direction\": ");
+    place(sun.direction);
+    print(", \"color\": ");
+    numbers(sun.color);
+    print(", \"intensity\": {}}}", sun.intensity);
+  }
+
   void material(const Material& material) {
     print("{{\"color\": ");
     numbers(material.color);
@@ -106,32 +154,37 @@ class DocumentWriter {
 
   void objects(const Objects& objects) {
     std::visit([this](const auto& all) { shape(all); }, objects.shape);
-    if (objects.material) print(", \"material\": \"fill{}\"", *objects.material + 1);
+    if (objects.material) print(", \"material\": \"{}\"", names_[*objects.material]);
     print("}}");
   }
 
-  void type(std::string_view name, std::size_t count) {
-    print("{{\"type\": \"{}{}\"", name, count == 1 ? "" : "s");
+  void type(std::string_view name, bool is_one) {
+    print("{{\"type\": \"{}{}\"", name, is_one ? "" : "s");
   }
 
   void shape(const Spheres& spheres) {
-    type("sphere", spheres.centers.size());
-    places("centers", "center", spheres.centers);
+    const bool is_one = spheres.centers.size() == 1 && spheres.colors.empty();
+    type("sphere", is_one);
+    places("centers", "center", spheres.centers, is_one);
     radii("radius", spheres.radii);
+    colors(spheres.colors);
   }
 
   void shape(const Cylinders& cylinders) {
-    type("cylinder", cylinders.from.size());
-    places("from", "from", cylinders.from);
-    places("to", "to", cylinders.to);
+    const bool is_one = cylinders.from.size() == 1 && cylinders.colors.empty();
+    type("cylinder", is_one);
+    places("from", "from", cylinders.from, is_one);
+    places("to", "to", cylinders.to, is_one);
     radii("radius", cylinders.radii);
+    colors(cylinders.colors);
     print(", \"caps\": false");
   }
 
   void shape(const Cones& cones) {
-    type("cone", cones.from.size());
-    places("from", "from", cones.from);
-    places("to", "to", cones.to);
+    const bool is_one = cones.from.size() == 1;
+    type("cone", is_one);
+    places("from", "from", cones.from, is_one);
+    places("to", "to", cones.to, is_one);
     radii("radius_from", cones.radii_from);
     radii("radius_to", cones.radii_to);
     print(", \"caps\": false");
@@ -142,12 +195,14 @@ class DocumentWriter {
     print("{{\"type\": \"mesh\"");
     list("vertices", mesh.vertices, write_place);
     if (!mesh.normals.empty()) list("normals", mesh.normals, write_place);
+    colors(mesh.colors);
     list("triangles", mesh.triangles, [this](const std::array<std::uint32_t, 3>& corners) {
       print("[{}, {}, {}]", corners[0], corners[2], corners[1]);
     });
   }
 
-  fmt::memory_buffer text_;
+  std::string text_;
+  std::vector<std::string> names_;  ///< of the materials
 };
 
 }  // namespace
@@ -155,7 +210,7 @@ class DocumentWriter {
 std::string to_document(const Scene& scene) {
   DocumentWriter writer;
   writer.scene(scene);
-  return writer.text();
+  return std::move(writer).take();
 }
 
 }  // namespace raytracer::client::model

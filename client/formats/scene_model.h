@@ -34,6 +34,18 @@ struct Lamp {
   double intensity;
 };
 
+/// Shines from so far away that it has a direction only.
+struct Sun {
+  Triple direction;  ///< in which its light goes
+  Triple color;      ///< in [0, 1]
+  double intensity;
+};
+
+using Light = std::variant<Lamp, Sun>;
+
+/// Nothing: transparent.
+using Background = std::optional<Triple>;
+
 struct Material {
   Triple color;
   double kd;
@@ -41,14 +53,19 @@ struct Material {
   double shininess;  ///< of Blinn and Phong
   double reflectivity;
   double transparency;
-  double ior;  ///< counts with transparency only
+  double ior;          ///< counts with transparency only
+  std::string name{};  ///< letters and digits, and no other material's; empty: its number
 
   auto operator<=>(const Material&) const = default;
 };
 
+/// A colour of which a scene may have millions.
+using Rgb = std::array<float, 3>;
+
 struct Spheres {
   std::vector<Triple> centers;
-  std::vector<double> radii;
+  std::vector<double> radii;  ///< one for each centre
+  std::vector<Rgb> colors{};  ///< none, or one for each centre, in place of the material's
 };
 
 /// Without caps.
@@ -56,6 +73,7 @@ struct Cylinders {
   std::vector<Triple> from;
   std::vector<Triple> to;
   std::vector<double> radii;
+  std::vector<Rgb> colors{};  ///< none, or one for each
 };
 
 /// Without caps.
@@ -69,6 +87,7 @@ struct Cones {
 struct Mesh {
   std::vector<Triple> vertices;
   std::vector<Triple> normals;  ///< none, or one for each vertex
+  std::vector<Rgb> colors{};    ///< none, or one for each vertex
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
@@ -80,11 +99,14 @@ struct Objects {
 
 struct Scene {
   View view = {};
-  Triple background = {0, 0, 0};
+  Background background = Triple{0, 0, 0};
   double ambient = 0;
-  std::vector<Lamp> lights;
+  bool is_shadow_black = true;  ///< where no light comes nothing is seen, ambient light neither
+  std::vector<Light> lights;
   std::vector<Material> materials;
   std::vector<Objects> objects;
+  double target_rmse = 0;  ///< 0: the document does not say it
+  bool is_srgb = false;    ///< the image is encoded as sRGB
 };
 
 /// As JSON. Lists have an item on each line.

@@ -122,7 +122,7 @@ TEST(BashCompletion, completes_options_of_each_command_and_their_values) {
     for (const std::string& flag : flags_of(RAYTRACER_CLIENT_PATH, {command, "--help"}))
       EXPECT_EQ(std::count(offered.begin(), offered.end(), flag), 1) << command << ' ' << flag;
   }
-  EXPECT_EQ(offers({"raytracer", "plan", "--wat"}), Words{});
+  EXPECT_EQ(offers({"raytracer", "plan", "--watc"}), Words{});
   EXPECT_EQ(offers({"raytracer", "render", "--precision", "s"}), Words{"single"});
   EXPECT_EQ(offers({"raytracer", "render", "--precision", "=", "s"}), Words{"single"});
   EXPECT_EQ(offers({"raytracer", "render", "--samples", ""}), Words{});

@@ -44,6 +44,7 @@ TEST(Libraries, json_is_where_json_is_read_or_written) {
            path == "client/plan_command.cpp" ||          // reads plans
            path == "client/curve.cpp" ||                 // reads curves
            path == "client/scene_errors.cpp" ||          // reads problems
+           path == "client/turntable.cpp" ||             // reads cameras of scenes
            path == "client/pointer_lines.cpp";           // finds places in scenes
   });
 }
@@ -87,8 +88,34 @@ TEST(Libraries, command_lines_are_read_in_one_place_of_the_server_and_by_each_co
   expect_users("CLI/CLI.hpp", [](const std::string& path) {
     return path == "server/config.cpp" || path == "client/main.cpp" ||
            path == "client/command_line.cpp" ||  // the options that commands share
+           path == "client/wish_options.cpp" ||  //
            (path.starts_with("client/") && path.ends_with("_command.cpp"));
   });
+}
+
+TEST(Libraries, meshes_are_read_in_one_file) {
+  expect_users("assimp/", [](const std::string& path) {
+    return path == "client/formats/meshes/import_meshes.cpp";
+  });
+}
+
+TEST(Libraries, molecules_are_known_where_particles_are_read) {
+  expect_users("gemmi/", [](const std::string& path) {
+    return path.starts_with("client/formats/particles/");
+  });
+}
+
+TEST(Libraries, compressed_files_are_unpacked_in_one_file) {
+  const auto may = [](const std::string& path) {
+    return path == "client/formats/unpacking.cpp" || path == "client/apng.cpp";  // a checksum
+  };
+  expect_users("zlib.h", may);
+  expect_users("zstd.h", may);
+}
+
+TEST(Libraries, numbers_of_files_are_read_in_one_file) {
+  expect_users("fast_float/",
+               [](const std::string& path) { return path == "client/formats/words.cpp"; });
 }
 
 TEST(Libraries, page_uses_none) {

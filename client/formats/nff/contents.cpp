@@ -98,18 +98,18 @@ void NffContents::add_lights_to_scene() {
   const double share = 1 / std::sqrt(static_cast<double>(lights_.size()));
   for (const Light& light : lights_) {
     if (!light.color) {
-      scene.lights.push_back({light.position, {1, 1, 1}, share});
+      scene.lights.emplace_back(model::Lamp{light.position, {1, 1, 1}, share});
       continue;
     }
     // A scene's colours end at 1, intensities do not.
     Triple color = *light.color;
     const double intensity = std::max(1.0, *std::max_element(color.begin(), color.end()));
     for (double& channel : color) channel /= intensity;
-    scene.lights.push_back({light.position, color, intensity});
+    scene.lights.emplace_back(model::Lamp{light.position, color, intensity});
   }
   if (!lights_.empty()) return;
   omit(1, "light added at the eye, as the file has none", "");
-  scene.lights.push_back({scene.view.from, {1, 1, 1}, 1});
+  scene.lights.emplace_back(model::Lamp{scene.view.from, {1, 1, 1}, 1});
 }
 
 void NffContents::add_objects_to_scene() {

@@ -1,0 +1,248 @@
+#include "client/formats/meshes/import_meshes.h"
+
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <functional>
+#include <unordered_map>
+
+#include "client/failure.h"
+#include "client/formats/particles/columns.h"
+#include "client/formats/particles/neighbors.h"
+#include "client/formats/particles/screen_color.h"
+#include "client/formats/printable.h"
+
+namespace raytracer::client {
+namespace {
+
+constexpr std::array<const char*, 5> hints{"ply", "obj", "stl", "gltf", "glb"};
+
+model::Triple triple(const aiVector3D& vector) {
+  return {static_cast<double>(vector.x), static_cast<double>(vector.y),
+          static_cast<double>(vector.z)};
+}
+
+bool is_place(const aiVector3D& vector) {
+  const model::Triple place = triple(vector);
+  return std::all_of(place.begin(), place.end(), is_moderate);
+}
+
+/// Vertices that are the same to the last bit become one: assimp's readers give each triangle its
+/// own, and assimp joins what is merely near, which small models do not survive.
+void join_vertices(model::Mesh& mesh) {
+  const auto key_of = [&](std::size_t i) {
+    std::array<double, 9> key{};
+    std::copy(mesh.vertices[i].begin(), mesh.vertices[i].end(), key.begin());
+    if (!mesh.normals.empty())
+      std::copy(mesh.normals[i].begin(), mesh.normals[i].end(), key.begin() + 3);
+    if (!mesh.colors.empty())
+      std::copy(mesh.colors[i].begin(), mesh.colors[i].end(), key.begin() + 6);
+    return key;
+  };
+  const auto hash_of = [](const std::array<double, 9>& key) {
+    std::size_t hash = 0;
+    for (const double number : key)
+      hash = (hash ^ std::hash<double>()(number)) * 0x9E3779B97F4A7C15U;  // 2^64 / golden ratio
+    return hash;
+  };
+  std::unordered_map<std::array<double, 9>, std::uint32_t, decltype(hash_of)> known(
+      mesh.vertices.size(), hash_of);
+  std::vector<std::uint32_t> place(mesh.vertices.size());
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const auto [entry, is_new] = known.try_emplace(key_of(i), count);
+    place[i] = entry->second;
+    if (!is_new) continue;
+    mesh.vertices[count] = mesh.vertices[i];
+    if (!mesh.normals.empty()) mesh.normals[count] = mesh.normals[i];
+    if (!mesh.colors.empty()) mesh.colors[count] = mesh.colors[i];
+    ++count;
+  }
+  mesh.vertices.resize(count);
+  if (!mesh.normals.empty()) mesh.normals.resize(count);
+  if (!mesh.colors.empty()) mesh.colors.resize(count);
+  for (auto& triangle : mesh.triangles)
+    for (std::uint32_t& corner : triangle) corner = place[corner];
+}
+
+class MeshImport {
+ public:
+  MeshImport(MeshFormat format, const aiScene& scene) : format_(format), scene_(scene) {}
+
+  /// Before what is no scene's is taken out of it.
+  void count_omissions() {
+    omit(scene_.mNumTextures, "image left out", "images left out");
+    omit(scene_.mNumCameras, "camera left out", "cameras left out");
+    omit(scene_.mNumLights, "light left out", "lights left out");
+    omit(scene_.mNumAnimations, "animation left out", "animations left out");
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
+      omit(scene_.mMeshes[i]->mNumBones, "bone left out", "bones left out");
+      omit(scene_.mMeshes[i]->mNumAnimMeshes, "shape that a mesh may take left out",
+           "shapes that meshes may take left out");
+    }
+  }
+
+  /// Points have no places in a hierarchy.
+  bool has_faces() const {
+    return std::any_of(scene_.mMeshes, scene_.mMeshes + scene_.mNumMeshes,
+                       [](const aiMesh* mesh) { return mesh->HasFaces(); });
+  }
+
+  Reading read() && {
+    for (unsigned i = 0; i < scene_.mNumMaterials; ++i) add_material(*scene_.mMaterials[i]);
+    if (scene_.mNumMaterials == 0) reading_.scene.materials.push_back(plain());
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) add(*scene_.mMeshes[i]);
+    if (reading_.scene.objects.empty()) throw InputError("has no triangles and no points");
+    return std::move(reading_);
+  }
+
+ private:
+  void omit(unsigned count, std::string_view one, std::string_view many) {
+    for (; count > 0; --count) reading_.omit(0, one, many);
+  }
+
+  static model::Material plain() {
+    model::Material material{};
+    material.color = {0.6, 0.6, 0.6};
+    material.kd = 0.8;
+    material.ks = 0.15;
+    material.shininess = 40;
+    material.ior = 1;
+    return material;
+  }
+
+  /// glTF counts light, the others what screens show.
+  model::Rgb light(const aiColor4D& color) const {
+    const auto share = [](float value) { return value >= 0 ? std::min(value, 1.0F) : 0; };
+    const model::Rgb rgb{share(color.r), share(color.g), share(color.b)};
+    return format_ == MeshFormat::gltf || format_ == MeshFormat::glb ? rgb : linear(rgb);
+  }
+
+  void add_material(const aiMaterial& file) {
+    model::Material material = plain();
+    aiColor4D color;
+    if (file.Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS ||
+        file.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) {
+      const model::Rgb rgb = light(color);
+      material.color = {rgb[0], rgb[1], rgb[2]};
+    }
+    float opacity = 1;
+    if (file.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS && opacity >= 0 && opacity < 1)
+      material.transparency = 1 - static_cast<double>(opacity);
+    for (int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; ++type)
+      omit(file.GetTextureCount(static_cast<aiTextureType>(type)), "texture left out",
+           "textures left out");
+    reading_.scene.materials.push_back(material);
+  }
+
+  void add(const aiMesh& mesh) {
+    const std::size_t material =
+        std::min<std::size_t>(mesh.mMaterialIndex, reading_.scene.materials.size() - 1);
+    if ((mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0)
+      add_triangles(mesh, material);
+    else if ((mesh.mPrimitiveTypes & aiPrimitiveType_LINE) != 0)
+      omit(mesh.mNumFaces, "line left out", "lines left out");
+    else
+      add_points(mesh, material);
+  }
+
+  std::vector<model::Rgb> colors_of(const aiMesh& mesh) const {
+    std::vector<model::Rgb> colors;
+    if (!mesh.HasVertexColors(0)) return colors;
+    colors.reserve(mesh.mNumVertices);
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) colors.push_back(light(mesh.mColors[0][i]));
+    return colors;
+  }
+
+  /// STL's normals are those of its triangles.
+  std::vector<model::Triple> normals_of(const aiMesh& mesh) {
+    std::vector<model::Triple> normals;
+    if (!mesh.HasNormals() || format_ == MeshFormat::stl) return normals;
+    normals.reserve(mesh.mNumVertices);
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+      const aiVector3D& normal = mesh.mNormals[i];
+      if (!is_place(normal) || !(normal.SquareLength() > 0)) {
+        omit(1, "mesh with normals that have no direction, shown without them",
+             "meshes with normals that have no direction, shown without them");
+        return {};
+      }
+      normals.push_back(triple(normal));
+    }
+    return normals;
+  }
+
+  void add_triangles(const aiMesh& file, std::size_t material) {
+    model::Mesh mesh;
+    mesh.vertices.reserve(file.mNumVertices);
+    for (unsigned i = 0; i < file.mNumVertices; ++i) {
+      if (!is_place(file.mVertices[i])) throw InputError("has a vertex without a place");
+      mesh.vertices.push_back(triple(file.mVertices[i]));
+    }
+    mesh.normals = normals_of(file);
+    mesh.colors = colors_of(file);
+    for (unsigned i = 0; i < file.mNumFaces; ++i) {
+      const aiFace& face = file.mFaces[i];
+      if (face.mNumIndices != 3) continue;
+      const std::array<std::uint32_t, 3> corners{face.mIndices[0], face.mIndices[1],
+                                                 face.mIndices[2]};
+      if (std::any_of(corners.begin(), corners.end(),
+                      [&](std::uint32_t corner) { return corner >= file.mNumVertices; }))
+        throw InputError("has a triangle with a corner that is none of its vertices");
+      const aiVector3D a = file.mVertices[corners[1]] - file.mVertices[corners[0]];
+      const aiVector3D b = file.mVertices[corners[2]] - file.mVertices[corners[0]];
+      if (a == aiVector3D() || b == aiVector3D() || a == b)
+        omit(1, "triangle without area left out", "triangles without area left out");
+      else
+        mesh.triangles.push_back(corners);
+    }
+    if (mesh.triangles.empty()) return;
+    join_vertices(mesh);
+    reading_.scene.objects.push_back({std::move(mesh), material});
+  }
+
+  void add_points(const aiMesh& file, std::size_t material) {
+    model::Spheres points;
+    for (unsigned i = 0; i < file.mNumVertices; ++i) {
+      if (!is_place(file.mVertices[i])) {
+        omit(1, "point without a place left out", "points without a place left out");
+        continue;
+      }
+      if (file.HasVertexColors(0)) points.colors.push_back(light(file.mColors[0][i]));
+      points.centers.push_back(triple(file.mVertices[i]));
+    }
+    if (points.centers.empty()) return;
+    points.radii.assign(points.centers.size(), typical_spacing(points.centers) / 2);
+    reading_.scene.objects.push_back({std::move(points), material});
+  }
+
+  MeshFormat format_;
+  const aiScene& scene_;
+  Reading reading_;
+};
+
+}  // namespace
+
+Reading import_meshes(MeshFormat format, const std::string& path, std::string_view text) {
+  Assimp::Importer importer;
+  const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
+  const aiScene* const scene =
+      text.empty() && !path.empty()
+          ? importer.ReadFile(path, steps)
+          : importer.ReadFileFromMemory(text.data(), text.size(), steps,
+                                        hints[static_cast<std::size_t>(format)]);
+  const auto refuse = [&] {
+    return InputError("cannot be read: " + printable(importer.GetErrorString()));
+  };
+  if (!scene) throw refuse();
+  MeshImport import(format, *scene);
+  import.count_omissions();
+  if (import.has_faces() && !importer.ApplyPostProcessing(aiProcess_PreTransformVertices))
+    throw refuse();
+  return std::move(import).read();
+}
+
+}  // namespace raytracer::client

@@ -1,0 +1,109 @@
+#include "client/formats/meshes/own_process.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string_view>
+
+#include "client/failure.h"
+
+namespace raytracer::client {
+namespace {
+
+constexpr char succeeded = '+';
+constexpr char failed = '-';
+
+void limit(int resource, rlim_t most) {
+  const rlimit both{most, most};
+  setrlimit(resource, &both);  // where the system refuses, less is guarded
+}
+
+void apply(const ProcessLimits& limits) {
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, limits.seconds);
+  limit(RLIMIT_FSIZE, 0);
+#ifndef __SANITIZE_ADDRESS__  // which maps terabytes
+  limit(RLIMIT_AS, limits.memory_bytes);
+#endif
+  // For what waits instead of computing: a file that names a pipe.
+  for (const int number : {SIGALRM, SIGXCPU, SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  alarm(limits.seconds);
+}
+
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+/// In the new process; does not return.
+[[noreturn]] void answer(int descriptor, const ProcessLimits& limits,
+                         const std::function<std::string()>& make) {
+  apply(limits);
+  std::string bytes;
+  try {
+    bytes = succeeded + make();
+  } catch (const std::bad_alloc&) {
+    bytes = fmt::format("{}needs more memory than {} MB", failed, limits.memory_bytes >> 20);
+  } catch (const std::exception& error) {
+    bytes = failed + std::string(error.what());
+  } catch (...) {
+    bytes = failed + std::string("cannot be read");
+  }
+  _exit(write_all(descriptor, bytes) ? 0 : 1);
+}
+
+std::string read_to_end(int descriptor) {
+  std::string bytes;
+  std::array<char, 1 << 16> room{};
+  for (;;) {
+    const ssize_t count = ::read(descriptor, room.data(), room.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return bytes;
+    bytes.append(room.data(), static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace
+
+std::string in_own_process(const ProcessLimits& limits, const std::function<std::string()>& make) {
+  std::array<int, 2> pipe{};
+  if (::pipe(pipe.data()) != 0)
+    throw InputError(fmt::format("no pipe to be had: {}", std::strerror(errno)));
+  const pid_t child = fork();
+  if (child == 0) {
+    close(pipe[0]);
+    answer(pipe[1], limits, make);
+  }
+  close(pipe[1]);
+  std::string bytes = child < 0 ? "" : read_to_end(pipe[0]);
+  close(pipe[0]);
+  if (child < 0) throw InputError(fmt::format("no process to be had: {}", std::strerror(errno)));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status) &&
+      (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGALRM || WTERMSIG(status) == SIGKILL))
+    throw InputError(fmt::format("takes longer to read than {} s; is it damaged?", limits.seconds));
+  if (status != 0 || bytes.empty()) throw InputError("is damaged: its reader broke off");
+  const bool is_made = bytes[0] == succeeded;
+  bytes.erase(0, 1);
+  if (!is_made) throw InputError(bytes);
+  return bytes;
+}
+
+}  // namespace raytracer::client

@@ -1,0 +1,12 @@
+// An NFF file as a scene file of one frame.
+#pragma once
+
+#include <memory>
+
+#include "client/formats/scene_file.h"
+
+namespace raytracer::client {
+
+std::unique_ptr<SceneFile> open_nff(FileInput input, const Wishes& wishes);
+
+}  // namespace raytracer::client

@@ -1,0 +1,49 @@
+// The atoms of a molecule's model: which of them are shown, and what gives them their colours.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "client/formats/particles/particles.h"
+#include "client/formats/wishes.h"
+
+namespace raytracer::client {
+
+struct Atom {
+  model::Triple place;
+  std::uint8_t element;
+  std::string_view chain;
+  std::string_view residue;    ///< its name: "GLY", "HOH"
+  std::string_view number;     ///< of the residue, with an insertion code
+  std::string_view alternate;  ///< empty, or which of several places this is
+};
+
+class AtomCollector {
+ public:
+  explicit AtomCollector(const Wishes& wishes);
+
+  /// What is to give the colours by its numbers; nothing if that is element, chain or residue.
+  const std::optional<std::string>& color_column() const { return color_column_; }
+
+  /// Its place among the particles; nothing if it is left out. `color_value`: what it has in the
+  /// column that gives the colours.
+  std::optional<std::uint32_t> add(int line, const Atom& atom, float color_value);
+
+  /// Ends the model. Throws LineError if it has no atoms.
+  Particles take(int line);
+
+ private:
+  void omit(int line, std::string_view one, std::string_view many);
+
+  Wishes wishes_;
+  std::optional<std::string> color_column_;
+  Particles particles_;
+  GroupNames groups_;      ///< of all models
+  std::string residue_;    ///< the last one's chain and number
+  std::string alternate_;  ///< which is shown of it; empty: not decided
+  bool has_left_out_ = false;
+};
+
+}  // namespace raytracer::client

@@ -1,0 +1,44 @@
+// What a CIF has that a picture needs, read by gemmi. In C++17: gemmi 0.5 has lists of types that
+// are not complete yet, which clang refuses in C++20.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace raytracer::client {
+
+/// Of a loop, row for row; what is unknown or left open is empty.
+struct CifTable {
+  int line = 1;  ///< where it begins
+  std::vector<std::string> tags;
+  std::vector<std::string> values;
+
+  /// Which column it is; -1: none.
+  int column(const std::string& tag) const;
+};
+
+/// Of a small structure, in ångström.
+struct CifSite {
+  double x;
+  double y;
+  double z;
+  std::string element;
+  std::string label;
+};
+
+struct CifContents {
+  std::optional<CifTable> sites;    ///< _atom_site with Cartn_x
+  CifTable connections;             ///< _struct_conn
+  std::vector<CifSite> cell_sites;  ///< without `sites`: those of one cell
+};
+
+struct CifError {
+  int line;
+  std::string what;
+};
+
+/// Throws CifError.
+CifContents read_cif(const std::string& text);
+
+}  // namespace raytracer::client

@@ -1,0 +1,141 @@
+#include "client/formats/particles/columns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "client/formats/particles/elements.h"
+#include "client/formats/printable.h"
+#include "client/formats/words.h"
+
+namespace raytracer::client {
+namespace {
+
+std::string in_small_letters(std::string_view name) {
+  std::string result(name);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
+float as_float(double value) {
+  constexpr double most = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(value, -most, most));
+}
+
+}  // namespace
+
+bool is_moderate(double value) {
+  constexpr double most = 1e100;
+  return std::abs(value) <= most;
+}
+
+Columns::Columns(std::vector<std::string> names, const std::string& color, int line)
+    : names_(std::move(names)) {
+  const std::array<std::string_view, 3> axes{"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto column = find({axes[i]});
+    if (!column)
+      throw LineError{line, fmt::format("no column is called {}; the places are to be in columns "
+                                        "that are called x, y and z",
+                                        axes[i])};
+    place_[i] = *column;
+  }
+  element_ = find({"element", "species", "symbol"});
+  radius_ = find({"radius"});
+  if (!radius_) {
+    radius_ = find({"diameter"});
+    is_diameter_ = radius_.has_value();
+  }
+  const auto red = find({"r", "red"});
+  const auto green = find({"g", "green"});
+  const auto blue = find({"b", "blue"});
+  if (red && green && blue) rgb_ = {*red, *green, *blue};
+  if (color.empty() && !element_ && !rgb_) {
+    color_ = find({"type"});
+  } else if (color == "element" && element_) {
+    rgb_.reset();
+  } else if (!color.empty()) {
+    const auto column = std::find(names_.begin(), names_.end(), color);
+    if (column == names_.end()) throw LineError{line, no_such_column(color, names_)};
+    color_ = static_cast<std::size_t>(column - names_.begin());
+  }
+  // Types are numbers without an order.
+  if (color_ && in_small_letters(names_[*color_]) == "type") is_group_ = true;
+}
+
+std::optional<std::size_t> Columns::find(std::initializer_list<std::string_view> sought) const {
+  for (const std::string_view name : sought)
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      if (in_small_letters(names_[i]) == name) return i;
+  return std::nullopt;
+}
+
+double Columns::number(std::size_t column, std::string_view field, int line) const {
+  const auto value = number_of(field);
+  if (!value)
+    throw LineError{line, fmt::format("{} stands where a number is to be, in column {}",
+                                      field.empty() ? "nothing" : quoted(field),
+                                      client::quoted(names_[column]))};
+  return *value;
+}
+
+void Columns::add(const std::vector<std::string_view>& fields, int line, Particles& particles) {
+  if (fields.size() < names_.size())
+    throw LineError{
+        line, fmt::format("the line has {} fields, and is to have {}: {}", fields.size(),
+                          names_.size(), printable(fmt::format("{}", fmt::join(names_, " "))))};
+  model::Triple place{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    place[i] = number(place_[i], fields[place_[i]], line);
+    if (!is_moderate(place[i]))
+      throw LineError{line,
+                      fmt::format("{} is too far away: at most 1e100", quoted(fields[place_[i]]))};
+  }
+  particles.places.push_back(place);
+  if (element_) particles.elements.push_back(element_of(fields[*element_]));
+  if (radius_) {
+    const double radius = number(*radius_, fields[*radius_], line) / (is_diameter_ ? 2 : 1);
+    if (!(radius > 0 && is_moderate(radius)))
+      throw LineError{line,
+                      fmt::format("the {} is {}, and must be greater than 0",
+                                  is_diameter_ ? "diameter" : "radius", quoted(fields[*radius_]))};
+    particles.radii.push_back(radius);
+  }
+  if (color_) return add_color_column(fields[*color_], line, particles);
+  if (!rgb_) return;
+  model::Rgb color{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double share = number((*rgb_)[i], fields[(*rgb_)[i]], line);
+    if (!(share >= 0 && share <= 255))
+      throw LineError{line,
+                      fmt::format("the colour has {}, and takes numbers from 0 to 1, or to 255",
+                                  quoted(fields[(*rgb_)[i]]))};
+    color[i] = static_cast<float>(share);
+  }
+  particles.colors.push_back(color);
+}
+
+void Columns::add_color_column(std::string_view field, int line, Particles& particles) {
+  if (!is_group_) is_group_ = !number_of(field).has_value();
+  if (*is_group_)
+    particles.groups.push_back(groups_.number_of(field));
+  else
+    particles.values.push_back(as_float(number(*color_, field, line)));
+}
+
+void Columns::finish(Particles& particles) const {
+  particles.group_names = groups_.names();
+  // Bytes, if one of them is more than the whole share.
+  const bool are_bytes =
+      std::any_of(particles.colors.begin(), particles.colors.end(), [](const model::Rgb& color) {
+        return std::any_of(color.begin(), color.end(), [](float share) { return share > 1; });
+      });
+  if (!are_bytes) return;
+  for (model::Rgb& color : particles.colors)
+    for (float& share : color) share /= 255;
+}
+
+}  // namespace raytracer::client

@@ -1,0 +1,50 @@
+// A line's fields as a particle, by the names of the columns: x, y and z; element; radius or
+// diameter; r, g and b (red, green and blue; from 0 to 1, or to 255); and the one that is to give
+// the colours.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "client/formats/particles/particles.h"
+#include "client/formats/wishes.h"
+
+namespace raytracer::client {
+
+class Columns {
+ public:
+  /// `color`: the column that a person wishes to give the colours; empty: none. Throws LineError of
+  /// that line if places are missing or there is no such column.
+  Columns(std::vector<std::string> names, const std::string& color, int line);
+
+  const std::vector<std::string>& names() const { return names_; }
+
+  /// Adds a particle. Throws LineError of that line.
+  void add(const std::vector<std::string_view>& fields, int line, Particles& particles);
+  /// To be called behind a frame's last particle.
+  void finish(Particles& particles) const;
+
+ private:
+  std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
+  double number(std::size_t column, std::string_view field, int line) const;
+  void add_color_column(std::string_view field, int line, Particles& particles);
+
+  std::vector<std::string> names_;
+  std::array<std::size_t, 3> place_{};
+  std::optional<std::size_t> element_;
+  std::optional<std::size_t> radius_;
+  bool is_diameter_ = false;
+  std::optional<std::array<std::size_t, 3>> rgb_;
+  std::optional<std::size_t> color_;
+  std::optional<bool> is_group_;  ///< the colours are by names; known from the first particle on
+  GroupNames groups_;
+};
+
+/// A number that a place or a radius may be: beyond 1e100 pictures cannot be computed.
+bool is_moderate(double value);
+
+}  // namespace raytracer::client

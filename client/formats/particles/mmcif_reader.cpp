@@ -1,0 +1,159 @@
+#include "client/formats/particles/mmcif_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "client/formats/particles/columns.h"
+#include "client/formats/particles/elements.h"
+#include "client/formats/printable.h"
+#include "client/formats/words.h"
+
+namespace raytracer::client {
+namespace {
+
+const std::string site_prefix = "_atom_site.";
+
+CifContents read_contents(const std::string& text) {
+  try {
+    return read_cif(text);
+  } catch (const CifError& error) {
+    throw LineError{error.line, printable(error.what)};
+  }
+}
+
+}  // namespace
+
+MmcifReader::MmcifReader(std::unique_ptr<TextSource> source, const Wishes& wishes)
+    : atoms_(wishes), has_bonds_(wishes.style != AtomStyle::spacefill) {
+  contents_ = read_contents(read_all(*source));
+  row_count_ = 1;  // one frame
+  if (!contents_.sites) return;
+  row_count_ = contents_.sites->values.size() / contents_.sites->tags.size();
+  find_columns();
+}
+
+void MmcifReader::find_columns() {
+  const CifTable& sites = *contents_.sites;
+  const auto find = [&](const std::string& name) { return sites.column(site_prefix + name); };
+  const auto find_either = [&](const char* best, const char* other) {
+    const int column = find(best);
+    return column >= 0 ? column : find(other);
+  };
+  place_ = {find("Cartn_x"), find("Cartn_y"), find("Cartn_z")};
+  if (place_[1] < 0 || place_[2] < 0)
+    throw LineError{sites.line, "_atom_site has no Cartn_y or no Cartn_z"};
+  element_ = find("type_symbol");
+  chain_ = find_either("auth_asym_id", "label_asym_id");
+  residue_ = find_either("auth_comp_id", "label_comp_id");
+  residue_number_ = find_either("auth_seq_id", "label_seq_id");
+  insertion_ = find("pdbx_PDB_ins_code");
+  atom_ = find_either("auth_atom_id", "label_atom_id");
+  alternate_ = find("label_alt_id");
+  model_ = find("pdbx_PDB_model_num");
+  const auto& wished = atoms_.color_column();
+  if (!wished) return;
+  color_ = find(*wished == "bfactor" ? "B_iso_or_equiv" : *wished);
+  if (color_ >= 0) return;
+  std::vector<std::string> names{"element", "chain", "residue"};
+  for (const std::string& tag : sites.tags)
+    names.push_back(tag.starts_with(site_prefix) ? tag.substr(site_prefix.size()) : tag);
+  throw LineError{sites.line, no_such_column(*wished, names)};
+}
+
+/// Empty where it is not known or there is no such column.
+std::string MmcifReader::value(std::size_t row, int column) const {
+  if (column < 0) return {};
+  return contents_.sites
+      ->values[row * contents_.sites->tags.size() + static_cast<std::size_t>(column)];
+}
+
+LineError MmcifReader::wrong(std::size_t row, const std::string& what) const {
+  return {contents_.sites->line,
+          fmt::format("row {} of the table that begins here: {}", row + 1, what)};
+}
+
+double MmcifReader::number(std::size_t row, int column) const {
+  const std::string text = value(row, column);
+  const auto number = number_of(text);
+  if (!number || !is_moderate(*number))
+    throw wrong(row, fmt::format("{} stands where {} is to be a number", client::quoted(text),
+                                 contents_.sites->tags[static_cast<std::size_t>(column)]));
+  return *number;
+}
+
+void MmcifReader::read_row(std::size_t row) {
+  const model::Triple place{number(row, place_[0]), number(row, place_[1]), number(row, place_[2])};
+  const std::string chain = value(row, chain_);
+  const std::string residue = value(row, residue_);
+  const std::string residue_number = value(row, residue_number_);
+  const std::string insertion = value(row, insertion_);
+  const std::string alternate = value(row, alternate_);
+  const std::string whole_number = residue_number + insertion;
+  std::uint8_t element = element_of(value(row, element_));
+  if (element_ < 0) element = element_of(value(row, atom_).substr(0, 1));
+  float color_value = 0;
+  if (color_ >= 0)
+    color_value = static_cast<float>(
+        std::clamp(number(row, color_), -static_cast<double>(std::numeric_limits<float>::max()),
+                   static_cast<double>(std::numeric_limits<float>::max())));
+  const auto index = atoms_.add(
+      contents_.sites->line, {place, element, chain, residue, whole_number, alternate}, color_value);
+  if (index && has_bonds_)
+    by_name_.try_emplace({chain, residue, residue_number, insertion, value(row, atom_)}, *index);
+}
+
+void MmcifReader::add_bonds(Particles& particles) const {
+  const CifTable& table = contents_.connections;
+  if (!has_bonds_ || table.tags.empty()) return;
+  const auto column = [&](const std::string& name) { return table.column("_struct_conn." + name); };
+  const int type = column("conn_type_id");
+  std::array<std::array<int, 5>, 2> names{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string partner = fmt::format("ptnr{}_", i + 1);
+    names[i] = {column(partner + "auth_asym_id"), column(partner + "auth_comp_id"),
+                column(partner + "auth_seq_id"), column("pdbx_" + partner + "PDB_ins_code"),
+                column(partner + "label_atom_id")};
+  }
+  for (std::size_t row = 0; row < table.values.size(); row += table.tags.size()) {
+    const auto value = [&](int which) {
+      return which < 0 ? "" : table.values[row + static_cast<std::size_t>(which)];
+    };
+    if (value(type) == "hydrog") continue;
+    std::array<const std::uint32_t*, 2> atoms{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      AtomName name;
+      std::transform(names[i].begin(), names[i].end(), name.begin(), value);
+      const auto known = by_name_.find(name);
+      if (known != by_name_.end()) atoms[i] = &known->second;
+    }
+    if (atoms[0] && atoms[1] && *atoms[0] != *atoms[1])
+      particles.bonds.push_back({*atoms[0], *atoms[1]});
+  }
+}
+
+Particles MmcifReader::read_cell() {
+  row_ = row_count_;
+  if (atoms_.color_column())
+    throw LineError{1, no_such_column(*atoms_.color_column(), {"element"})};
+  for (const CifSite& site : contents_.cell_sites) {
+    const model::Triple place{site.x, site.y, site.z};
+    if (!std::all_of(place.begin(), place.end(), is_moderate))
+      throw LineError{1, fmt::format("the site {} has no place", client::quoted(site.label))};
+    atoms_.add(1, {place, element_of(site.element), "", "", "", ""}, 0);
+  }
+  return atoms_.take(1);
+}
+
+Particles MmcifReader::next_frame() {
+  if (!contents_.sites) return read_cell();
+  by_name_.clear();
+  const std::string model = value(row_, model_);
+  for (; row_ < row_count_ && value(row_, model_) == model; ++row_) read_row(row_);
+  Particles particles = atoms_.take(contents_.sites->line);
+  add_bonds(particles);
+  return particles;
+}
+
+}  // namespace raytracer::client

@@ -1,0 +1,92 @@
+#include "client/formats/particles/open_particles.h"
+
+#include <functional>
+#include <utility>
+
+#include "client/formats/arrange.h"
+#include "client/formats/particles/draw_particles.h"
+#include "client/formats/particles/lammps_reader.h"
+#include "client/formats/particles/mmcif_reader.h"
+#include "client/formats/particles/pdb_reader.h"
+#include "client/formats/particles/table_reader.h"
+#include "client/formats/particles/xyz_reader.h"
+
+namespace raytracer::client {
+namespace {
+
+/// Frame for frame, seen from where the first one is seen best.
+class ParticleScenes : public SceneFile {
+ public:
+  using MakeReader = std::function<std::unique_ptr<ParticleReader>()>;
+
+  /// The reader is made when the first frame is asked for: it may find errors already.
+  ParticleScenes(MakeReader make_reader, Upright upright, Wishes wishes)
+      : make_reader_(std::move(make_reader)), upright_(upright), wishes_(std::move(wishes)) {}
+
+  std::optional<Reading> next_frame() override {
+    if (!has_more()) return std::nullopt;
+    Reading reading;
+    try {
+      if (!reader_) reader_ = make_reader_();
+      Particles particles = reader_->next_frame();
+      reading.omissions = std::move(particles.omissions);
+      draw_particles(std::move(particles), wishes_, scale_, reading.scene);
+      if (!view_) view_ = view_of_all(reading.scene, wishes_, upright_);
+      arrange(reading.scene, wishes_, *view_);
+    } catch (const LineError& error) {
+      reading.errors.push_back(error);
+      is_broken_ = true;
+    }
+    return reading;
+  }
+
+  bool has_more() const override { return !is_broken_ && (!reader_ || reader_->has_more()); }
+
+ private:
+  MakeReader make_reader_;
+  Upright upright_;
+  Wishes wishes_;
+  std::unique_ptr<ParticleReader> reader_;
+  DrawingScale scale_;
+  std::optional<model::View> view_;
+  bool is_broken_ = false;
+};
+
+template <typename Reader, typename... Arguments>
+std::unique_ptr<SceneFile> open_with(Upright upright, FileInput input, const Wishes& wishes,
+                                     Arguments... arguments) {
+  const auto shared = std::make_shared<FileInput>(std::move(input));
+  return std::make_unique<ParticleScenes>(
+      [=]() -> std::unique_ptr<ParticleReader> {
+        return std::make_unique<Reader>(std::move(shared->source), arguments..., wishes);
+      },
+      upright, wishes);
+}
+
+}  // namespace
+
+std::unique_ptr<SceneFile> open_pdb(FileInput input, const Wishes& wishes) {
+  return open_with<PdbReader>(Upright::none, std::move(input), wishes);
+}
+
+std::unique_ptr<SceneFile> open_mmcif(FileInput input, const Wishes& wishes) {
+  return open_with<MmcifReader>(Upright::none, std::move(input), wishes);
+}
+
+std::unique_ptr<SceneFile> open_xyz(FileInput input, const Wishes& wishes) {
+  return open_with<XyzReader>(Upright::none, std::move(input), wishes);
+}
+
+std::unique_ptr<SceneFile> open_lammps_dump(FileInput input, const Wishes& wishes) {
+  return open_with<LammpsReader>(Upright::z, std::move(input), wishes);
+}
+
+std::unique_ptr<SceneFile> open_csv(FileInput input, const Wishes& wishes) {
+  return open_with<TableReader>(Upright::none, std::move(input), wishes, ',');
+}
+
+std::unique_ptr<SceneFile> open_tsv(FileInput input, const Wishes& wishes) {
+  return open_with<TableReader>(Upright::none, std::move(input), wishes, '\t');
+}
+
+}  // namespace raytracer::client

@@ -1,0 +1,156 @@
+#include "client/formats/particles/pdb_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "client/formats/particles/columns.h"
+#include "client/formats/particles/elements.h"
+#include "client/formats/printable.h"
+#include "client/formats/words.h"
+
+namespace raytracer::client {
+namespace {
+
+/// Columns from 1, as the format counts them, without white space around.
+std::string_view field(std::string_view line, std::size_t first, std::size_t last) {
+  if (line.size() < first) return {};
+  std::string_view text = line.substr(first - 1, last - first + 1);
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
+bool is_record(std::string_view line, std::string_view name) {
+  return line.starts_with(name) && (line.size() == name.size() || name.size() == 6 ||
+                                    line[name.size()] == ' ' || name == "HETATM");
+}
+
+bool is_atom(std::string_view line) {
+  return line.starts_with("ATOM  ") || line.starts_with("HETATM");
+}
+
+/// Decimal, or in hybrid-36 from 100,000 on; nothing if it is neither.
+std::optional<int> serial_of(std::string_view text) {
+  if (text.empty()) return std::nullopt;
+  int serial = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, serial);
+  if (error == std::errc() && stop == end) return serial;
+  constexpr std::size_t width = 5;
+  if (text.size() != width || text[0] < 'A') return std::nullopt;
+  // cci.lbl.gov/hybrid_36: A0000 is the first.
+  constexpr int base = 36;
+  constexpr int first = 10 * base * base * base * base;
+  const auto [last, wrong] = std::from_chars(text.data(), end, serial, base);
+  if (wrong != std::errc() || last != end) return std::nullopt;
+  return serial - first + 100'000;
+}
+
+std::uint8_t element_of_name(std::string_view line) {
+  if (const std::uint8_t element = element_of(field(line, 77, 78))) return element;
+  const std::string_view name = line.substr(12, 4);
+  constexpr std::uint8_t hydrogen = 1;
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  // Names of four letters that begin with H are hydrogens': mercury's and helium's are shorter.
+  if (name[0] == 'H' && name[3] != ' ') return hydrogen;
+  if (is_digit(name[0]) || name[0] == ' ') return element_of(name.substr(1, 1));
+  if (is_digit(name[1])) return element_of(name.substr(0, 1));
+  const std::uint8_t element = element_of(name.substr(0, 2));
+  return element != 0 ? element : element_of(name.substr(0, 1));
+}
+
+}  // namespace
+
+PdbReader::PdbReader(std::unique_ptr<TextSource> source, const Wishes& wishes)
+    : source_(std::move(source)), atoms_(wishes) {
+  const auto& column = atoms_.color_column();
+  if (column && *column != "bfactor" && *column != "occupancy")
+    throw LineError{
+        1, no_such_column(*column, {"element", "chain", "residue", "bfactor", "occupancy"})};
+  if (wishes.style != AtomStyle::spacefill) {
+    text_ = read_all(*source_);
+    source_ = source_of_text(text_);
+    read_bonds();
+    source_ = source_of_text(text_);
+  }
+  lines_.emplace(*source_);
+  find_next_model();
+  if (lines_->at_end())
+    throw lines_->wrong("the file has no atoms: no line begins with ATOM or HETATM");
+}
+
+void PdbReader::read_bonds() {
+  for (Lines lines(*source_); !lines.at_end(); lines.advance()) {
+    const std::string_view line = lines.line();
+    if (!line.starts_with("CONECT")) continue;
+    const auto from = serial_of(field(line, 7, 11));
+    for (std::size_t column = 12; from && column <= 27; column += 5)
+      if (const auto to = serial_of(field(line, column, column + 4)))
+        bonds_.push_back({*from, *to});
+  }
+}
+
+void PdbReader::read_atom() {
+  const std::string_view line = lines_->line();
+  constexpr std::size_t end_of_places = 54;
+  if (line.size() < end_of_places)
+    throw lines_->wrong(fmt::format(
+        "the atom's line ends before column {}, with which its places end", end_of_places));
+  Atom atom{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t first = 31 + 8 * i;
+    const std::string_view text = field(line, first, first + 7);
+    const auto value = number_of(text);
+    if (!value || !is_moderate(*value))
+      throw lines_->wrong(fmt::format("{} stands in columns {} to {}, where {} is to be a number",
+                                      quoted(text), first, first + 7, "xyz"[i]));
+    atom.place[i] = *value;
+  }
+  atom.element = element_of_name(line);
+  atom.chain = field(line, 22, 22);
+  atom.residue = field(line, 18, 20);
+  atom.number = field(line, 23, 27);
+  atom.alternate = field(line, 17, 17);
+  float color_value = 0;
+  if (const auto& column = atoms_.color_column()) {
+    const std::string_view text = *column == "bfactor" ? field(line, 61, 66) : field(line, 55, 60);
+    const auto value = number_of(text);
+    if (!value)
+      throw lines_->wrong(
+          fmt::format("{} stands where {} is to be a number", quoted(text), *column));
+    color_value = static_cast<float>(*value);
+  }
+  const auto index = atoms_.add(lines_->number(), atom, color_value);
+  if (index && !bonds_.empty())
+    if (const auto serial = serial_of(field(line, 7, 11))) by_serial_[*serial] = *index;
+}
+
+void PdbReader::add_bonds(Particles& particles) const {
+  for (const auto& [from, to] : bonds_) {
+    const auto a = by_serial_.find(from);
+    const auto b = by_serial_.find(to);
+    if (a != by_serial_.end() && b != by_serial_.end() && a->second != b->second)
+      particles.bonds.push_back({a->second, b->second});
+  }
+}
+
+void PdbReader::find_next_model() {
+  while (!lines_->at_end() && !is_atom(lines_->line())) lines_->advance();
+}
+
+Particles PdbReader::next_frame() {
+  by_serial_.clear();
+  for (; !lines_->at_end(); lines_->advance()) {
+    const std::string_view line = lines_->line();
+    if (is_atom(line)) read_atom();
+    if (is_record(line, "ENDMDL") || is_record(line, "END")) break;
+  }
+  Particles particles = atoms_.take(lines_->number());
+  add_bonds(particles);
+  find_next_model();
+  return particles;
+}
+
+}  // namespace raytracer::client

@@ -1,0 +1,39 @@
+// The Protein Data Bank's format of fixed columns, version 3.3
+// (wwpdb.org/documentation/file-format): ATOM and HETATM, MODEL and ENDMDL, CONECT. Columns that
+// give colours: bfactor, occupancy.
+//
+// Elements are taken from columns 77 and 78, else from the atom's name as gemmi does.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+#include "client/formats/lines.h"
+#include "client/formats/particles/atom_collector.h"
+#include "client/formats/particles/particle_reader.h"
+
+namespace raytracer::client {
+
+class PdbReader : public ParticleReader {
+ public:
+  PdbReader(std::unique_ptr<TextSource> source, const Wishes& wishes);
+  Particles next_frame() override;
+  bool has_more() const override { return !lines_->at_end(); }
+
+ private:
+  void read_bonds();
+  void read_atom();
+  void add_bonds(Particles& particles) const;
+  void find_next_model();
+
+  std::unique_ptr<TextSource> source_;
+  std::string text_;  ///< all of it, where bonds are drawn: they stand behind the atoms
+  std::optional<Lines> lines_;
+  AtomCollector atoms_;
+  std::vector<std::array<int, 2>> bonds_;             ///< by serial numbers
+  std::unordered_map<int, std::uint32_t> by_serial_;  ///< of this model, where bonds are drawn
+};
+
+}  // namespace raytracer::client

@@ -1,0 +1,163 @@
+// `animate`: a turn round any scene or a file's frames, as numbered pictures, an animated PNG or
+// raw video. And `open`, which keeps a scene at a server for its page.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/cli/client.h"
+#include "tests/golden/picture.h"
+#include "tests/process/patience.h"
+#include "tests/process/temporary_folder.h"
+
+namespace raytracer::test {
+namespace {
+
+const std::string three_frames = "1\n\nC 0 0 0\n1\n\nC 0 1 0\n1\n\nN 0 0 1\n";
+
+class Animate : public Client {
+ protected:
+  /// With the arguments, in 20 x 10 pixels.
+  Outcome animate(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "animate");
+    for (const char* const argument : {"--width", "20", "--height", "10", "--samples", "1"})
+      arguments.emplace_back(argument);
+    return run_with_server(arguments);
+  }
+
+  /// How often the bytes have these.
+  static int count(const std::string& bytes, const std::string& word) {
+    int times = 0;
+    for (std::size_t at = bytes.find(word); at != bytes.npos; at = bytes.find(word, at + 1))
+      ++times;
+    return times;
+  }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(Animate, frames_of_a_file_become_numbered_pictures) {
+  const std::string file = folder_.write("atoms.xyz", three_frames);
+  const Outcome outcome = animate({file, "--frames", "all", "-o", folder_ / "f-%03d.png"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* const name : {"f-000.png", "f-001.png", "f-002.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "f-003.png"));
+  // What a render of the first frame alone gives.
+  const std::string alone = folder_ / "alone.png";
+  ASSERT_EQ(run_with_server(
+                {"render", file, "-o", alone, "--width", "20", "--height", "10", "--samples", "1"})
+                .status,
+            0);
+  EXPECT_EQ(read_file(folder_ / "f-000.png"), read_file(alone));
+  EXPECT_NE(read_file(folder_ / "f-001.png"), read_file(alone));
+}
+
+TEST_F(Animate, turn_begins_with_the_scene_and_goes_round_it) {
+  const std::string scene = folder_.write("scene.json", R"({
+    "camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.9, "width": 20, "height": 10},
+    "ambient": 1, "shadows": "ambient",
+    "objects": [{"type": "sphere", "center": [1, 0, 0], "radius": 0.5}]})");
+  ASSERT_EQ(animate({scene, "--turntable", "4", "-o", folder_ / "t-%d.ppm"}).status, 0);
+  const std::string first = read_file(folder_ / "t-0.ppm");
+  ASSERT_EQ(run_with_server({"render", scene, "-o", folder_ / "a.ppm", "--samples", "1"}).status,
+            0);
+  EXPECT_EQ(first, read_file(folder_ / "a.ppm"));
+  EXPECT_NE(first, read_file(folder_ / "t-1.ppm"));
+  // From behind the sphere is on the other side.
+  const std::string behind = read_file(folder_ / "t-2.ppm");
+  const std::size_t header = first.size() - 3 * 20 * 10;
+  const auto pixel = [&](const std::string& ppm, std::size_t x) {
+    return static_cast<unsigned char>(ppm[header + 3 * (5 * 20 + x)]);
+  };
+  for (std::size_t x = 0; x < 20; ++x) EXPECT_EQ(pixel(first, x), pixel(behind, 19 - x)) << x;
+}
+
+TEST_F(Animate, animated_png_has_all_frames_and_plays_for_ever) {
+  const std::string file = folder_.write("atoms.xyz", three_frames);
+  const std::string target = folder_ / "motion.apng";
+  ASSERT_EQ(animate({file, "--frames", "all", "-o", target, "--fps", "12.5"}).status, 0);
+  const std::string bytes = read_file(target);
+  EXPECT_EQ(count(bytes, "fcTL"), 3);
+  EXPECT_EQ(count(bytes, "fdAT"), 2);
+  const std::string control("acTL\0\0\0\3\0\0\0\0", 12);
+  EXPECT_NE(bytes.find(control), std::string::npos);
+  const std::string delay("\0\2\0\x19\0\0", 6);  // 2/25 s
+  EXPECT_EQ(count(bytes, delay), 3);
+}
+
+TEST_F(Animate, raw_video_is_a_header_and_planes) {
+  const std::string file = folder_.write("atoms.xyz", three_frames);
+  const Outcome outcome = animate({file, "--frames", "all", "-o", "-", "--format", "y4m"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string header = "YUV4MPEG2 W20 H10 F25:1 Ip A1:1 C420jpeg\n";
+  ASSERT_TRUE(outcome.out.starts_with(header));
+  const std::size_t frame = std::string("FRAME\n").size() + 200 + 50 + 50;
+  EXPECT_EQ(outcome.out.size(), header.size() + 3 * frame);
+  // The corner is white: 235 in the range of video, without colour.
+  const std::size_t first = header.size() + 6;
+  EXPECT_EQ(static_cast<unsigned char>(outcome.out[first]), 235);
+  EXPECT_EQ(static_cast<unsigned char>(outcome.out[first + 200]), 128);
+  EXPECT_EQ(static_cast<unsigned char>(outcome.out[first + 250]), 128);
+}
+
+TEST_F(Animate, what_is_there_is_not_rendered_again) {
+  const std::string file = folder_.write("atoms.xyz", three_frames);
+  const std::string target = folder_ / "f-%d.png";
+  ASSERT_EQ(animate({file, "--frames", "all", "-o", target}).status, 0);
+  const std::string second = read_file(folder_ / "f-1.png");
+  std::filesystem::remove(folder_ / "f-1.png");
+  static_cast<void>(folder_.write("f-2.png", "kept"));
+  const Outcome again = animate({file, "--frames", "all", "-o", target, "--resume"});
+  EXPECT_NE(again.err.find("1 frame written"), std::string::npos) << again.err;
+  EXPECT_EQ(read_file(folder_ / "f-1.png"), second);
+  EXPECT_EQ(read_file(folder_ / "f-2.png"), "kept");
+}
+
+TEST_F(Animate, error_of_a_later_frame_is_said_after_the_earlier_ones) {
+  const std::string file = folder_.write("atoms.xyz", "1\n\nC 0 0 0\n1\n\nC 0 zero 0\n");
+  const Outcome outcome = animate({file, "--frames", "all", "-o", folder_ / "f-%d.png"});
+  expect_input_error(outcome, file + ":6: 'zero' stands");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "f-0.png"));
+}
+
+TEST_F(Animate, arguments_that_do_not_go_together_are_refused) {
+  const std::string file = folder_.write("atoms.xyz", three_frames);
+  expect_input_error(animate({file, "-o", "a.apng"}), "Give --turntable N or --frames all");
+  expect_input_error(animate({file, "--turntable", "3", "-o", "a.png"}), "names no frames");
+  expect_input_error(animate({file, "--turntable", "3", "-o", "-"}), "--format y4m");
+  expect_input_error(animate({file, "--turntable", "3", "-o", "a.apng", "--format", "y4m"}),
+                     "--output");
+  expect_input_error(animate({file, "--turntable", "3", "-o", "a-%d.jpg"}), ".png, .ppm or .pfm");
+  expect_input_error(animate({file, "--turntable", "3", "-o", "a.apng", "--resume"}), "--resume");
+  expect_input_error(animate({file, "--turntable", "3", "-o", "nowhere/a.apng"}), "nowhere");
+  expect_input_error(animate({"demo", "--frames", "all", "-o", "a.apng"}), "demo: has no frames");
+  expect_input_error(animate({file, "--turntable", "3", "-o", "a.apng", "--fps", "0"}), "--fps");
+}
+
+class Open : public Client {};
+
+TEST_F(Open, scene_is_kept_where_the_page_finds_it) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("atoms.xyz", three_frames);
+  const Outcome outcome = run_with_server({"open", file});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string before = server().url() + "/#scene=";
+  ASSERT_TRUE(outcome.out.starts_with(before)) << outcome.out;
+  const std::string id = outcome.out.substr(before.size(), 32);
+  const auto kept = server().client().Get("/scenes/" + id);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(nlohmann::json::parse(kept->body),
+            nlohmann::json::parse(run_client({"convert", file}).out));
+}
+
+TEST_F(Open, private_server_stays_until_it_is_interrupted) {
+  Process process(client_command({"open", "demo"}));
+  ASSERT_TRUE(eventually([&] { return process.out().ends_with("\n"); })) << process.err();
+  EXPECT_FALSE(process.wait(std::chrono::milliseconds(100)));
+  process.signal(SIGINT);
+  EXPECT_EQ(process.wait(std::chrono::milliseconds(5000)), 130);
+}
+
+}  // namespace
+}  // namespace raytracer::test

@@ -1,0 +1,97 @@
+// Meshes and clouds of points, as assimp reads them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "client/failure.h"
+#include "client/formats/meshes/own_process.h"
+#include "tests/formats/read_text.h"
+#include "tests/process/temporary_folder.h"
+
+namespace raytracer::test {
+namespace {
+
+using nlohmann::json;
+
+json document_of_file(const std::string& name) {
+  const std::filesystem::path path =
+      std::filesystem::path(RAYTRACER_SOURCE_DIR) / "tests/formats/files" / name;
+  return document(path.extension().string(), read_file(path));
+}
+
+TEST(Meshes, torus_keeps_normals_colours_and_common_corners) {
+  const json ply = document_of_file("torus.ply").at("objects")[0];
+  EXPECT_EQ(ply.at("vertices").size(), 96U);
+  EXPECT_EQ(ply.at("normals").size(), 96U);
+  EXPECT_EQ(ply.at("colors").size(), 96U);
+  EXPECT_EQ(ply.at("triangles").size(), 192U);
+  const json obj = document_of_file("torus.obj").at("objects")[0];
+  EXPECT_EQ(obj.at("vertices").size(), 96U);
+  EXPECT_EQ(obj.at("normals").size(), 96U);
+  EXPECT_FALSE(obj.contains("colors"));
+}
+
+TEST(Meshes, stl_is_flat) {
+  const json mesh = document_of_file("tetrahedron.stl").at("objects")[0];
+  EXPECT_EQ(mesh.at("vertices").size(), 4U);
+  EXPECT_FALSE(mesh.contains("normals"));
+}
+
+TEST(Meshes, gltf_stands_where_its_nodes_say_in_its_colour) {
+  for (const char* const name : {"pyramids.gltf", "pyramids.glb"}) {
+    const json scene = document_of_file(name);
+    double highest = 0;
+    std::size_t triangles = 0;
+    for (const json& object : scene.at("objects")) {
+      triangles += object.at("triangles").size();
+      for (const json& vertex : object.at("vertices"))
+        highest = std::max(highest, vertex[1].get<double>());
+    }
+    EXPECT_EQ(triangles, 12U);
+    EXPECT_EQ(highest, 3);  // of the one that is twice as high
+    const json& object = scene.at("objects")[0];
+    const json& color =
+        scene.at("materials").at(object.at("material").get<std::string>()).at("color");
+    EXPECT_NEAR(color[0].get<double>(), 0.7, 1e-6);
+  }
+}
+
+TEST(Meshes, ply_without_faces_is_points) {
+  const json points = document_of_file("cloud.ply").at("objects")[0];
+  EXPECT_EQ(points.at("type"), "spheres");
+  EXPECT_EQ(points.at("centers").size(), 96U);
+  EXPECT_EQ(points.at("colors").size(), 96U);
+}
+
+TEST(Meshes, what_assimp_refuses_is_said) {
+  for (const char* const ending : {".ply", ".obj", ".stl", ".gltf", ".glb"})
+    EXPECT_THROW(document(ending, "nothing of the kind"), client::InputError) << ending;
+}
+
+TEST(OwnProcess, what_it_throws_or_suffers_is_an_error) {
+  const client::ProcessLimits limits{std::size_t{256} << 20, 1};
+  EXPECT_EQ(client::in_own_process(limits, [] { return std::string("made"); }), "made");
+  const auto message = [&](const std::function<std::string()>& make) -> std::string {
+    try {
+      return client::in_own_process(limits, make);
+    } catch (const client::InputError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(message([]() -> std::string { throw client::InputError("wrong"); }), "wrong");
+  EXPECT_EQ(message([]() -> std::string { std::abort(); }), "is damaged: its reader broke off");
+  EXPECT_EQ(message([]() -> std::string {
+              for (volatile bool forever = true; forever;) {
+              }
+              return "";
+            }),
+            "takes longer to read than 1 s; is it damaged?");
+#ifndef __SANITIZE_ADDRESS__
+  EXPECT_EQ(message([] { return std::string(std::size_t{1} << 30, 'x'); }),
+            "needs more memory than 256 MB");
+#endif
+}
+
+}  // namespace
+}  // namespace raytracer::test

@@ -1,0 +1,201 @@
+// PDB and mmCIF: which atoms are shown, as what, and how they are bonded.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/formats/read_text.h"
+#include "tests/process/temporary_folder.h"
+
+namespace raytracer::test {
+namespace {
+
+using nlohmann::json;
+
+std::string pdb_atom(int serial, const std::string& name, const std::string& residue, char chain,
+                     int number, double x, const std::string& element, char alternate = ' ') {
+  return fmt::format(
+      "HETATM{:5} {:4}{}{:>3} {}{:4}    {:8.3f}   1.000   2.000  0.50{:6.2f}          {:>2}\n",
+      serial, name, alternate, residue, chain, number, x, 10.0 + x, element);
+}
+
+client::Wishes wishes_for(const std::string& color, client::AtomStyle style) {
+  client::Wishes wishes;
+  wishes.color = color;
+  wishes.style = style;
+  return wishes;
+}
+
+std::size_t count_of(const json& document, const std::string& type) {
+  std::size_t count = 0;
+  const std::string list = type == "sphere" ? "centers" : "from";
+  for (const json& object : document.at("objects")) {
+    if (object.at("type") == type) ++count;
+    if (object.at("type") == type + "s") count += object.at(list).size();
+  }
+  return count;
+}
+
+std::string shipped(const std::string& name) {
+  return read_file(std::filesystem::path(RAYTRACER_SOURCE_DIR) / "tests/formats/files" / name);
+}
+
+TEST(Pdb, elements_come_from_their_column_or_the_name) {
+  const json scene = document(".pdb", pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C") +
+                                          pdb_atom(2, "CA  ", " CA", 'A', 2, 5, "") +
+                                          pdb_atom(3, " CB ", "ALA", 'A', 3, 9, "") +
+                                          pdb_atom(4, "HG11", "VAL", 'A', 4, 12, ""));
+  std::vector<std::string> materials;
+  for (const json& object : scene.at("objects")) materials.push_back(object.at("material"));
+  EXPECT_EQ(materials, (std::vector<std::string>{"C", "Ca", "H"}));
+  EXPECT_EQ(scene.at("objects")[0].at("centers").size(), 2U);
+}
+
+TEST(Pdb, water_and_alternate_locations_are_left_out_and_counted) {
+  const std::string text = pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C", 'B') +
+                           pdb_atom(2, " CA ", "GLY", 'A', 1, 1, "C", 'A') +
+                           pdb_atom(3, " O  ", "HOH", 'A', 2, 5, "O") +
+                           pdb_atom(4, " O  ", "HOH", 'A', 3, 5, "O");
+  const auto frames = read_text(*client::format_of(".pdb"), text);
+  ASSERT_EQ(frames[0].omissions.size(), 2U);
+  EXPECT_EQ(frames[0].omissions[0].first_line, 2);
+  EXPECT_EQ(frames[0].omissions[1].count, 2);
+  client::Wishes wishes;
+  wishes.with_water = true;
+  EXPECT_EQ(count_of(document(".pdb", text), "sphere"), 1U);
+  EXPECT_EQ(count_of(document(".pdb", text, wishes), "sphere"), 3U);
+}
+
+TEST(Pdb, models_are_frames) {
+  const std::string atom = pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C");
+  EXPECT_EQ(documents(".ent", "MODEL        1\n" + atom + "TER\nENDMDL\nMODEL        2\n" + atom +
+                                  "ENDMDL\nEND\n")
+                .size(),
+            2U);
+  EXPECT_EQ(documents(".pdb", atom + "END\n" + atom + "END\n").size(), 2U);
+}
+
+TEST(Pdb, chains_residues_and_bfactors_give_colours) {
+  const std::string text = pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C") +
+                           pdb_atom(2, " CA ", "ASP", 'B', 1, 5, "C") +
+                           pdb_atom(3, " CA ", "GLY", 'B', 2, 9, "C");
+  const auto colours = [&](const std::string& color) {
+    return document(".pdb", text, wishes_for(color, client::AtomStyle::spacefill))
+        .at("materials")
+        .size();
+  };
+  EXPECT_EQ(colours("chain"), 2U);
+  EXPECT_EQ(colours("residue"), 2U);
+  EXPECT_EQ(colours("bfactor"), 3U);
+  EXPECT_EQ(colours("occupancy"), 1U);
+}
+
+/// Sixty atoms with three bonds each, of which each is drawn in two halves.
+TEST(Pdb, every_bond_of_c60_is_drawn_once_in_two_halves) {
+  const auto wishes = wishes_for("", client::AtomStyle::ball_and_stick);
+  const json scene = document(".pdb", shipped("c60.pdb"), wishes);
+  EXPECT_EQ(count_of(scene, "sphere"), 60U);
+  EXPECT_EQ(count_of(scene, "cylinder"), 2U * 90U);
+}
+
+TEST(Pdb, bonds_that_the_file_names_may_be_long) {
+  const std::string atoms =
+      pdb_atom(1, "ZN  ", " ZN", 'A', 1, 0, "ZN") + pdb_atom(2, " CA ", "GLY", 'A', 2, 8, "C");
+  const auto wishes = wishes_for("", client::AtomStyle::sticks);
+  EXPECT_EQ(count_of(document(".pdb", atoms, wishes), "cylinder"), 0U);
+  EXPECT_EQ(count_of(document(".pdb", atoms + "CONECT    1    2\nCONECT    2    1\n", wishes),
+                     "cylinder"),
+            2U);
+}
+
+TEST(Pdb, each_error_has_its_line) {
+  struct PdbMistake {
+    std::string text;
+    int line;
+    std::string says;
+    std::string color{};
+  };
+  const std::string atom = pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C");
+  const std::vector<PdbMistake> table{
+      {"HEADER\n", 1, "the file has no atoms"},
+      {atom + atom.substr(0, 50) + "\n", 2, "ends before column 54"},
+      {std::string(atom).replace(33, 2, "xy"), 1, "'xy000' stands in columns 31 to 38, where x"},
+      {pdb_atom(1, " O  ", "HOH", 'A', 1, 0, "O"), 1, "--water shows it"},
+      {atom, 1, "nothing here is called 'mass'", "mass"},
+      {atom.substr(0, 60) + "\n", 1, "'' stands where bfactor is to be a number", "bfactor"},
+  };
+  for (const PdbMistake& mistake : table) {
+    SCOPED_TRACE(mistake.text);
+    const auto frames = read_text(*client::format_of(".pdb"), mistake.text,
+                                  wishes_for(mistake.color, client::AtomStyle::spacefill));
+    ASSERT_EQ(frames.at(0).errors.size(), 1U);
+    EXPECT_EQ(frames[0].errors[0].line, mistake.line);
+    EXPECT_NE(frames[0].errors[0].what.find(mistake.says), std::string::npos)
+        << frames[0].errors[0].what;
+  }
+}
+
+TEST(Mmcif, models_of_ice_have_a_molecule_at_each_place) {
+  const auto frames =
+      documents(".cif", shipped("ice.cif"), wishes_for("", client::AtomStyle::ball_and_stick));
+  ASSERT_EQ(frames.size(), 2U);
+  for (const json& frame : frames) {
+    EXPECT_EQ(count_of(frame, "sphere"), 24U);
+    EXPECT_EQ(count_of(frame, "cylinder"), 2U * 16U);
+  }
+}
+
+TEST(Mmcif, any_column_of_the_sites_gives_colours) {
+  EXPECT_EQ(documents(".mmcif", shipped("ice.cif"),
+                      wishes_for("B_iso_or_equiv", client::AtomStyle::spacefill))[0]
+                .at("materials")
+                .size(),
+            8U);
+}
+
+TEST(Mmcif, bonds_that_the_file_names_are_drawn) {
+  const std::string text =
+      "data_X\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.auth_comp_id\n"
+      "_atom_site.auth_asym_id\n_atom_site.auth_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+      "_atom_site.Cartn_z\nZN ZN ZN A 1 0 0 0\nS SG CYS A 2 5 0 0\nloop_\n_struct_conn.id\n"
+      "_struct_conn.conn_type_id\n_struct_conn.ptnr1_auth_asym_id\n_struct_conn.ptnr1_auth_comp_"
+      "id\n"
+      "_struct_conn.ptnr1_auth_seq_id\n_struct_conn.ptnr1_label_atom_id\n"
+      "_struct_conn.ptnr2_auth_asym_id\n_struct_conn.ptnr2_auth_comp_id\n"
+      "_struct_conn.ptnr2_auth_seq_id\n_struct_conn.ptnr2_label_atom_id\n";
+  const auto wishes = wishes_for("", client::AtomStyle::sticks);
+  const auto bonds = [&](const std::string& rows) {
+    return count_of(document(".cif", text + rows, wishes), "cylinder");
+  };
+  EXPECT_EQ(bonds("1 metalc A ZN 1 ZN A CYS 2 SG\n"), 2U);
+  EXPECT_EQ(bonds("1 hydrog A ZN 1 ZN A CYS 2 SG\n"), 0U);
+}
+
+TEST(Mmcif, cell_of_a_small_structure_is_filled) {
+  const json scene = document(
+      ".cif",
+      "data_salt\n_cell_length_a 5.64\n_cell_length_b 5.64\n_cell_length_c 5.64\n"
+      "_cell_angle_alpha 90\n_cell_angle_beta 90\n_cell_angle_gamma 90\n"
+      "_symmetry_space_group_name_H-M 'F m -3 m'\nloop_\n_atom_site_label\n_atom_site_fract_x\n"
+      "_atom_site_fract_y\n_atom_site_fract_z\nNa1 0 0 0\nCl1 0.5 0.5 0.5\n");
+  EXPECT_EQ(count_of(scene, "sphere"), 8U);
+}
+
+TEST(Mmcif, errors_have_the_line_that_gemmi_names_or_that_of_the_table) {
+  const auto error_of = [](const std::string& text) {
+    return read_text(*client::format_of(".cif"), text).at(0).errors.at(0);
+  };
+  EXPECT_EQ(error_of("data_X\nloop_\n_atom_site.id\n'1\n").line, 4);
+  const client::LineError wrong = error_of(
+      "data_X\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 2 3\n1 two "
+      "3\n");
+  EXPECT_EQ(wrong.line, 2);
+  EXPECT_EQ(wrong.what,
+            "row 2 of the table that begins here: 'two' stands where _atom_site.Cartn_y is to be a "
+            "number");
+}
+
+}  // namespace
+}  // namespace raytracer::test
