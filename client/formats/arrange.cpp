@@ -291,7 +291,7 @@ model::View view_of_all(const model::Scene& scene, const Wishes& wishes, Upright
 
 namespace {
 
-/// From the left above the eye, and a weak one from where the first does not come.
+/// A key light from the left above the eye, and a sky, which gives depth.
 void light_studio(model::Scene& scene) {
   const model::View& view = scene.view;
   const Triple ahead = unit(sum(view.at, scaled(view.from, -1)));
@@ -301,9 +301,9 @@ void light_studio(model::Scene& scene) {
     return sum(sum(scaled(right, to_right), scaled(above, upward)), scaled(ahead, forward));
   };
   constexpr Triple white{1, 1, 1};
-  scene.lights.emplace_back(model::Sun{direction(0.5, -0.8, 1), white, 1});
-  scene.lights.emplace_back(model::Sun{direction(-0.8, 0.3, 1), white, 0.25});
-  scene.ambient = 0.15;
+  scene.lights.emplace_back(model::Sun{direction(0.5, -0.8, 1), white, 0.65});
+  scene.lights.emplace_back(model::Sky{white, 0.6});
+  scene.ambient = 0.05;
   scene.is_shadow_black = false;
 }
 
@@ -313,7 +313,7 @@ void arrange(model::Scene& scene, const Wishes& wishes, const model::View& view)
   scene.view = view;
   scene.background = wishes.background;
   light_studio(scene);
-  scene.target_rmse = 0.005;
+  scene.samples = 4;
   scene.is_srgb = true;
 }
 

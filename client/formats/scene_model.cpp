@@ -44,8 +44,8 @@ class DocumentWriter {
     print("}},\n  \"objects\": [");
     lines(scene.objects, [this](const Objects& all) { objects(all); });
     print("]");
-    if (scene.target_rmse > 0)
-      print(",\n  \"render\": {{\"target_rmse\": {}, \"transfer\": \"{}\"}}", scene.target_rmse,
+    if (scene.samples > 0)
+      print(",\n  \"render\": {{\"samples\": {}, \"transfer\": \"{}\"}}", scene.samples,
             scene.is_srgb ? "srgb" : "linear");
     print("\n}}\n");
   }
@@ -140,6 +140,12 @@ class DocumentWriter {
     print(", \"color\": ");
     numbers(sun.color);
     print(", \"intensity\": {}}}", sun.intensity);
+  }
+
+  void light(const Sky& sky) {
+    print("{{\"type\": \"sky\", \"color\": ");
+    numbers(sky.color);
+    print(", \"intensity\": {}}}", sky.intensity);
   }
 
   void material(const Material& material) {

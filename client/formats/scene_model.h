@@ -41,7 +41,13 @@ struct Sun {
   double intensity;
 };
 
-using Light = std::variant<Lamp, Sun>;
+/// Shines from everywhere.
+struct Sky {
+  Triple color;  ///< in [0, 1]
+  double intensity;
+};
+
+using Light = std::variant<Lamp, Sun, Sky>;
 
 /// Nothing: transparent.
 using Background = std::optional<Triple>;
@@ -105,8 +111,8 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Material> materials;
   std::vector<Objects> objects;
-  double target_rmse = 0;  ///< 0: the document does not say it
-  bool is_srgb = false;    ///< the image is encoded as sRGB
+  int samples = 0;       ///< 0: the document does not say it
+  bool is_srgb = false;  ///< the image is encoded as sRGB
 };
 
 /// As JSON. Lists have an item on each line.

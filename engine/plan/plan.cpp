@@ -34,4 +34,9 @@ Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& mac
   return plan;
 }
 
+int light_samples_of(const Plan& plan, const Scene& scene) {
+  if (plan.features.soft_lights == 0) return 0;
+  return light_samples_per_pixel(plan.light_sampling.value, scene.render.samples.value_or(1));
+}
+
 }  // namespace raytracer

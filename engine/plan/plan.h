@@ -33,4 +33,7 @@ struct Plan {
 Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& machine,
                WorkerPool* pool = nullptr);
 
+/// The places of each soft light that a pixel has, as the scene is rendered; 0 if there is none.
+int light_samples_of(const Plan& plan, const Scene& scene);
+
 }  // namespace raytracer

@@ -72,6 +72,7 @@ std::optional<RegionRendering<Channel>> render_region(const PreparedScene& scene
       .region = region,
       .error_multiplier = choose_error_multiplier(built.plan.statistics).initial,
       .precision = built.plan.precision.value,
+      .light_samples = light_samples_of(built.plan, built.scene),
       .beyond = tracing.beyond};
   const std::size_t length = row_length(region, *image);
   part.values.reserve(length * static_cast<std::size_t>(region.y_end - region.y_begin));
@@ -124,6 +125,7 @@ void ImageOfRegions<Channel>::add(const RegionRendering<Channel>& part) {
     });
   error_multiplier_ = part.error_multiplier;
   rendering_.precision = part.precision;
+  rendering_.light_samples = part.light_samples;
   rendering_.beyond += part.beyond;
 }
 

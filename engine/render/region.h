@@ -21,6 +21,7 @@ struct RegionRendering {
   std::vector<double> subtile_error2{};  ///< of its blocks, row by row; empty if nothing tells them
   double error_multiplier = 1;           ///< for the sum of these
   Precision precision = Precision::double_precision;
+  int light_samples = 0;  ///< as RenderReport has them
   BeyondRange beyond;
 };
 

@@ -28,9 +28,7 @@ BasicRendering<Channel> make_rendering(const BuiltScene& built, WorkerPool& pool
   rendering.plan_ms = built.plan_ms;
   rendering.build_ms = built.build_ms;
   rendering.precision = built.plan.precision.value;
-  if (built.plan.features.soft_lights > 0)
-    rendering.light_samples = light_samples_per_pixel(built.plan.light_sampling.value,
-                                                      built.scene.render.samples.value_or(1));
+  rendering.light_samples = light_samples_of(built.plan, built.scene);
 
   // From here on kernels see packed arrays only.
   Tracing tracing{built, pool, progress};

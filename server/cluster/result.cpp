@@ -47,6 +47,7 @@ Json header_of(const RegionRendering<Channel>& part) {
           {"errors", part.subtile_error2.size()},
           {"error_multiplier", part.error_multiplier},
           {"precision", static_cast<int>(part.precision)},
+          {"light_samples", part.light_samples},
           {"beyond", to_json(part.beyond)}};
 }
 
@@ -57,6 +58,7 @@ Json header_of(const Rendering& rendering) {
             {"channels", rendering.image.channels},
             {"samples", rendering.samples_per_pixel},
             {"precision", static_cast<int>(rendering.precision)},
+            {"light_samples", rendering.light_samples},
             {"beyond", to_json(rendering.beyond)},
             {"stop", static_cast<int>(rendering.stop)},
             {"plan_ms", rendering.plan_ms},
@@ -76,6 +78,7 @@ RegionRendering<Channel> region_in(const Json& header, std::string_view bytes) {
   RegionRendering<Channel> part{.region = {region.at(0), region.at(1), region.at(2), region.at(3)},
                                 .error_multiplier = header.at("error_multiplier"),
                                 .precision = precision_in(header),
+                                .light_samples = header.at("light_samples"),
                                 .beyond = beyond_in(header.at("beyond"))};
   take(bytes, part.values, header.at("values"));
   take(bytes, part.subtile_error2, header.at("errors"));
@@ -92,6 +95,7 @@ Rendering whole_in(const Json& header, std::string_view bytes) {
                           static_cast<std::size_t>(rendering.image.height);
   rendering.samples_per_pixel = header.at("samples");
   rendering.precision = precision_in(header);
+  rendering.light_samples = header.at("light_samples");
   rendering.beyond = beyond_in(header.at("beyond"));
   rendering.stop = static_cast<Stop>(header.at("stop").get<int>());
   rendering.plan_ms = header.at("plan_ms");

@@ -26,6 +26,7 @@ const std::vector<Picture>& pictures() {
       {"?scene=earth-and-pebble&samples=4&width=701&height=503", pfm_type},
       {"?scene=glints&samples=16&width=150&height=101", pfm_type},
       {"?scene=square-500&samples=16&width=160&height=90"},
+      {"?scene=evening&samples=4&width=240&height=170"},
       {"?scene=spheres&samples=4&width=200&height=150&origin=1,2,-9&look_at=0,0,0&fov=0.7"},
       {"?scene=first-sphere&target_rmse=0.004&width=120&height=90"},
       {"?samples=3&width=900&height=600", ppm_type, small_scene},
@@ -45,8 +46,8 @@ Answer render(const ServerProcess& server, const Picture& picture) {
 /// The headers that speak of the picture.
 std::string said(const Answer& answer) {
   std::string text;
-  for (const char* const name :
-       {"Render-Samples", "Render-Error", "Render-Precision", "Render-Stop", "ETag"})
+  for (const char* const name : {"Render-Samples", "Render-Light-Samples", "Render-Error",
+                                 "Render-Precision", "Render-Stop", "ETag"})
     text += std::string(name) + ": " + answer.get_header_value(name) + "\n";
   return text;
 }

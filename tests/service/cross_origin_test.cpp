@@ -55,7 +55,8 @@ TEST(CrossOrigin, allowed_page_may_read_answers_and_their_fields) {
     EXPECT_EQ(answer.get_header_value("Vary"), "Accept, Origin");
     expect_list(answer.get_header_value("Access-Control-Expose-Headers"),
                 {"ETag", "Location", "Server-Timing", "Retry-After", "Render-Samples",
-                 "Render-Error", "Render-Precision", "Render-Stop", "X-Request-Id"});
+                 "Render-Light-Samples", "Render-Error", "Render-Precision", "Render-Stop",
+                 "X-Request-Id"});
     const Answer known =
         post(server, "/render", small_scene, {{"Origin", origin}, {"If-None-Match", "*"}});
     EXPECT_EQ(known.status, 304);

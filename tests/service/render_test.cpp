@@ -80,6 +80,18 @@ TEST_F(Render, answer_says_samples_precision_and_what_ended_it) {
   EXPECT_TRUE(std::regex_match(answer.get_header_value("Render-Precision"), precision));
 }
 
+TEST_F(Render, answer_says_how_many_places_of_soft_lights_it_sampled) {
+  EXPECT_FALSE(post("/render", small_scene).has_header("Render-Light-Samples"));
+  nlohmann::json scene = nlohmann::json::parse(small_scene);
+  scene["lights"] = {{{"type", "sky"}}};
+  for (const char* const bound : {"samples=1", "samples=7", "samples=64", "target_rmse=0.02"}) {
+    const Answer answer = post(std::string("/render?") + bound, scene.dump());
+    EXPECT_GE(std::stoi(answer.get_header_value("Render-Light-Samples")), 64) << bound;
+  }
+  const auto plan = nlohmann::json::parse(post("/plan", scene.dump()).body);
+  EXPECT_GE(plan["light_samples"]["choice"], 64);
+}
+
 TEST_F(Render, wanted_double_precision_is_used) {
   const Answer answer = post("/render?precision=double", small_scene);
   EXPECT_EQ(answer.get_header_value("Render-Precision"), "double");
