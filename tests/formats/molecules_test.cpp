@@ -188,6 +188,9 @@ TEST(Mmcif, errors_have_the_line_that_gemmi_names_or_that_of_the_table) {
     return read_text(*client::format_of(".cif"), text).at(0).errors.at(0);
   };
   EXPECT_EQ(error_of("data_X\nloop_\n_atom_site.id\n'1\n").line, 4);
+  EXPECT_EQ(
+      error_of("data_X\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n").what,
+      "the table of atoms has no rows");
   const client::LineError wrong = error_of(
       "data_X\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 2 3\n1 two "
       "3\n");

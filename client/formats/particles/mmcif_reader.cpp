@@ -31,6 +31,7 @@ MmcifReader::MmcifReader(std::unique_ptr<TextSource> source, const Wishes& wishe
   row_count_ = 1;  // one frame
   if (!contents_.sites) return;
   row_count_ = contents_.sites->values.size() / contents_.sites->tags.size();
+  if (row_count_ == 0) throw LineError{contents_.sites->line, "the table of atoms has no rows"};
   find_columns();
 }
 
