@@ -18,9 +18,10 @@
 namespace raytracer::client {
 namespace {
 
-bool is_set(const char* variable) {
-  const char* const value = std::getenv(variable);
-  return value != nullptr && *value != '\0';
+/// Empty if it is not set.
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value ? value : "";
 }
 
 /// The program that shows an address; empty where there is no display.
@@ -28,8 +29,8 @@ std::string browser() {
 #ifdef __APPLE__
   return "open";
 #else
-  if (is_set("BROWSER")) return std::getenv("BROWSER");
-  return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") ? "xdg-open" : "";
+  if (std::string chosen = variable("BROWSER"); !chosen.empty()) return chosen;
+  return variable("DISPLAY").empty() && variable("WAYLAND_DISPLAY").empty() ? "" : "xdg-open";
 #endif
 }
 

@@ -100,6 +100,9 @@ PrivateDaemon::~PrivateDaemon() { stop(); }
 
 void PrivateDaemon::start() {
   ::unsetenv("RAYTRACER_TOKEN");  // it would ask the client for one; the flags stand over the rest
+  // Limits are against others, of which it has none; whoever sets them means it.
+  ::setenv("RAYTRACER_MAX_BODY", "2147483648", 0);
+  ::setenv("RAYTRACER_MAX_OBJECTS", "100000000", 0);
   const std::string beside_client = path_beside_client();
   const pid_t parent = ::getpid();
   pid_ = ::fork();

@@ -53,6 +53,23 @@ TEST(Pdb, elements_come_from_their_column_or_the_name) {
   EXPECT_EQ(scene.at("objects")[0].at("centers").size(), 2U);
 }
 
+/// Files from before 1996 have their own name and the line's number there.
+TEST(Pdb, number_of_a_line_is_no_element) {
+  std::string line = pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "");
+  line.replace(72, 8, "1ABC  45");
+  EXPECT_EQ(document(".pdb", line).at("objects")[0].at("material"), "C");
+}
+
+TEST(Pdb, names_of_proteins_may_begin_a_column_early) {
+  const json scene = document(".pdb", pdb_atom(1, "CA  ", "GLY", 'A', 1, 0, "") +
+                                          pdb_atom(2, "HG  ", "SER", 'A', 2, 5, "") +
+                                          pdb_atom(3, "CD2 ", "HIE", 'A', 3, 9, "") +
+                                          pdb_atom(4, "SE  ", "MSE", 'A', 4, 12, ""));
+  EXPECT_EQ(scene.at("materials").size(), 3U);
+  for (const char* const element : {"C", "H", "Se"})
+    EXPECT_TRUE(scene.at("materials").contains(element)) << element;
+}
+
 TEST(Pdb, water_and_alternate_locations_are_left_out_and_counted) {
   const std::string text = pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C", 'B') +
                            pdb_atom(2, " CA ", "GLY", 'A', 1, 1, "C", 'A') +
@@ -188,6 +205,9 @@ TEST(Mmcif, errors_have_the_line_that_gemmi_names_or_that_of_the_table) {
     return read_text(*client::format_of(".cif"), text).at(0).errors.at(0);
   };
   EXPECT_EQ(error_of("data_X\nloop_\n_atom_site.id\n'1\n").line, 4);
+  EXPECT_EQ(
+      error_of("data_X\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n").what,
+      "the table of atoms has no rows");
   const client::LineError wrong = error_of(
       "data_X\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 2 3\n1 two "
       "3\n");

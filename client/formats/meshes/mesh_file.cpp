@@ -30,7 +30,7 @@ class MeshFile : public SceneFile {
     // several times.
     const std::size_t known_size = unknown ? 0 : size;
     const ProcessLimits limits{(std::size_t{768} << 20) + 60 * known_size,
-                               static_cast<unsigned>(8 + (known_size >> 23))};
+                               static_cast<unsigned>(3 + (known_size >> 22))};
     Reading reading = reading_of(in_own_process(
         limits, [&] { return bytes_of(import_meshes(format_, input_.path, text)); }));
     arrange(

@@ -31,6 +31,7 @@ MmcifReader::MmcifReader(std::unique_ptr<TextSource> source, const Wishes& wishe
   row_count_ = 1;  // one frame
   if (!contents_.sites) return;
   row_count_ = contents_.sites->values.size() / contents_.sites->tags.size();
+  if (row_count_ == 0) throw LineError{contents_.sites->line, "the table of atoms has no rows"};
   find_columns();
 }
 
@@ -98,8 +99,9 @@ void MmcifReader::read_row(std::size_t row) {
     color_value = static_cast<float>(
         std::clamp(number(row, color_), -static_cast<double>(std::numeric_limits<float>::max()),
                    static_cast<double>(std::numeric_limits<float>::max())));
-  const auto index = atoms_.add(
-      contents_.sites->line, {place, element, chain, residue, whole_number, alternate}, color_value);
+  const auto index =
+      atoms_.add(contents_.sites->line, {place, element, chain, residue, whole_number, alternate},
+                 color_value);
   if (index && has_bonds_)
     by_name_.try_emplace({chain, residue, residue_number, insertion, value(row, atom_)}, *index);
 }

@@ -121,8 +121,13 @@ std::vector<std::array<std::uint32_t, 2>> bonds_by_distance(
 }
 
 double typical_spacing(const std::vector<model::Triple>& places) {
+  // Each is asked about all others: of many particles a few have to do.
+  constexpr std::size_t least_asked = 7;
   constexpr std::size_t most_asked = 32;
-  const std::size_t step = std::max<std::size_t>(1, places.size() / most_asked);
+  constexpr std::size_t most_looks = std::size_t{1} << 25;
+  const std::size_t asked =
+      std::clamp(most_looks / std::max<std::size_t>(1, places.size()), least_asked, most_asked);
+  const std::size_t step = std::max<std::size_t>(1, places.size() / asked);
   std::vector<double> nearest;
   for (std::size_t i = 0; i < places.size(); i += step) {
     double least = std::numeric_limits<double>::max();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <gemmi/resinfo.hpp>
 
 #include "client/formats/particles/columns.h"
 #include "client/formats/particles/elements.h"
@@ -48,17 +49,32 @@ std::optional<int> serial_of(std::string_view text) {
   return serial - first + 100'000;
 }
 
-std::uint8_t element_of_name(std::string_view line) {
-  if (const std::uint8_t element = element_of(field(line, 77, 78))) return element;
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
+bool is_polymer(std::string_view residue) {
+  // Amber's and CHARMM's names of histidine and cystine, which say their hydrogens.
+  for (const char* const known : {"HIE", "HID", "HIP", "HSD", "HSE", "HSP", "CYX"})
+    if (residue == known) return true;
+  const auto& info = gemmi::find_tabulated_residue(std::string(residue));
+  return info.is_amino_acid() || info.is_nucleic_acid();
+}
+
+/// From columns 77 and 78, which old files use otherwise, else from the atom's name, where elements
+/// of one letter stand in its second column. Not all files hold to that: CA in a protein is carbon.
+std::uint8_t element_of_atom(std::string_view line) {
+  const std::string_view symbol = field(line, 77, 78);
+  if (!symbol.empty() && is_letter(symbol[0]))
+    if (const std::uint8_t element = element_of(symbol)) return element;
   const std::string_view name = line.substr(12, 4);
   constexpr std::uint8_t hydrogen = 1;
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   // Names of four letters that begin with H are hydrogens': mercury's and helium's are shorter.
   if (name[0] == 'H' && name[3] != ' ') return hydrogen;
-  if (is_digit(name[0]) || name[0] == ' ') return element_of(name.substr(1, 1));
-  if (is_digit(name[1])) return element_of(name.substr(0, 1));
-  const std::uint8_t element = element_of(name.substr(0, 2));
-  return element != 0 ? element : element_of(name.substr(0, 1));
+  if (!is_letter(name[0])) return element_of(name.substr(1, 1));
+  const std::uint8_t of_first = element_of(name.substr(0, 1));
+  const bool is_selenium = name.starts_with("SE");  // of selenomethionine
+  if (of_first != 0 && !is_selenium && is_polymer(field(line, 18, 20))) return of_first;
+  const std::uint8_t of_both = is_letter(name[1]) ? element_of(name.substr(0, 2)) : 0;
+  return of_both != 0 ? of_both : of_first;
 }
 
 }  // namespace
@@ -108,7 +124,7 @@ void PdbReader::read_atom() {
                                       quoted(text), first, first + 7, "xyz"[i]));
     atom.place[i] = *value;
   }
-  atom.element = element_of_name(line);
+  atom.element = element_of_atom(line);
   atom.chain = field(line, 22, 22);
   atom.residue = field(line, 18, 20);
   atom.number = field(line, 23, 27);

@@ -1,8 +1,6 @@
 // The Protein Data Bank's format of fixed columns, version 3.3
 // (wwpdb.org/documentation/file-format): ATOM and HETATM, MODEL and ENDMDL, CONECT. Columns that
 // give colours: bfactor, occupancy.
-//
-// Elements are taken from columns 77 and 78, else from the atom's name as gemmi does.
 #pragma once
 
 #include <memory>
