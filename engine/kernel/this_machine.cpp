@@ -2,6 +2,8 @@
 
 #include <hwy/highway.h>
 
+#include <stdexcept>
+
 namespace raytracer {
 
 std::vector<InstructionSet> supported_instruction_sets() {
@@ -9,6 +11,8 @@ std::vector<InstructionSet> supported_instruction_sets() {
   const std::int64_t supported = hwy::SupportedTargets() & HWY_TARGETS;
   for (std::int64_t bit = 1; bit > 0 && bit <= supported; bit <<= 1)
     if ((supported & bit) != 0) sets.push_back({bit, hwy::TargetName(bit)});
+  if (sets.empty())
+    throw std::runtime_error("this processor is too old: on x86-64 the kernels need SSSE3");
   return sets;
 }
 

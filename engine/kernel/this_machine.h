@@ -10,7 +10,8 @@
 
 namespace raytracer {
 
-/// What this machine can run of what was compiled, best first.
+/// What this machine can run of what was compiled, best first. Throws std::runtime_error if it can
+/// run none.
 std::vector<InstructionSet> supported_instruction_sets();
 
 /// The place of a target's functions in Highway's tables.

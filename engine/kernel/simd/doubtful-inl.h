@@ -2,7 +2,6 @@
 // traced again in double, from the eye on.
 
 #include <algorithm>
-#include <limits>
 
 #include "engine/kernel/sample_point.h"
 
@@ -38,42 +37,10 @@ HWY_INLINE void find_doubtful(D d, const Rays& rays, int place, const SampleColo
 }
 
 /// The samples' colours, each in its place; `cover`, if there is one, gets 1 where one has met
-/// something, else 0.
-template <class Followed>
-HWY_INLINE void trace_samples(const PacketScene<double>& scene, const DoubtfulSamples& samples,
-                              std::size_t light_set, std::size_t followed_light_set,
-                              SampleColours<double>& colours, float* cover) {
-  const hn::ScalableTag<double> d;
-  using V = hn::Vec<decltype(d)>;
-  const EyeRays<decltype(d)> eye(d, scene);
-  const V zero = hn::Zero(d);
-  const RayOrigin<V> origin = eye.origin(d);
-  const V far_away = hn::Set(d, std::numeric_limits<double>::max());
-  Followed followed;
-  followed.light_set = followed_light_set;
-  alignas(64) double channels[4][hn::MaxLanes(d)];
-  for (std::size_t i = 0; i < samples.count; i += hn::Lanes(d)) {
-    const auto active = hn::FirstN(d, samples.count - i);
-    const V pixel = hn::IfThenElseZero(active, hn::Load(d, samples.index + i));
-    const V3<V> direction =
-        eye.direction(d, 0, 0, hn::IfThenElseZero(active, hn::Load(d, samples.x + i)),
-                      hn::Neg(hn::IfThenElseZero(active, hn::Load(d, samples.y + i))));
-    const Hit<V> hit = find_followed(d, scene, origin, direction, far_away, active);
-    const V3<V> colour = eye.shade(d, direction, hit, active, pixel, light_set, followed);
-    hn::Store(colour.x, d, channels[0]);
-    hn::Store(colour.y, d, channels[1]);
-    hn::Store(colour.z, d, channels[2]);
-    hn::Store(hn::IfThenElseZero(hn::Ge(hit.id, zero), hn::Set(d, 1.0)), d, channels[3]);
-    for (std::size_t lane = 0; lane < std::min(samples.count - i, hn::Lanes(d)); ++lane) {
-      const auto at = static_cast<std::size_t>(samples.index[i + lane]);
-      colours.red[at] = channels[0][lane];
-      colours.green[at] = channels[1][lane];
-      colours.blue[at] = channels[2][lane];
-      if (cover != nullptr) cover[at] = static_cast<float>(channels[3][lane]);
-    }
-  }
-  trace_followed(scene, followed, colours);
-}
+/// something, else 0. What is to be traced in double is compiled with the kernels that are, once.
+void trace_in_double(const PacketScene<double>& scene, const DoubtfulSamples& samples,
+                     std::size_t light_set, std::size_t followed_light_set,
+                     SampleColours<double>& colours, float* cover);
 
 /// Traces a block's doubtful samples again and replaces their colours.
 template <class D, class Rays>
@@ -85,10 +52,7 @@ HWY_NOINLINE void trace_doubtful_again(D d, const PacketScene<double>& scene, co
     find_doubtful(d, rays, place, colours, samples);
     if (samples.count == 0) continue;
     const std::size_t own = rays.light_set_at(place);
-    if (scene.transmits)
-      trace_samples<RayStack<double>>(scene, samples, own, rays.light_set(), exact, cover);
-    else
-      trace_samples<FollowedRays<double>>(scene, samples, own, rays.light_set(), exact, cover);
+    trace_in_double(scene, samples, own, rays.light_set(), exact, cover);
     for (std::size_t i = 0; i < samples.count; ++i) {
       const auto at = static_cast<std::size_t>(samples.index[i]);
       colours.red[at] = static_cast<float>(exact.red[at]);

@@ -32,4 +32,9 @@
 #include "engine/kernel/simd/eye-inl.h"
 #include "engine/kernel/simd/candidates-inl.h"
 #include "engine/kernel/simd/resolve-inl.h"
+#include "engine/kernel/simd/pixel_candidates-inl.h"
+#include "engine/kernel/simd/beyond_range-inl.h"
+#include "engine/kernel/simd/store-inl.h"
+#include "engine/kernel/simd/render_tile-inl.h"
+#include "engine/kernel/simd/sample_pixels-inl.h"
 // clang-format on

@@ -1,20 +1,9 @@
-#include "engine/kernel/simd/render_tile.h"
-
-#include "engine/kernel/this_machine.h"
-#include "engine/lights/light_places.h"
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/kernel/simd/render_tile.cpp"  // this file, once per target
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+// Tiles of an image: all samples of a block's pixels.
 
 #include <algorithm>
 
-#include "engine/kernel/simd/kernel-inl.h"
-
-// After what they build on.
-#include "engine/kernel/simd/beyond_range-inl.h"
-#include "engine/kernel/simd/store-inl.h"
+#include "engine/kernel/simd/render_tile.h"
+#include "engine/lights/light_places.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -330,43 +319,5 @@ TracedTile render_blocks(const PacketScene<T>& scene, const SamplePattern& patte
   return traced;
 }
 
-TracedTile render_single(const PacketScene<float>& scene, const SamplePattern& pattern,
-                         Transfer transfer, const Tile& tile, const Canvas& canvas,
-                         const TileErrors& errors) {
-  return render_blocks(scene, pattern, transfer, tile, canvas, errors);
-}
-
-TracedTile render_double(const PacketScene<double>& scene, const SamplePattern& pattern,
-                         Transfer transfer, const Tile& tile, const Canvas& canvas,
-                         const TileErrors& errors) {
-  return render_blocks(scene, pattern, transfer, tile, canvas, errors);
-}
-
 }  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-namespace raytracer {
-namespace {
-
-HWY_EXPORT(render_single);
-HWY_EXPORT(render_double);
-
-}  // namespace
-
-TracedTile render_tile(const PacketScene<float>& scene, const SamplePattern& pattern,
-                       Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas, const TileErrors& errors) {
-  return HWY_DISPATCH_TABLE(render_single)[dispatch_index(target)](scene, pattern, transfer, tile,
-                                                                   canvas, errors);
-}
-
-TracedTile render_tile(const PacketScene<double>& scene, const SamplePattern& pattern,
-                       Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas, const TileErrors& errors) {
-  return HWY_DISPATCH_TABLE(render_double)[dispatch_index(target)](scene, pattern, transfer, tile,
-                                                                   canvas, errors);
-}
-
-}  // namespace raytracer
-#endif  // HWY_ONCE

@@ -1,18 +1,10 @@
-#include "engine/kernel/simd/sample_pixels.h"
-
-#include "engine/kernel/this_machine.h"
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/kernel/simd/sample_pixels.cpp"  // this file, once per target
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+// Single pixels of a block, whose samples are traced side by side.
 
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
 
-#include "engine/kernel/simd/kernel-inl.h"
-#include "engine/kernel/simd/pixel_candidates-inl.h"
+#include "engine/kernel/simd/sample_pixels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -227,41 +219,5 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
                   sums.is_number[i]};
 }
 
-void sample_single(const PacketScene<float>& scene, const SamplePattern& pattern, Transfer transfer,
-                   const BlockPixels& pixels, SampledPixel* results) {
-  sample_block(scene, pattern, transfer, pixels, results);
-}
-
-void sample_double(const PacketScene<double>& scene, const SamplePattern& pattern,
-                   Transfer transfer, const BlockPixels& pixels, SampledPixel* results) {
-  sample_block(scene, pattern, transfer, pixels, results);
-}
-
 }  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-namespace raytracer {
-namespace {
-
-HWY_EXPORT(sample_single);
-HWY_EXPORT(sample_double);
-
-}  // namespace
-
-void sample_pixels(const PacketScene<float>& scene, const SamplePattern& pattern, Transfer transfer,
-                   const BlockPixels& pixels, std::int64_t target,
-                   std::span<SampledPixel> results) {
-  HWY_DISPATCH_TABLE(sample_single)
-  [dispatch_index(target)](scene, pattern, transfer, pixels, results.data());
-}
-
-void sample_pixels(const PacketScene<double>& scene, const SamplePattern& pattern,
-                   Transfer transfer, const BlockPixels& pixels, std::int64_t target,
-                   std::span<SampledPixel> results) {
-  HWY_DISPATCH_TABLE(sample_double)
-  [dispatch_index(target)](scene, pattern, transfer, pixels, results.data());
-}
-
-}  // namespace raytracer
-#endif  // HWY_ONCE

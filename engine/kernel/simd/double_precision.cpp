@@ -1,0 +1,56 @@
+// The kernels in double precision, once for each set of instructions.
+#include "engine/kernel/simd/render_tile.h"
+#include "engine/kernel/simd/sample_pixels.h"
+#include "engine/kernel/this_machine.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/kernel/simd/double_precision.cpp"  // this file, once per target
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "engine/kernel/simd/kernel-inl.h"
+#include "engine/kernel/simd/trace_in_double-inl.h"  // after what it builds on
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer::HWY_NAMESPACE {
+namespace {
+
+TracedTile render(const PacketScene<double>& scene, const SamplePattern& pattern, Transfer transfer,
+                  const Tile& tile, const Canvas& canvas, const TileErrors& errors) {
+  return render_blocks(scene, pattern, transfer, tile, canvas, errors);
+}
+
+void sample(const PacketScene<double>& scene, const SamplePattern& pattern, Transfer transfer,
+            const BlockPixels& pixels, SampledPixel* results) {
+  sample_block(scene, pattern, transfer, pixels, results);
+}
+
+}  // namespace
+}  // namespace raytracer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace raytracer {
+namespace {
+
+HWY_EXPORT(render);
+HWY_EXPORT(sample);
+
+}  // namespace
+
+TracedTile render_tile(const PacketScene<double>& scene, const SamplePattern& pattern,
+                       Transfer transfer, const Tile& tile, std::int64_t target,
+                       const Canvas& canvas, const TileErrors& errors) {
+  return HWY_DISPATCH_TABLE(render)[dispatch_index(target)](scene, pattern, transfer, tile, canvas,
+                                                            errors);
+}
+
+void sample_pixels(const PacketScene<double>& scene, const SamplePattern& pattern,
+                   Transfer transfer, const BlockPixels& pixels, std::int64_t target,
+                   std::span<SampledPixel> results) {
+  HWY_DISPATCH_TABLE(sample)
+  [dispatch_index(target)](scene, pattern, transfer, pixels, results.data());
+}
+
+}  // namespace raytracer
+#endif  // HWY_ONCE
