@@ -170,7 +170,7 @@ inline void add_followers(const PackedScene& scene, const WeightedRay& before,
                           const SurfacePoint& point, const PointShading& shading,
                           std::vector<WeightedRay>& rays) {
   // Where rays branch those that count for nothing are left out.
-  const double least_weight = scene.transmits ? 0x1p-14 : 0;
+  const double least_weight = scene.transmits ? least_ray_weight : 0;
   const Material& material = shading.material;
   const Vec3& direction = before.ray.direction;
   const auto add = [&](const SurfacePoint& from, const Vec3& towards, double share) {

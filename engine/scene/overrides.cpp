@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/math/ray.h"
+
 namespace raytracer {
 namespace {
 
@@ -45,10 +47,10 @@ void check_fields(const Structure& structure, const Path& path, ErrorList& error
 }
 
 /// The most rays that a sample may take: each may be followed by one, or by two where a surface
-/// both mirrors and lets through. All of one depth have a weight together, of which each has at
-/// least the 2^14th part of 1, or it is left out.
+/// both mirrors and lets through. All of one depth have a weight together, of which each has the
+/// least at least, or it is left out.
 double most_rays(const Scene& scene) {
-  constexpr double most_of_one = 0x1p14;
+  constexpr double most_of_one = 1 / least_ray_weight;
   bool is_followed = false;
   bool branches = false;
   double weight = 0;
