@@ -226,7 +226,8 @@ class MeshImport {
 
 }  // namespace
 
-Reading import_meshes(MeshFormat format, const std::string& path, std::string_view text) {
+void raytracer_import_meshes(MeshFormat format, const std::string& path, std::string_view text,
+                             Reading& reading) {
   Assimp::Importer importer;
   const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
   const aiScene* const scene =
@@ -242,7 +243,7 @@ Reading import_meshes(MeshFormat format, const std::string& path, std::string_vi
   import.count_omissions();
   if (import.has_faces() && !importer.ApplyPostProcessing(aiProcess_PreTransformVertices))
     throw refuse();
-  return std::move(import).read();
+  reading = std::move(import).read();
 }
 
 }  // namespace raytracer::client
