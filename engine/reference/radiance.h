@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -38,13 +39,13 @@ inline PointShading shading_at(const PackedScene& scene, const SurfacePoint& poi
   PointShading shading{point.normal, scene.material_of(point.id)};
   const CornerValues* const values = scene.corner_values_of(point.id);
   if (values == nullptr) return shading;
-  const auto interpolated = [&](const std::vector<Vec3>& of) {
-    const auto [a, b, c] = values->of(of, point.id.item);
-    return point.weights.x * a + point.weights.y * b + point.weights.z * c;
+  const auto interpolated = [&](const std::array<Vec3, 3>& of) {
+    return point.weights.x * of[0] + point.weights.y * of[1] + point.weights.z * of[2];
   };
-  if (!values->colors.empty()) shading.material.color = interpolated(values->colors);
+  if (!values->colors.empty())
+    shading.material.color = interpolated(values->of(values->colors, point.id.item));
   if (values->normals.empty()) return shading;
-  const Vec3 normal = unit(interpolated(values->normals));
+  const Vec3 normal = unit(interpolated(values->normals_of(point.id.item)));
   if (normal != Vec3{}) shading.normal = point.is_inside ? -normal : normal;
   return shading;
 }
