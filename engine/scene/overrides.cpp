@@ -78,6 +78,17 @@ double most_rays(const Scene& scene) {
   return rays;
 }
 
+/// The rays of a sample; those that surfaces split count by their weight together, which grows
+/// only where a surface gives back more than it receives.
+double weighed_rays(const Scene& scene) {
+  double weight = 0;
+  for (const Material& m : scene.materials)
+    weight = std::max(weight, m.reflectivity + m.transparency);
+  if (weight == 0) return 1;
+  const double rays = 1.0 + scene.render.max_depth;
+  return weight <= 1 ? rays : (std::pow(weight, rays) - 1) / (weight - 1);
+}
+
 }  // namespace
 
 Result<Scene> view_scene(const Scene& scene, const Limits& limits, const Overrides& overrides) {
@@ -127,8 +138,13 @@ void check_view_limits(const Scene& scene, const Limits& limits, ErrorList& erro
                  limits, camera, errors);
   demand_at_most(scene.render.samples.value_or(1), &Limits::samples, limits,
                  render.child("samples"), errors);
-  demand_at_most(count_rays(scene, scene.render.samples.value_or(1)), &Limits::work, limits, render,
+  demand_at_most(work_of(scene, scene.render.samples.value_or(1)), &Limits::work, limits, render,
                  errors);
+}
+
+double work_of(const Scene& scene, int samples) {
+  return static_cast<double>(scene.camera.width) * scene.camera.height * samples *
+         weighed_rays(scene);
 }
 
 double count_rays(const Scene& scene, int samples) {

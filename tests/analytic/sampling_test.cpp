@@ -217,6 +217,28 @@ TEST(Contract, of_accuracy_is_kept_where_stars_are_smaller_than_pixels) {
   }
 }
 
+/// Each ray in glass may be two, of which a limit that counted all left no second sample.
+TEST(Contract, of_accuracy_is_kept_where_rays_branch_often) {
+  json text = two_balls_on_a_plane();
+  text["objects"][0]["material"] = {{"transparency", 1}, {"fresnel", true}};
+  constexpr int width = 100;
+  constexpr int height = 75;
+  text["camera"]["width"] = width;
+  text["camera"]["height"] = height;
+  constexpr int depth = 12;
+  constexpr int most = 64;
+  text["render"] = {{"target_rmse", 0.01}, {"max_depth", depth}};
+  WorkerPool pool(2);
+  RenderProgress progress;
+  const Limits limits{.work = width * height * (1 + depth) * most};
+  const Rendering rendering = render(scene_of(text), limits, pool, progress);
+  EXPECT_EQ(rendering.stop, Stop::target);
+  text["render"] = {{"samples", 1024}, {"max_depth", depth}};
+  RenderProgress again;
+  const Image exact = render(scene_of(text), Limits{}, pool, again).image;
+  EXPECT_LE(rmse(rendering.image, exact), 0.01);
+}
+
 /// With fewer samples than can be compared there is one estimate for one image, and no target that
 /// is said to be reached.
 TEST(Contract, of_few_samples_does_not_pretend) {
