@@ -152,11 +152,11 @@ Cluster Api::cluster() {
   try {
     const json& tasks = answer.at("tasks");
     Cluster cluster{{}, tasks.at("waiting"), tasks.at("running"), answer.at("redelivered")};
-    for (const json& worker : answer.at("workers"))
-      cluster.members.push_back({worker.at("name"), worker.at("build"),
-                                 worker.at("instruction_set"), worker.at("threads"),
-                                 worker.at("tasks_done"), worker.at("last_heard_s"),
-                                 worker.at("works")});
+    for (const bool works : {true, false})
+      for (const json& member : answer.at(works ? "workers" : "fronts"))
+        cluster.members.push_back({member.at("name"), member.at("build"),
+                                   member.at("instruction_set"), member.at("threads"),
+                                   member.at("tasks_done"), member.at("last_heard_s"), works});
     return cluster;
   } catch (const json::exception& error) {
     throw ServerError(fmt::format("{}: the answer to GET /cluster cannot be read: {}",
