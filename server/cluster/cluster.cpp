@@ -105,7 +105,7 @@ BasicRendering<Channel> Cluster::render(const SceneView& view, const httplib::Pa
                                         const TaskCut& cut, RenderProgress& progress,
                                         Sharing& sharing) {
   constexpr std::chrono::milliseconds longest_silence{250};
-  const auto waiter = parts_.admission.add_waiter();
+  const auto waiter = parts_.admission.add_waiter(progress);
   const JobRecord record = jobs_.begin_render(view, query, cut, sizeof(Channel) == 1);
   struct AtEnd {
     ClusterStore& store;
