@@ -5,13 +5,16 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <ostream>
 #include <stdexcept>
 
 namespace raytracer::extremes {
 
-std::vector<Extreme> all_extremes() {
+namespace {
+
+std::vector<Extreme> extremes_in(const std::filesystem::path& directory) {
   std::vector<Extreme> extremes;
-  for (const auto& entry : std::filesystem::directory_iterator(EXTREMES_DIRECTORY)) {
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
     std::ifstream file(entry.path(), std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     Result<Scene> scene = read_scene(text, Limits{});
@@ -24,6 +27,19 @@ std::vector<Extreme> all_extremes() {
   std::sort(extremes.begin(), extremes.end(),
             [](const Extreme& a, const Extreme& b) { return a.name < b.name; });
   return extremes;
+}
+
+}  // namespace
+
+// NOLINTNEXTLINE(readability-identifier-naming)
+void PrintTo(const Extreme& extreme, std::ostream* out) { *out << extreme.name; }
+
+std::vector<Extreme> all_extremes() {
+  return extremes_in(std::filesystem::path(EXTREMES_DIRECTORY) / "scenes");
+}
+
+std::vector<Extreme> soft_extremes() {
+  return extremes_in(std::filesystem::path(EXTREMES_DIRECTORY) / "soft");
 }
 
 Image render_as(Scene scene, Precision precision, WorkerPool& pool) {

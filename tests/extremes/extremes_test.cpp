@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ostream>
 
 #include "engine/kernel/this_machine.h"
 #include "engine/plan/plan.h"
@@ -11,10 +10,6 @@
 #include "tests/support/scene_plan.h"
 
 namespace raytracer::extremes {
-
-// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
-void PrintTo(const Extreme& extreme, std::ostream* out) { *out << extreme.name; }
-
 namespace {
 
 Scene smaller(Scene scene) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace raytracer::extremes {
@@ -63,6 +65,62 @@ Quad Oracle::visible_share(const OraclePlace& place, const QuadVec& towards, Qua
   return share;
 }
 
+namespace {
+
+constexpr int strata_across = 16;
+
+/// The middles of cells of equal area in the unit disc: their radii and angles, by index.
+struct DiscPlace {
+  Quad x;
+  Quad y;
+};
+DiscPlace disc_place(int index) {
+  const int ring = index / strata_across;
+  const int sector = index % strata_across;
+  const double radius = std::sqrt((ring + 0.5) / strata_across);
+  const double angle = 2 * std::numbers::pi * (sector + 0.5) / strata_across;
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+constexpr int place_count = strata_across * strata_across;
+
+/// Two unit vectors across a third.
+struct Across {
+  explicit Across(const QuadVec& v)
+      : first(unit(cross(stand_in_for_up(v), v))), second(cross(v, first)) {}
+  QuadVec at(const DiscPlace& place) const { return first * place.x + second * place.y; }
+
+  QuadVec first;
+  QuadVec second;
+};
+
+}  // namespace
+
+Quad Oracle::visible_share_of_disc(const OraclePlace& place, const QuadVec& centre, bool is_near,
+                                   Quad radius) const {
+  if (radius == 0) return visible_share(place, unit(centre), is_near ? length(centre) : Quad(0));
+  const Across across(unit(centre));
+  Quad sum = 0;
+  for (int i = 0; i < place_count; ++i) {
+    const QuadVec path = centre + across.at(disc_place(i)) * radius;
+    const QuadVec towards = unit(path);
+    if (dot(place.normal, towards) > 0)
+      sum += visible_share(place, towards, is_near ? length(path) : Quad(0));
+  }
+  return sum / place_count;
+}
+
+Quad Oracle::visible_share_of_sky(const OraclePlace& place, Quad reach) const {
+  const QuadVec& normal = place.shading_normal();
+  const Across across(normal);
+  Quad sum = 0;
+  for (int i = 0; i < place_count; ++i) {
+    const DiscPlace at = disc_place(i);
+    const QuadVec towards = across.at(at) + normal * square_root(1 - at.x * at.x - at.y * at.y);
+    if (dot(place.normal, towards) > 0) sum += visible_share(place, unit(towards), reach);
+  }
+  return sum / place_count;
+}
+
 QuadVec Oracle::shade(const OraclePlace& place, const QuadVec& view) const {
   const Material& m = material_of(place);
   const Quad ambient = static_cast<Quad>(m.ka) * scene_.ambient;
@@ -73,29 +131,39 @@ QuadVec Oracle::shade(const OraclePlace& place, const QuadVec& view) const {
   const QuadVec& normal = place.shading_normal();
   if (!brings_ambient) sum = {ambient * color[0], ambient * color[1], ambient * color[2]};
   for (const Light& light : scene_.lights) {
-    QuadVec towards;
-    Quad distance = 0;  // infinite
     Quad share = light.intensity;
-    if (const auto* distant = std::get_if<DistantLight>(&light.source)) {
-      towards = unit(QuadVec(distant->direction)) * Quad(-1);
+    Quad direct = 0;
+    if (const auto* sky = std::get_if<SkyLight>(&light.source)) {
+      const Quad open = visible_share_of_sky(
+          place, std::isfinite(sky->reach) ? static_cast<Quad>(sky->reach) : Quad(0));
+      if (!(open > 0)) continue;
+      direct = open * m.kd * share;
     } else {
-      const auto& point = std::get<PointLight>(light.source);
-      const QuadVec path = relative(point.position, scene_.camera.origin) - place.point;
-      distance = length(path);
-      if (distance == 0) continue;
-      towards = unit(path);
-      if (point.falloff == Falloff::inverse_square)
-        share = share / (4 * pi() * distance * distance);
+      QuadVec centre;
+      Quad radius = 0;
+      const auto* point = std::get_if<PointLight>(&light.source);
+      if (point) {
+        centre = relative(point->position, scene_.camera.origin) - place.point;
+        if (dot(centre, centre) == 0) continue;
+        radius = point->radius;
+        if (point->falloff == Falloff::inverse_square)
+          share = share / (4 * pi() * dot(centre, centre));
+      } else {
+        const auto& distant = std::get<DistantLight>(light.source);
+        centre = unit(QuadVec(distant.direction)) * Quad(-1);
+        radius = std::tan(distant.angle / 2);
+      }
+      const QuadVec towards = unit(centre);
+      const Quad incidence = dot(normal, towards);
+      if (!(incidence > 0 && (radius > 0 || dot(place.normal, towards) > 0))) continue;
+      const Quad visible = visible_share_of_disc(place, centre, point != nullptr, radius);
+      if (!(visible > 0)) continue;
+      const QuadVec half = unit(towards + view);
+      direct =
+          visible *
+          (m.kd * incidence + m.ks * static_cast<Quad>(power(dot(half, normal), m.shininess))) *
+          share;
     }
-    const Quad incidence = dot(normal, towards);
-    if (!(incidence > 0 && dot(place.normal, towards) > 0)) continue;
-    const Quad visible = visible_share(place, towards, distance);
-    if (!(visible > 0)) continue;
-    const QuadVec half = unit(towards + view);
-    const Quad direct =
-        visible *
-        (m.kd * incidence + m.ks * static_cast<Quad>(power(dot(half, normal), m.shininess))) *
-        share;
     const std::array<double, 3> light_color{light.color.x, light.color.y, light.color.z};
     for (std::size_t c = 0; c < 3; ++c)
       sum[c] += color[c] * (direct * light_color[c] + (brings_ambient ? ambient : Quad(0)));
