@@ -85,6 +85,24 @@ HWY_INLINE M occluded_by_kind(D d, const Geometry<Kind, T>& geometry, const Pack
   return occluded_by(d, geometry, light, rays, lit);
 }
 
+/// The same before the end of an axis that each lane looks to.
+template <class D, class Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by_kind(D d, const Geometry<Kind, T>& geometry, const LightAxis<D>& axis,
+                              const ShadowRays<V>& rays, M lit) {
+  constexpr bool knows_axes = requires { occluded_by(d, geometry, axis, rays, lit); };
+  if constexpr (knows_axes)
+    if (geometry.finder(RayKind::to_distant_light) != Finder::tree)
+      return occluded_by(d, geometry, axis, rays, lit);
+  M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
+  const M there = hn::AndNot(axis.opposite_lanes, lit);
+  if (!hn::AllFalse(d, there)) dark = occluded_by_kind(d, geometry, axis.light, rays, there);
+  const M opposite = hn::And(axis.opposite_lanes, lit);
+  if (!hn::AllFalse(d, opposite))
+    dark = hn::Or(dark, occluded_by_kind(d, geometry, *axis.opposite, rays, opposite));
+  return dark;
+}
+
 /// Lanes of `lit` from which something of one kind stands nearer than `distance`.
 template <class D, class Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
@@ -112,9 +130,10 @@ HWY_INLINE M occluded_followed(D d, const PacketScene<T>& scene, const ShadowRay
   return dark;
 }
 
-/// Lanes of `lit` from which something stands before the light.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M occluded(D d, const PacketScene<T>& scene, const PacketLight<T>& light,
+/// Lanes of `lit` from which something stands before a light, or the end of an axis.
+template <class D, class Light, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE M occluded(D d, const PacketScene<T>& scene, const Light& light,
                       const ShadowRays<V>& rays, M lit) {
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
   for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {

@@ -10,6 +10,7 @@
 #include "engine/packets/flat-inl.h"
 #include "engine/finders/cells-inl.h"
 #include "engine/finders/light_grid-inl.h"
+#include "engine/finders/window-inl.h"
 #include "engine/finders/point_grid-inl.h"
 #include "engine/finders/tree_walk-inl.h"
 #include "engine/finders/tree-inl.h"

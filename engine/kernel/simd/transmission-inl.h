@@ -110,7 +110,8 @@ class LightThroughSurfaces {
  public:
   HWY_INLINE LightThroughSurfaces(D d, V depth) : depth_(depth), share_(hn::Set(d, T(1))) {}
 
-  HWY_INLINE M reached(D d, const PacketScene<T>& scene, const PacketLight<T>& light,
+  template <class Light>
+  HWY_INLINE M reached(D d, const PacketScene<T>& scene, const Light& light,
                        const ShadowRays<V>& rays, M lit) {
     const M inside = hn::And(lit, hn::Gt(depth_, hn::Zero(d)));
     const M outside = hn::AndNot(inside, lit);
