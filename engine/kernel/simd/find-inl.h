@@ -1,6 +1,7 @@
 // What packets hit, and what hides lights from them: which finder takes which rays to each kind of
 // object, as the plan has chosen.
 
+#include <array>
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
@@ -129,6 +130,47 @@ HWY_INLINE M occluded_followed(D d, const PacketScene<T>& scene, const ShadowRay
   });
   return dark;
 }
+
+/// What may stand between a packet's points and a light, of each kind that a tree finds.
+template <typename T>
+class LightCandidates {
+ public:
+  /// None if nobody asks for them.
+  HWY_NOINLINE LightCandidates(const PacketScene<T>& scene, const Shaft<T>& shaft,
+                               bool is_searched) {
+    if (!is_searched) return;
+    for_each_geometry(scene,
+                      [&]<class Kind>(const Geometry<Kind, T>& geometry) RAYTRACER_INLINE_ATTR {
+                        if constexpr (Kind::search == Search::bounded)
+                          if (geometry.finder(RayKind::followed) == Finder::tree)
+                            kinds_[kind_index<Kind>].find(EightTag<T>(), geometry.tree, shaft);
+                      });
+  }
+
+  /// As occluded_followed(), of rays inside the shaft.
+  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+  HWY_INLINE M occluded(D d, const PacketScene<T>& scene, const ShadowRays<V>& rays, M lit) const {
+    const V distance = hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>));
+    M dark = hn::AndNot(lit, lit);
+    for_each_geometry(
+        scene, [&]<class Kind>(const Geometry<Kind, T>& geometry) RAYTRACER_INLINE_ATTR {
+          const M rest = hn::AndNot(dark, lit);
+          if constexpr (Kind::search == Search::bounded) {
+            const ShaftCandidates& candidates = kinds_[kind_index<Kind>];
+            if (geometry.finder(RayKind::followed) == Finder::tree && candidates.is_complete) {
+              dark = hn::Or(dark, occluded_by_candidates(d, geometry.tree, candidates, rays.from,
+                                                         rays.towards, distance, rest));
+              return;
+            }
+          }
+          dark = hn::Or(dark, stands_nearer(d, geometry, rays.from, rays.towards, distance, rest));
+        });
+    return dark;
+  }
+
+ private:
+  std::array<ShaftCandidates, ObjectKinds::count> kinds_;
+};
 
 /// Lanes of `lit` from which something stands before a light, or the end of an axis.
 template <class D, class Light, class V = hn::Vec<D>, class M = hn::Mask<D>,

@@ -14,6 +14,7 @@
 #include "engine/finders/point_grid-inl.h"
 #include "engine/finders/tree_walk-inl.h"
 #include "engine/finders/tree-inl.h"
+#include "engine/finders/shaft-inl.h"
 #include "engine/lights/lights-inl.h"
 #include "engine/materials/materials-inl.h"
 #include "engine/objects/items-inl.h"

@@ -5,6 +5,8 @@ namespace raytracer::HWY_NAMESPACE {
 
 /// What stands before a light where no surface lets any through: that hides it.
 struct OpaqueSurfaces {
+  static constexpr bool hides_all = true;
+
   /// Lanes of `lit` that the light reaches.
   template <class D, class Light, class V = hn::Vec<D>, class M = hn::Mask<D>,
             typename T = hn::TFromD<D>>

@@ -50,6 +50,9 @@ class SoftLightOnPacket {
         sum = hn::Add(sum, share_along(soft.directions[i], nullptr, none,
                                        broadcast(d_, soft.directions[i].place), lit));
     } else {
+      const Shaft<T> shaft(box_, soft.light.place, soft.size);
+      const bool is_searched = Between::hides_all && scene_.shadows != Shadows::off;
+      const LightCandidates<T> candidates(scene_, shaft, is_searched);
       const AcrossPackets<V> around(d_, middle.towards);
       const V3<V> path = scale(middle.towards, middle.path);
       for (std::size_t i = first; i < first + soft.per_set; ++i) {
@@ -57,7 +60,11 @@ class SoftLightOnPacket {
         const V along = hn::Set(d_, soft.places[i].y * soft.size);
         const V3<V> to = mul_add(around.first, across, mul_add(around.second, along, path));
         const V distance = hn::Sqrt(dot(to, to));
-        sum = hn::Add(sum, share_along(unit(d_, to), distance, lit));
+        const V3<V> towards = unit(d_, to);
+        if constexpr (Between::hides_all)
+          sum = hn::Add(sum, share_along(towards, distance, lit, candidates));
+        else
+          sum = hn::Add(sum, share_along(towards, distance, lit));
       }
     }
     return hn::Mul(sum, hn::Set(d_, T(1) / static_cast<T>(soft.per_set)));
@@ -101,8 +108,8 @@ class SoftLightOnPacket {
     const V far_away = hn::Set(d_, std::numeric_limits<T>::max());
     const V3<V> towards = select(opposites, negate(axis), axis);
     const ShadowRays<V> rays{surface_.at, towards, far_away, above};
-    lit = between_.reached(d_, scene_, LightAxis<D>{direction, opposite, opposites, box_}, rays,
-                           lit);
+    lit =
+        between_.reached(d_, scene_, LightAxis<D>{direction, opposite, opposites, box_}, rays, lit);
     return hn::IfThenElseZero(lit, between_.weakened(one));
   }
   /// From wherever each lane's ray goes.
@@ -113,6 +120,18 @@ class SoftLightOnPacket {
     if (hn::AllFalse(d_, lit)) return hn::Zero(d_);
     return between_.share_along(d_, scene_, ShadowRays<V>{surface_.at, towards, distance, above},
                                 lit);
+  }
+
+  /// The same where candidates hide all that they stand before.
+  HWY_INLINE V share_along(const V3<V>& towards, V distance, M lit,
+                           const LightCandidates<T>& candidates) const {
+    const V above = dot(surface_.at.normal, towards);
+    lit = hn::And(lit, hn::Gt(above, hn::Zero(d_)));
+    if (scene_.shadows != Shadows::off)
+      lit = hn::AndNot(candidates.occluded(
+                           d_, scene_, ShadowRays<V>{surface_.at, towards, distance, above}, lit),
+                       lit);
+    return hn::IfThenElseZero(lit, hn::Set(d_, T(1)));
   }
 
   D d_;

@@ -108,6 +108,8 @@ HWY_NOINLINE V transmitted_share(D d, const PacketScene<T>& scene, const ShadowR
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 class LightThroughSurfaces {
  public:
+  static constexpr bool hides_all = false;
+
   HWY_INLINE LightThroughSurfaces(D d, V depth) : depth_(depth), share_(hn::Set(d, T(1))) {}
 
   template <class Light>

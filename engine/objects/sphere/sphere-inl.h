@@ -126,6 +126,12 @@ HWY_INLINE M intersect(D d, const Spheres<V>& spheres, const TreeRays<V, Origin>
   return intersect(d, spheres, rays.from, rays.direction, active, t);
 }
 
+/// What finders/shaft-inl.h may ask for: lanes whose spheres the shaft may touch.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE hn::Mask<D> may_touch(D d, const Spheres<V>& spheres, const Shaft<T>& shaft) {
+  return shaft.may_touch(d, spheres.center, hn::Sqrt(hn::Max(spheres.radius2, hn::Zero(d))));
+}
+
 /// The packet against one sphere.
 template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
@@ -199,9 +205,9 @@ template <typename T>
 struct AxisDiscTest {
   using Caster = SphereDisc<T>;
   enum Value : std::size_t { u, v, w, id, side, size };  // side: 1 where the light is, -1 opposite
-  const PlaneWindow<T>& window;  ///< of all points
-  T above;                       ///< towards the light only what is beyond this hides a point
-  T below;                       ///< opposite, likewise
+  const PlaneWindow<T>& window;                          ///< of all points
+  T above;  ///< towards the light only what is beyond this hides a point
+  T below;  ///< opposite, likewise
 
   template <class D, class Get, class V = hn::Vec<D>>
   HWY_INLINE hn::Mask<D> operator()(D d, const Get& get, const V (&point)[size]) const {
@@ -224,10 +230,9 @@ struct AxisDiscTest {
     const V du = beside(Caster::column_u, window.u, window.half_u);
     const V dv = beside(Caster::column_v, window.v, window.half_v);
     const V at_w = get(Caster::column_w);
-    const auto is_ahead =
-        hn::Or(hn::Gt(at_w, hn::Set(d, above)), hn::Lt(at_w, hn::Set(d, below)));
-    return hn::And(is_ahead, hn::Le(hn::MulAdd(du, du, hn::Mul(dv, dv)),
-                                    get(Caster::column_radius2)));
+    const auto is_ahead = hn::Or(hn::Gt(at_w, hn::Set(d, above)), hn::Lt(at_w, hn::Set(d, below)));
+    return hn::And(is_ahead,
+                   hn::Le(hn::MulAdd(du, du, hn::Mul(dv, dv)), get(Caster::column_radius2)));
   }
 };
 
