@@ -26,8 +26,8 @@ define test_in
 	$(3) ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
 endef
 
-.PHONY: all test check sanitize tsan bench tradeoff extremes contracts kernels fuzz cluster-simulation load soak chaos install \
-  clean help
+.PHONY: all test check sanitize tsan bench tradeoff extremes contracts kernels fuzz cluster-simulation \
+  cluster-figures load soak chaos install clean help
 
 all:
 	$(call configure,build)
@@ -133,6 +133,14 @@ cluster-simulation:
 	build/raytracer_cluster_simulation $(cluster_runs)/few-samples.json $(cluster_runs)/many-samples.json \
 	  --svg $(cluster_runs)/efficiency.svg
 
+# How a cluster on this machine does, beside servers alone and when its parts are killed.
+cluster_figures = speed latency failures balanced
+cluster-figures:
+	.ci/install build test cluster
+	$(call configure,build,-DRAYTRACER_TESTS=ON)
+	@cmake --build build --parallel $(JOBS) --target $(cluster_figures:%=raytracer_cluster_%)
+	@set -e; for what in $(cluster_figures); do build/raytracer_cluster_$$what; echo; done
+
 load: all
 	.ci/install build load
 	@tests/measure/load/run build
@@ -173,6 +181,7 @@ help:
 	@echo "make extremes  scenes at the extremes against exact pictures, other renderers beside it"
 	@echo "make fuzz      a minute each of random documents, scenes and files, with libFuzzer"
 	@echo "make cluster-simulation  how far many machines go, from what tasks cost here"
+	@echo "make cluster-figures  a cluster here beside servers alone, and what it takes when parts are killed"
 	@echo "make load      small pictures a second against /healthz, with wrk"
 	@echo "make soak      ten minutes of mixed traffic: no memory, thread or descriptor is lost"
 	@echo "make chaos     a cluster whose parts are killed (ROUNDS=$(ROUNDS) SEED=$(SEED)): is every job done, and right?"

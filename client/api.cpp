@@ -62,9 +62,14 @@ struct Api::Connection {
                          int expected_status, const httplib::Headers& headers = {}) {
     interrupts.check();
     const std::string target = with_query(path, query);
+    // In pieces: httplib would copy a body.
+    const auto write = [&](std::size_t begin, std::size_t count, httplib::DataSink& sink) {
+      return sink.write(scene.text.data() + begin, count);
+    };
     const httplib::Result result =
-        query.contains("scene") ? client.Post(target, headers)
-                                : client.Post(target, headers, scene.text, "application/json");
+        query.contains("scene")
+            ? client.Post(target, headers)
+            : client.Post(target, headers, scene.text.size(), write, "application/json");
     interrupts.check();
     if (result.error() == httplib::Error::Write)
       throw ServerError(fmt::format(
@@ -152,11 +157,11 @@ Cluster Api::cluster() {
   try {
     const json& tasks = answer.at("tasks");
     Cluster cluster{{}, tasks.at("waiting"), tasks.at("running"), answer.at("redelivered")};
-    for (const json& worker : answer.at("workers"))
-      cluster.members.push_back({worker.at("name"), worker.at("build"),
-                                 worker.at("instruction_set"), worker.at("threads"),
-                                 worker.at("tasks_done"), worker.at("last_heard_s"),
-                                 worker.at("works")});
+    for (const bool works : {true, false})
+      for (const json& member : answer.at(works ? "workers" : "fronts"))
+        cluster.members.push_back({member.at("name"), member.at("build"),
+                                   member.at("instruction_set"), member.at("threads"),
+                                   member.at("tasks_done"), member.at("last_heard_s"), works});
     return cluster;
   } catch (const json::exception& error) {
     throw ServerError(fmt::format("{}: the answer to GET /cluster cannot be read: {}",
@@ -207,7 +212,7 @@ std::string Api::job_result(const std::string& id) {
   return connection_->get("/jobs/" + id + "/result").body;
 }
 
-void Api::pause(std::chrono::milliseconds duration) { connection_->interrupts.sleep(duration); }
+void Api::pause(std::chrono::microseconds duration) { connection_->interrupts.sleep(duration); }
 
 void Api::delete_job(const std::string& id) noexcept {
   try {

@@ -92,7 +92,7 @@ class Api {
   /// What a job that is no render has made, a JSON text.
   std::string job_result(const std::string& id);
   /// Waits between two questions.
-  void pause(std::chrono::milliseconds duration);
+  void pause(std::chrono::microseconds duration);
   /// Best effort, even after an interruption: throws nothing.
   void delete_job(const std::string& id) noexcept;
 

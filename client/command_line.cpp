@@ -94,7 +94,7 @@ void add_picture_options(CLI::App& command, Overrides& overrides) {
   add_override<int>(command, overrides, "--height", "H", "Image height in pixels")
       ->check(CLI::Range(1, most));
   add_override<int>(command, overrides, "--max-depth", "N",
-                    "Maximum number of reflections of a ray")
+                    "Maximum number of reflections and refractions of a ray")
       ->check(CLI::Range(0, most));
   add_override<std::string>(command, overrides, "--transfer", "linear|srgb",
                             "Transfer function of the image")

@@ -32,7 +32,7 @@ void Interrupts::check() const {
   if (signal_number_ != 0) throw Interrupted(signal_number_);
 }
 
-void Interrupts::sleep(std::chrono::milliseconds duration) const {
+void Interrupts::sleep(std::chrono::microseconds duration) const {
   std::unique_lock lock(mutex_);
   if (arrived_.wait_for(lock, duration, [this] { return signal_number_ != 0; }))
     throw Interrupted(signal_number_);

@@ -27,7 +27,7 @@ class Interrupts {
   void check() const;
 
   /// Waits; throws Interrupted as soon as a signal arrives.
-  void sleep(std::chrono::milliseconds duration) const;
+  void sleep(std::chrono::microseconds duration) const;
 
   /// What the first signal calls, on a thread of its own; nullptr for nothing. Returns when a call
   /// of the one before has ended.

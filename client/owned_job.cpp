@@ -10,7 +10,7 @@
 
 namespace raytracer::client {
 
-using std::chrono::milliseconds;
+using std::chrono::microseconds;
 
 void OwnedJob::wait(const std::string& doing) {
   ProgressBar bar;
@@ -19,11 +19,11 @@ void OwnedJob::wait(const std::string& doing) {
 }
 
 void OwnedJob::wait(const std::string& doing, const std::function<void(const Job&)>& show) {
-  milliseconds pause(10);
+  microseconds pause(1000);
   for (; job_.status == "queued" || job_.status == "running"; job_ = api_.job(job_.id)) {
     show(job_);
     api_.pause(pause);
-    pause = std::min(pause * 3 / 2, milliseconds(200));
+    pause = std::min(pause * 3 / 2, microseconds(200'000));
   }
   if (job_.status != "done")
     throw ServerError(fmt::format("{}: the server's job is {}{}{}", doing, job_.status,

@@ -79,7 +79,9 @@ void add_choice(Columns& columns, const std::string& name, const Json& choice) {
 
 void add_prediction(Columns& columns, const Json& prediction) {
   const auto number = [&](const char* key) {
-    return prediction.contains(key) ? fmt::format("{:.3g}", prediction.value(key, 0.0)) : "?";
+    if (!prediction.contains(key)) return std::string("?");
+    const double value = prediction.value(key, 0.0);
+    return value < 1000 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
   };
   columns.add("predicted time",
               fmt::format("{} ms to build, {} ms to trace on {} threads", number("build_ms"),

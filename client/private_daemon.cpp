@@ -36,8 +36,7 @@ using std::chrono::steady_clock;
 
 constexpr const char* daemon_name = "raytracer-server";
 constexpr milliseconds start_limit{15000};
-constexpr milliseconds stop_limit{2000};
-constexpr milliseconds pause{2};
+constexpr milliseconds pause{1};
 constexpr int not_found = 127;  // as shells say it
 
 /// Where the daemon is if it is beside the client's own executable; empty if the system does not
@@ -84,19 +83,17 @@ std::string describe(int wait_status) {
 
 }  // namespace
 
-PrivateDaemon::PrivateDaemon(const Interrupts& interrupts) : output_(std::tmpfile(), &std::fclose) {
+PrivateDaemon::PrivateDaemon() : output_(std::tmpfile(), &std::fclose) {
   if (!output_)
     throw ServerError(fmt::format("cannot make a temporary file: {}", std::strerror(errno)));
   start();
-  try {
-    wait_until_listening(interrupts);
-  } catch (...) {
-    stop();
-    throw;
-  }
 }
 
-PrivateDaemon::~PrivateDaemon() { stop(); }
+PrivateDaemon::~PrivateDaemon() {
+  if (has_ended()) return;
+  ::kill(pid_, SIGKILL);
+  ::waitpid(pid_, &wait_status_, 0);
+}
 
 void PrivateDaemon::start() {
   ::unsetenv("RAYTRACER_TOKEN");  // it would ask the client for one; the flags stand over the rest
@@ -111,17 +108,15 @@ void PrivateDaemon::start() {
     throw ServerError(fmt::format("cannot start {}: {}", daemon_name, std::strerror(errno)));
 }
 
-void PrivateDaemon::wait_until_listening(const Interrupts& interrupts) {
+std::string PrivateDaemon::wait_until_listening(const Interrupts& interrupts) {
   constexpr std::string_view greeting = "listening on ";
   const auto deadline = steady_clock::now() + start_limit;
   while (!has_ended() && steady_clock::now() < deadline) {
     const std::string said = last_words();
     const std::size_t begin = said.find(greeting);
     const std::size_t end = begin == said.npos ? said.npos : said.find('\n', begin);
-    if (end != said.npos) {
-      url_ = said.substr(begin + greeting.size(), end - begin - greeting.size());
-      return;
-    }
+    if (end != said.npos)
+      return said.substr(begin + greeting.size(), end - begin - greeting.size());
     interrupts.sleep(pause);
   }
   if (ended_ && WIFEXITED(wait_status_) && WEXITSTATUS(wait_status_) == not_found)
@@ -136,16 +131,6 @@ void PrivateDaemon::wait_until_listening(const Interrupts& interrupts) {
 bool PrivateDaemon::has_ended() {
   ended_ = ended_ || ::waitpid(pid_, &wait_status_, WNOHANG) != 0;
   return ended_;
-}
-
-void PrivateDaemon::stop() {
-  if (has_ended()) return;
-  ::kill(pid_, SIGTERM);
-  const auto deadline = steady_clock::now() + stop_limit;
-  while (!has_ended() && steady_clock::now() < deadline) std::this_thread::sleep_for(pause);
-  if (ended_) return;
-  ::kill(pid_, SIGKILL);
-  ::waitpid(pid_, &wait_status_, 0);
 }
 
 std::string PrivateDaemon::exit_report() {

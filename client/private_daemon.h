@@ -15,24 +15,22 @@ namespace raytracer::client {
 /// kernel ends it too when the client is killed.
 class PrivateDaemon {
  public:
-  /// Returns when the daemon listens. Throws ServerError if there is none beside the client and
-  /// none on PATH, or if it does not start, with what it said.
-  explicit PrivateDaemon(const Interrupts& interrupts);
-  /// Asks it to end (SIGTERM) and makes it (SIGKILL) after two seconds.
+  /// Returns at once: it starts while the client reads its scene.
+  PrivateDaemon();
+  /// Kills it: nobody else knows it, and nothing that it has outlives it.
   ~PrivateDaemon();
   PrivateDaemon(const PrivateDaemon&) = delete;
   PrivateDaemon& operator=(const PrivateDaemon&) = delete;
 
-  /// "http://127.0.0.1:40123"
-  const std::string& url() const { return url_; }
+  /// "http://127.0.0.1:40123", as soon as it listens there. Throws ServerError if there is none
+  /// beside the client and none on PATH, or if it does not start, with what it said.
+  std::string wait_until_listening(const Interrupts& interrupts);
 
   /// How and with which last words it has ended by itself; empty while it runs.
   std::string exit_report();
 
  private:
   void start();
-  void wait_until_listening(const Interrupts& interrupts);
-  void stop();
   bool has_ended();
   std::string last_words() const;
 
@@ -40,7 +38,6 @@ class PrivateDaemon {
   pid_t pid_ = -1;
   int wait_status_ = 0;
   bool ended_ = false;
-  std::string url_;
 };
 
 }  // namespace raytracer::client

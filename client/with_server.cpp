@@ -8,11 +8,19 @@
 
 namespace raytracer::client {
 
-void with_server(const ServerChoice& choice, const std::function<void(Api&)>& use) {
+namespace {
+
+using Daemon = std::optional<PrivateDaemon>;
+
+/// Begins to start one where no server is named.
+void start_daemon(const ServerChoice& choice, Daemon& daemon) {
+  if (!choice.url) daemon.emplace();
+}
+
+void use_server(const ServerChoice& choice, Daemon& daemon, const std::function<void(Api&)>& use) {
   Interrupts interrupts;
-  std::optional<PrivateDaemon> daemon;
-  if (!choice.url) daemon.emplace(interrupts);
-  Api api(choice.url ? *choice.url : read_server_url(daemon->url()), choice.token, interrupts);
+  Api api(choice.url ? *choice.url : read_server_url(daemon->wait_until_listening(interrupts)),
+          choice.token, interrupts);
   try {
     use(api);
   } catch (const ServerError&) {
@@ -22,11 +30,21 @@ void with_server(const ServerChoice& choice, const std::function<void(Api&)>& us
   }
 }
 
+}  // namespace
+
+void with_server(const ServerChoice& choice, const std::function<void(Api&)>& use) {
+  Daemon daemon;
+  start_daemon(choice, daemon);
+  use_server(choice, daemon, use);
+}
+
 SceneText with_scene(const SceneChoice& scene, const Overrides& overrides,
                      const ServerChoice& server,
                      const std::function<void(Api&, const SceneText&)>& use) {
+  Daemon daemon;
+  start_daemon(server, daemon);
   std::optional<SceneText> text = read_scene_file(scene, overrides);
-  with_server(server, [&](Api& api) {
+  use_server(server, daemon, [&](Api& api) {
     if (!text) text = api.shipped_scene(scene.name);
     use(api, *text);
   });

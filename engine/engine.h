@@ -26,6 +26,7 @@
 #include "engine/render/region.h"           // IWYU pragma: export
 #include "engine/render/render.h"           // IWYU pragma: export
 #include "engine/scene/canonical.h"         // IWYU pragma: export
+#include "engine/scene/document_text.h"     // IWYU pragma: export
 #include "engine/scene/limits.h"            // IWYU pragma: export
 #include "engine/scene/nearest_key.h"       // IWYU pragma: export
 #include "engine/scene/overrides.h"         // IWYU pragma: export

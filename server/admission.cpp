@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "server/problem.h"
 
@@ -63,6 +64,17 @@ std::shared_ptr<const void> Admission::add_waiter() {
   return {this, [this](const void*) { --extra_waiters_; }};
 }
 
+std::shared_ptr<const void> Admission::add_waiter(RenderProgress& progress) {
+  auto waiter = add_waiter();
+  const std::scoped_lock lock(mutex_);
+  elsewhere_.push_back(&progress);
+  return {&progress, [this, waiter = std::move(waiter)](const RenderProgress* own) {
+            const std::scoped_lock lock_at_end(mutex_);
+            std::erase(elsewhere_, own);
+            emptied_.notify_all();
+          }};
+}
+
 void Admission::require_place() const {
   if (may_wait()) return;
   refuse(429,
@@ -84,6 +96,7 @@ void Admission::close() {
 void Admission::stop_running() {
   const std::scoped_lock lock(mutex_);
   for (Slot* const slot : running_) slot->progress_.stop = true;
+  for (RenderProgress* const progress : elsewhere_) progress->stop = true;
 }
 
 Admission::Load Admission::load() const {
@@ -98,7 +111,8 @@ bool Admission::is_full() const {
 
 bool Admission::wait_until_empty(std::chrono::milliseconds timeout) const {
   std::unique_lock lock(mutex_);
-  return emptied_.wait_for(lock, timeout, [&] { return running_.empty() && waiting_.empty(); });
+  return emptied_.wait_for(
+      lock, timeout, [&] { return running_.empty() && waiting_.empty() && elsewhere_.empty(); });
 }
 
 void Admission::let_in_next() {

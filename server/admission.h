@@ -61,6 +61,8 @@ class Admission {
   /// For who waits for somebody else's render: one of those who wait, without a slot of its own,
   /// until nobody holds it any more. Throws HttpError as Slot does. It must not outlive this.
   std::shared_ptr<const void> add_waiter();
+  /// The same for a render that others make: it counts as one that runs when this is closed.
+  std::shared_ptr<const void> add_waiter(RenderProgress& progress);
 
   /// Throws the 503 of a closed queue: for a look before a body is read.
   void require_open() const;
@@ -98,6 +100,7 @@ class Admission {
   std::vector<Slot*> running_;
   std::deque<Slot*> waiting_;
   std::atomic<std::size_t> extra_waiters_{0};
+  std::vector<RenderProgress*> elsewhere_;  ///< made by others
   std::atomic<bool> closing_{false};
   std::atomic<bool> closed_{false};  ///< set with the mutex held
   double mean_render_s_ = 1;         ///< of late, the newest counting most

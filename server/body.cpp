@@ -7,6 +7,7 @@
 #include <iterator>
 #include <optional>
 
+#include "engine/engine.h"
 #include "server/problem.h"
 
 namespace raytracer {
@@ -42,7 +43,7 @@ std::string read_body(Call& call, std::int64_t length) {
   const auto deadline = Clock::now() + std::chrono::seconds(30 + length / bytes_per_s);
   std::string body;
   // Growing, it would be held twice; what does not arrive is not written.
-  body.reserve(static_cast<std::size_t>(length));
+  body.reserve(static_cast<std::size_t>(length) + DocumentText::read_ahead);
   const bool is_complete = (*call.content)([&](const char* bytes, std::size_t count) {
     body.append(bytes, count);
     return Clock::now() < deadline;

@@ -15,25 +15,23 @@ namespace {
 constexpr std::string_view folder = "scenes/";
 constexpr std::string_view ending = ".json";
 
-ShippedScene describe(const EmbeddedFile& file) try {
-  const auto document = nlohmann::json::parse(file.bytes);
-  std::string_view name = file.path.substr(folder.size());
-  name.remove_suffix(ending.size());
-  return {std::string(name),
-          document.at("name"),
-          document.at("description"),
-          document.at("camera").at("width"),
-          document.at("camera").at("height"),
-          file.bytes};
-} catch (const nlohmann::json::exception& error) {
-  throw std::logic_error(fmt::format("{}: {}", file.path, error.what()));
-}
-
 }  // namespace
 
+SceneDescription describe(const ShippedScene& scene) try {
+  const auto document = nlohmann::json::parse(scene.document);
+  const auto& camera = document.at("camera");
+  return {document.at("name"), document.at("description"), camera.at("width"), camera.at("height")};
+} catch (const nlohmann::json::exception& error) {
+  throw std::logic_error(fmt::format("{}: {}", scene.name, error.what()));
+}
+
 Catalog::Catalog() {
-  for (const EmbeddedFile& file : embedded_files())
-    if (file.path.starts_with(folder)) scenes_.push_back(describe(file));
+  for (const EmbeddedFile& file : embedded_files()) {
+    if (!file.path.starts_with(folder)) continue;
+    std::string_view name = file.path.substr(folder.size());
+    name.remove_suffix(ending.size());
+    scenes_.push_back({std::string(name), file.bytes});
+  }
 }
 
 const ShippedScene& Catalog::at(std::string_view name) const {

@@ -8,18 +8,24 @@
 namespace raytracer {
 
 struct ShippedScene {
-  std::string name;         ///< as in ?scene=NAME
-  std::string title;        ///< the document's "name"
-  std::string description;  ///< one line
-  int width_px = 0;
-  int height_px = 0;
+  std::string name;           ///< as in ?scene=NAME
   std::string_view document;  ///< its own bytes
 };
 
+/// What a scene's document says about it.
+struct SceneDescription {
+  std::string title;
+  std::string description;  ///< one line
+  int width_px = 0;
+  int height_px = 0;
+};
+
+/// Throws std::logic_error if the document lacks something: then the build is broken.
+SceneDescription describe(const ShippedScene& scene);
+
 class Catalog {
  public:
-  /// Reads what the list says from the embedded documents, once.
-  /// Throws std::logic_error if one lacks it: then the build is broken.
+  /// Reads no document: most servers of a client's own render one scene of its.
   Catalog();
 
   /// Ordered by name.

@@ -164,7 +164,7 @@ CommandLine::CommandLine(Config& config) {
         config.token = text;
       });
   add({"--allow-origin", "RAYTRACER_ALLOW_ORIGIN"}, "ORIGIN",
-      "pages that may read answers, by their origin, or * for all; repeatable, or a list with "
+      "Pages that may read answers, by their origin, or * for all; repeatable, or a list with "
       "commas",
       "none: pages of other origins may not",
       [&config](const std::string& text, const Source& source) {

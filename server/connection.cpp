@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 
 namespace raytracer {
 namespace {
@@ -76,8 +79,10 @@ int find_socket(const httplib::Request& request) {
 }
 
 void shut_down_connections(int local_port) {
-  const auto limit = static_cast<int>(descriptor_limit());
-  for (int socket = 0; socket < limit; ++socket) {
+  // Not by counting up to the limit: it may be a million.
+  std::error_code unknown;
+  for (const auto& descriptor : std::filesystem::directory_iterator("/dev/fd", unknown)) {
+    const int socket = std::atoi(descriptor.path().filename().c_str());
     const std::optional<End> local = end_of(socket, getsockname);
     if (local && local->port() == local_port && end_of(socket, getpeername))
       shutdown(socket, SHUT_RDWR);

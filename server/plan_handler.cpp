@@ -17,7 +17,7 @@ void post_plan(Services& services, Call& call) {
       services.disconnect_watch.watch(call.request, [&] { services.admission.stop(progress); });
   std::optional<Forecast> foreseen;
   run_admitted(services, progress, [&] {
-    foreseen = forecast(view.scene, services.config.limits, services.machine_costs, services.pool,
+    foreseen = forecast(view.scene, services.config.limits, services.machine_costs(), services.pool,
                         progress);
     return foreseen.has_value();
   });

@@ -9,15 +9,27 @@
 
 namespace raytracer {
 
-void get_scenes(Services& services, Call& call) {
+namespace {
+
+nlohmann::ordered_json list_of(const Catalog& catalog) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const ShippedScene& scene : services.catalog.scenes())
+  for (const ShippedScene& scene : catalog.scenes()) {
+    const SceneDescription about = describe(scene);
     list.push_back({{"name", scene.name},
-                    {"title", scene.title},
-                    {"description", scene.description},
-                    {"width", scene.width_px},
-                    {"height", scene.height_px}});
-  answer_json(call.response, 200, {{"scenes", list}});
+                    {"title", about.title},
+                    {"description", about.description},
+                    {"width", about.width_px},
+                    {"height", about.height_px}});
+  }
+  return {{"scenes", list}};
+}
+
+}  // namespace
+
+void get_scenes(Services& services, Call& call) {
+  static const nlohmann::ordered_json list =
+      list_of(services.catalog);  // a program's are always the same
+  answer_json(call.response, 200, list);
 }
 
 void get_scene(Services& services, Call& call) {

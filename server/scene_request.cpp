@@ -17,7 +17,7 @@ PostedDocument read_document(Call& call, Services& services) {
   return posted;
 }
 
-SceneView find_scene(std::string_view document, const RenderQuery& query, Services& services) {
+SceneView find_scene(const DocumentText& document, const RenderQuery& query, Services& services) {
   const auto begin = std::chrono::steady_clock::now();
   SceneView view = query.scene ? services.scenes.at(*query.scene, query.overrides)
                                : services.scenes.read(document, query.overrides);
@@ -34,7 +34,7 @@ SceneView read_scene_request(Call& call, const RenderQuery& query, Services& ser
            "as ?scene=NAME, or POST a document");
   if (query.scene) {
     services.admission.require_open();
-    SceneView view = find_scene({}, query, services);
+    SceneView view = find_scene("", query, services);
     if (services.cluster) view.document = services.scenes.document(*query.scene);
     return view;
   }

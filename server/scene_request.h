@@ -22,7 +22,7 @@ PostedDocument read_document(Call& call, Services& services);
 
 /// The scene that the query names, or else the document's, with the query's values over its own.
 /// Throws HttpError for everything that can be wrong with either.
-SceneView find_scene(std::string_view document, const RenderQuery& query, Services& services);
+SceneView find_scene(const DocumentText& document, const RenderQuery& query, Services& services);
 
 /// Alike, with the request's body as the document: it is gone once it was read, the scene has all
 /// of it, unless the scene may have to travel. Throws HttpError, 503 while draining.

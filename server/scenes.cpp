@@ -56,16 +56,16 @@ Scenes::Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_ke
       kept_(most_kept),
       read_(most_read) {}
 
-SceneView Scenes::read(std::string_view document, const Overrides& overrides) {
-  if (document.size() < least_cached) return parse(document, overrides);
-  const std::string text_digest = sha256_hex(document);
+SceneView Scenes::read(const DocumentText& document, const Overrides& overrides) {
+  if (document.view().size() < least_cached) return parse(document, overrides);
+  const std::string text_digest = sha256_hex(document.view());
   if (auto known = read_.find(text_digest)) return view(std::move(known), overrides);
   SceneView read = parse(document, overrides);
   read_.keep(text_digest, read.known, bytes_of(*read.known) + text_digest.size());
   return read;
 }
 
-SceneView Scenes::parse(std::string_view document, const Overrides& overrides) const {
+SceneView Scenes::parse(const DocumentText& document, const Overrides& overrides) const {
   Result<ViewedScene> read = read_viewed_scene(document, limits_, overrides);
   if (!read.ok()) throw HttpError(scene_problem(read.errors()));
   auto known = std::make_shared<KnownScene>();

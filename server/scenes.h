@@ -57,7 +57,7 @@ class Scenes {
          Elsewhere elsewhere = {});
 
   /// A view of the document's scene. Throws HttpError with all errors of both.
-  SceneView read(std::string_view document, const Overrides& overrides);
+  SceneView read(const DocumentText& document, const Overrides& overrides);
 
   /// A view of the shipped scene of that name or the posted one with that id. Throws HttpError:
   /// 404, or with the view's errors.
@@ -78,7 +78,7 @@ class Scenes {
 
  private:
   std::shared_ptr<const KeptScene> kept_at(std::string_view id);
-  SceneView parse(std::string_view document, const Overrides& overrides) const;
+  SceneView parse(const DocumentText& document, const Overrides& overrides) const;
 
   const Catalog& catalog_;
   const Limits limits_;

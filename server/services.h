@@ -1,6 +1,7 @@
 // Everything that the handlers share, in the order in which it has to begin and end.
 #pragma once
 
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -33,7 +34,6 @@ struct Services {
         admission(renders_at_once, config.max_queue),
         pool(config.threads),
         renderer_id(renderer_id_of(this_machine())),
-        machine_costs(measure_machine_costs(pool)),
         scenes(catalog, config.limits, config.max_kept, config.max_cache,
                [this](const std::string& id) {
                  return cluster ? cluster->kept_scene(id) : std::optional<std::string>();
@@ -42,8 +42,18 @@ struct Services {
     if (config.cluster.nats_url.empty())
       local_jobs.emplace(admission, pool, config.limits, metrics, log);
     else
-      cluster.emplace(Cluster::Parts{config, renderer_id, machine_costs, renders_at_once, admission,
-                                     pool, scenes, metrics, log});
+      cluster.emplace(Cluster::Parts{config, renderer_id, machine_costs(), renders_at_once,
+                                     admission, pool, scenes, metrics, log});
+  }
+
+  /// Measured when a forecast first needs it, which takes some milliseconds; with threads of its
+  /// own, which renders do not keep.
+  const MachineCosts& machine_costs() {
+    std::call_once(costs_measured, [&] {
+      WorkerPool idle(config.threads);
+      costs = measure_machine_costs(idle);
+    });
+    return costs;
   }
 
   Jobs& jobs() { return cluster ? cluster->jobs() : static_cast<Jobs&>(*local_jobs); }
@@ -55,8 +65,9 @@ struct Services {
   Quota body_memory;  ///< also for the scenes read from them: --max-body bounds a single one
   Admission admission;
   WorkerPool pool;
-  const std::string renderer_id;     ///< in the entity tags of pictures
-  const MachineCosts machine_costs;  ///< measured before anyone waits
+  const std::string renderer_id;  ///< in the entity tags of pictures
+  std::once_flag costs_measured{};
+  MachineCosts costs{};  ///< for machine_costs() alone
   DisconnectWatch disconnect_watch{};
   Quota event_streams{most_event_streams,
                       "All event streams of this server are open; ask for the job itself from time "

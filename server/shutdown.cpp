@@ -1,5 +1,6 @@
 #include "server/shutdown.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -48,6 +49,7 @@ void Shutdown::wait_and_drain() {
 void Shutdown::drain() {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds between_looks{20};
+  constexpr std::chrono::milliseconds no_time{0};
   constexpr std::chrono::seconds to_answer{10};
 
   services_.admission.announce_close();
@@ -56,10 +58,13 @@ void Shutdown::drain() {
     std::this_thread::sleep_for(between_looks);
   services_.log.note("shutting down: no new work, waiting for what runs");
   services_.admission.close();
-  if (services_.cluster) services_.cluster->drain(time_to_finish);
   const auto end = Clock::now() + time_to_finish;
   while (!services_.admission.wait_until_empty(between_looks))
     if (Clock::now() > end || another_signal_came()) services_.admission.stop_running();
+  // Until then it took tasks: those of its own clients' renders, if nobody else does.
+  if (services_.cluster)
+    services_.cluster->drain(std::max(
+        std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()), no_time));
   while (services_.jobs().await_fetch(time_to_fetch) && !another_signal_came())
     std::this_thread::sleep_for(between_looks);
   services_.log.wait_until_empty(to_answer);

@@ -69,7 +69,7 @@ RenderQuery read_curve_query(const httplib::Params& params) {
 }
 
 void require_room_for_curve(const Scene& scene, const Limits& limits) {
-  const double least = count_rays(scene, least_curve_samples);
+  const double least = work_of(scene, least_curve_samples);
   if (least > static_cast<double>(limits.work))
     refuse_beyond(&Limits::work,
                   fmt::format("a trade-off takes at least {} samples per pixel in all, {} rays for "

@@ -7,6 +7,7 @@ import { listScenes, Problem, renderFrame, sceneText } from "./api.js";
 import { createBoard } from "./board.js";
 import { createCompare } from "./compare.js";
 import { createCurvePanel } from "./curve_panel.js";
+import { acceptDrops } from "./drop.js";
 import { createEditor } from "./editor.js";
 import { createGallery } from "./gallery.js";
 import { createHistory } from "./history.js";
@@ -43,7 +44,7 @@ const [status, elapsed, cancel, restore, sceneSelect] =
 
 const source = createSource();
 const read = createReader();
-let loaded = { name: first_scene, text: "" };  // what the text began as; name "": it came in a link
+let loaded = { name: first_scene, text: "" };  // what the text began as; name "": it came in a link or a file
 let laidAside = null;   // {loaded, text}: edits that another scene has replaced
 let own = null;         // the document's camera; null: it has none that can be read
 let view = null;        // {origin, look_at, up} as the hand left them; null: the document's own
@@ -207,7 +208,7 @@ async function load(signal) {
   enter("loading", `Loading ${name || "the scene of the link"}`);
   choose(name);
   const text = asked.text ?? (await sceneText(name, signal));
-  laidAside = editor.text === loaded.text ? null : { loaded, text: editor.text };
+  layAside();
   loaded = { name, text };
   if (name) source.know(name, text);
   if (Object.keys(asked.choice).length > 0) accuracy.choice = asked.choice;
@@ -218,6 +219,20 @@ async function load(signal) {
   if (!back?.text) return;
   history.keep(text, "load");
   status.textContent = "Edits are back; Undo drops them";
+}
+
+function layAside() {
+  laidAside = editor.text === loaded.text ? null : { loaded, text: editor.text };
+}
+
+// A dropped file, whose text no address has: for the tab it is an edit, which it keeps.
+async function take(text, file, signal) {
+  enter("loading", `Loading ${file}`);
+  layAside();
+  loaded = { name: "", text: "" };
+  if (location.hash) window.history.pushState(null, "", location.pathname + location.search);  // Back leads to the scene before
+  choose("");
+  await begin(text, signal);
 }
 
 // What the page left when it was last here: of this address, to go on with; of another, laid aside.
@@ -250,10 +265,17 @@ async function begin(text, signal, from = null) {
   await rest(signal);
 }
 
+// Of a scene that the server does not list it knows no more.
 function choose(name) {
-  if (name === "" && !sceneSelect.querySelector('[value=""]')) sceneSelect.prepend(new Option("Scene of a link", ""));
-  sceneSelect.value = name;
-  at("scene-about").textContent = sceneSelect.selectedOptions[0]?.dataset.description ?? "A scene that came in a link.";
+  const options = [...sceneSelect.options];
+  let option = options.find(({ value }) => value === name) ?? options.find(({ value }) => value === "");
+  if (!option) {
+    option = new Option("A scene of your own", "");
+    option.dataset.description = "A scene from a link or a file.";
+    sceneSelect.prepend(option);
+  }
+  option.selected = true;
+  at("scene-about").textContent = option.dataset.description;
 }
 
 function open(name) {
@@ -312,6 +334,12 @@ document.addEventListener("keydown", (event) => {
   if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
   event.preventDefault();
   at("settings").requestSubmit();
+});
+acceptDrops({
+  onScene: (text, file) => instead((signal) => take(text, file, signal)),
+  onProblem: (error) => {
+    status.textContent = problemPanel.say(problemFrom(error));
+  },
 });
 sceneSelect.addEventListener("change", () => open(sceneSelect.value));
 window.addEventListener("hashchange", () => instead(load));

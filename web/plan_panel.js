@@ -4,7 +4,7 @@ import { errorText } from "./accuracy.js";
 import { element } from "./element.js";
 
 const titles = {
-  precision: "Precision", geometry: "Geometry", sampling: "Sampling", kernel: "Kernel",
+  precision: "Precision", geometry: "Geometry", sampling: "Sampling", light_samples: "Light samples", kernel: "Kernel",
   instruction_set: "Instruction set", tiles: "Tiles", frame: "Frame",
 };
 
@@ -26,11 +26,16 @@ function expected({ trace_ms, error, threads }) {
   return `${duration(trace_ms)} of tracing on ${pluralised(threads, "thread")}, an error of ${errorText(error) ?? "unknown size"}`;
 }
 
-function features({ objects, lights, shadows, shading, reflections, materials }) {
+function features({ objects, lights, shadows, shading, reflections, refractions, materials }) {
   const some = (counts) => Object.entries(counts).filter(([, count]) => count > 0)
     .map(([name, count]) => `${count} ${plain(count === 1 ? name.replace(/s$/, "") : name)}`).join(", ") || "none";
   return `Objects: ${some(objects)}. Lights: ${some(lights)}. Shadows: ${shadows}. ${pluralised(materials, "material")}, `
-    + `shading ${shading.join(", ") || "none"}, ${reflections ? `up to ${pluralised(reflections, "reflection")}` : "no reflections"}.`;
+    + `shading ${shading.join(", ") || "none"}, ${followed(reflections, refractions)}.`;
+}
+
+function followed(reflections, refractions) {
+  if (refractions > 0) return `up to ${refractions} reflections and refractions`;
+  return reflections > 0 ? `up to ${pluralised(reflections, "reflection")}` : "no reflections";
 }
 
 const plain = (name) => name.replaceAll("_", " ");
@@ -42,7 +47,7 @@ function entry(title, choice, ...reasons) {
 
 function listOf(finders) {
   return element("ul", {}, ...finders.map(({ objects, rays, choice, reason }) => element("li", {},
-    element("strong", {}, `${choice}: `), `${objects}, rays ${rays}. `, worded("span", reason, "reason"))));
+    element("strong", {}, `${choice}: `), `${objects}, rays ${rays}, because `, worded("span", reason, "reason"))));
 }
 
 const worded = (tag, text, className) => element(tag, { className }, text);

@@ -6,7 +6,7 @@ const settings = ["samples", "target_rmse", "budget_ms", "max_depth", "precision
 
 /// The fragment for a state: {name} of a shipped scene or {text}, {view} or null, {choice}: accuracy.js's.
 export async function fragmentOf({ name, text, view, choice }) {
-  const parameters = new URLSearchParams(name ? { scene: name } : { document: await packed(text) });
+  const parameters = new URLSearchParams(name ? { scene: name } : text && { document: await packed(text) });
   if (view) parameters.set("view", viewText(view));
   for (const [key, value] of Object.entries(choice)) parameters.set(key, value);
   return `#${parameters}`;

@@ -301,8 +301,8 @@ void light_studio(model::Scene& scene) {
     return sum(sum(scaled(right, to_right), scaled(above, upward)), scaled(ahead, forward));
   };
   constexpr Triple white{1, 1, 1};
-  scene.lights.emplace_back(model::Sun{direction(0.5, -0.8, 1), white, 0.65});
-  scene.lights.emplace_back(model::Sky{white, 0.6});
+  scene.lights.emplace_back(model::Sun{direction(0.5, -0.8, 1), white, 0.9});
+  scene.lights.emplace_back(model::Sky{white, 0.5});
   scene.ambient = 0.05;
   scene.is_shadow_black = false;
 }

@@ -18,7 +18,11 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-Lines::Lines(TextSource& source) : source_(source), room_(longest_line) { advance(); }
+Lines::Lines(TextSource& source) : source_(source), room_(longest_line) {
+  advance();
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (line_.starts_with(byte_order_mark)) line_.remove_prefix(byte_order_mark.size());
+}
 
 /// More bytes behind those that are unread; false at the end.
 bool Lines::fill() {

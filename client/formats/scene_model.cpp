@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -56,16 +58,30 @@ class DocumentWriter {
     fmt::format_to(std::back_inserter(text_), format, values...);
   }
 
-  void numbers(const Triple& all) { print("[{}, {}, {}]", all[0], all[1], all[2]); }
+  /// Large scenes are made of these, so not by a format.
+  void number(double value) {
+    std::array<char, 32> room{};
+    text_.append(room.data(), std::to_chars(room.begin(), room.end(), value).ptr);
+  }
+
+  void numbers(const Triple& all) {
+    text_ += '[';
+    number(all[0]);
+    text_ += ", ";
+    number(all[1]);
+    text_ += ", ";
+    number(all[2]);
+    text_ += ']';
+  }
 
   /// A point or a direction. Not -x: that makes -0 of 0.
-  void place(const Triple& all) { print("[{}, {}, {}]", 0 - all[0], all[1], all[2]); }
+  void place(const Triple& all) { numbers({0 - all[0], all[1], all[2]}); }
 
   template <typename Items, typename Write>
   void lines(const Items& items, Write write) {
     std::string_view separator = "\n    ";
     for (const auto& item : items) {
-      print("{}", separator);
+      text_ += separator;
       write(item);
       separator = ",\n    ";
     }
@@ -112,7 +128,7 @@ class DocumentWriter {
   void radii(std::string_view name, const std::vector<double>& all) {
     if (std::adjacent_find(all.begin(), all.end(), std::not_equal_to<>()) == all.end())
       return print(", \"{}\": {}", name, all.front());
-    list(name, all, [this](double one) { print("{}", one); });
+    list(name, all, [this](double one) { number(one); });
   }
 
   void view(const View& view) {

@@ -15,7 +15,7 @@ enum class RayKind : std::uint8_t {
   from_eye,
   to_distant_light,  ///< all parallel
   to_point_light,    ///< all end at one point
-  followed,          ///< reflected: they share neither origin nor direction
+  followed,          ///< reflected or refracted, or to a disc: they share nothing
 };
 inline constexpr std::size_t ray_kind_count = 4;
 
@@ -45,7 +45,7 @@ enum class Search : std::uint8_t {
   own,        ///< by the kind itself, which finds its own parts
 };
 
-/// Up to how many primitives trying each is faster than any structure: measured, for each kind.
+/// Up to how many primitives of a kind trying each is faster than any structure.
 struct FewPrimitives {
   std::size_t to_lights;
   std::size_t followed;

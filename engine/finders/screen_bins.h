@@ -64,7 +64,7 @@ struct ScreenMask {
 namespace screen_bins {
 
 inline BinGrid blocks_of(const View& view) {
-  return {(view.width + block_side - 1) / block_side, (view.height + block_side - 1) / block_side,
+  return {static_cast<int>(blocks_along(view.width)), static_cast<int>(blocks_along(view.height)),
           2};
 }
 

@@ -6,6 +6,8 @@
 // built, and entered a little generously, so that no primitive is lost to the rounding of a box
 // (Ize: "Robust BVH Ray Traversal", JCGT 2013).
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -15,7 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// For the children of a node, and for the primitives of a leaf.
+/// For the primitives of a leaf.
 template <typename T>
 using EightTag = hn::CappedTag<T, TreeNode::width>;
 
@@ -61,61 +63,92 @@ struct TreeStack {
   HWY_INLINE Entry pop() { return entries[--size]; }
 };
 
-template <class D, typename T = hn::TFromD<D>>
-HWY_INLINE hn::Vec<D> load_bounds(D d, const float* values) {
-  if constexpr (sizeof(T) == sizeof(float))
-    return hn::LoadU(d, values);
-  else
-    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), values));
-}
-
 template <typename T>
 inline constexpr T generous = 1 + 8 * std::numeric_limits<T>::epsilon();
 
-/// One ray against all boxes of a node: a bit for each that it enters before t_max, and where.
-template <class D, class Origin, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE std::uint32_t enters(D d, const TreeRays<V, Origin>& ray, const bool (&backwards)[3],
-                                const TreeNode& node, V t_max, T* t_begins) {
+/// For all boxes of a node, or as many as fit.
+using BoxTag = hn::CappedTag<float, TreeNode::width>;
+using BoxVec = hn::Vec<BoxTag>;
+
+/// One ray for boxes, the same in all lanes: in single precision whatever its own. What narrowing
+/// has moved its origin by makes boxes that much larger.
+struct BoxRay {
+  V3<BoxVec> near_from;  ///< for the sides where it may come in
+  V3<BoxVec> far_from;   ///< and for those where it may go out
+  V3<BoxVec> inverse;
+  bool backwards[3];
+};
+
+template <typename T>
+HWY_INLINE BoxRay box_ray(const Triple<T>& from, const Triple<T>& inverse) {
+  constexpr float slack = 4 * std::numeric_limits<float>::epsilon();
+  const BoxTag d;
+  const auto moved = [&](T place, T slope, float share) HWY_ATTR {
+    const auto narrowed = static_cast<float>(place);
+    if constexpr (sizeof(T) == sizeof(float)) return hn::Set(d, narrowed);
+    return hn::Set(d, narrowed + (slope < 0 ? -share : share) * std::abs(narrowed));
+  };
+  const auto all = [&](float share) HWY_ATTR {
+    return V3<BoxVec>{moved(from.x, inverse.x, share), moved(from.y, inverse.y, share),
+                      moved(from.z, inverse.z, share)};
+  };
+  return {all(slack),
+          all(-slack),
+          {hn::Set(d, static_cast<float>(inverse.x)), hn::Set(d, static_cast<float>(inverse.y)),
+           hn::Set(d, static_cast<float>(inverse.z))},
+          {inverse.x < 0, inverse.y < 0, inverse.z < 0}};
+}
+
+/// How far boxes have to be looked at for something nearer than t_max.
+template <typename T>
+HWY_INLINE float box_reach(T t_max) {
+  if constexpr (sizeof(T) == sizeof(float)) return t_max;
+  constexpr T most = std::numeric_limits<float>::max();
+  return static_cast<float>(std::min(t_max * generous<float>, most));
+}
+
+/// One ray against all boxes of a node: a bit for each that it enters within `reach`, and where.
+HWY_INLINE std::uint32_t enters(const BoxRay& ray, const TreeNode& node, float reach,
+                                float* t_begins) {
+  const BoxTag d;
   std::uint32_t entered = 0;
   for (std::size_t i = 0; i < TreeNode::width; i += hn::Lanes(d)) {
-    const auto along = [&](std::size_t axis, bool is_far, V origin, V inverse) HWY_ATTR {
-      const auto& side = backwards[axis] != is_far ? node.high[axis] : node.low[axis];
-      return hn::Mul(hn::Sub(load_bounds(d, side.data() + i), origin), inverse);
+    const auto along = [&](std::size_t axis, bool is_far, BoxVec from, BoxVec inverse) HWY_ATTR {
+      const auto& side = ray.backwards[axis] != is_far ? node.high[axis] : node.low[axis];
+      return hn::Mul(hn::Sub(hn::LoadU(d, side.data() + i), from), inverse);
     };
-    const RayOrigin<V>& from = ray.from;
-    const V t_begin = hn::Max(hn::Max(along(0, false, from.point.x, ray.inverse.x),
-                                      along(1, false, from.point.y, ray.inverse.y)),
-                              hn::Max(along(2, false, from.point.z, ray.inverse.z), hn::Zero(d)));
-    const V t_end = hn::Min(hn::Min(along(0, true, from.point.x, ray.inverse.x),
-                                    along(1, true, from.point.y, ray.inverse.y)),
-                            along(2, true, from.point.z, ray.inverse.z));
+    const BoxVec t_begin =
+        hn::Max(hn::Max(along(0, false, ray.near_from.x, ray.inverse.x),
+                        along(1, false, ray.near_from.y, ray.inverse.y)),
+                hn::Max(along(2, false, ray.near_from.z, ray.inverse.z), hn::Zero(d)));
+    const BoxVec t_end = hn::Min(hn::Min(along(0, true, ray.far_from.x, ray.inverse.x),
+                                         along(1, true, ray.far_from.y, ray.inverse.y)),
+                                 along(2, true, ray.far_from.z, ray.inverse.z));
     hn::Store(t_begin, d, t_begins + i);
-    const auto enter = hn::Le(t_begin, hn::Min(hn::Mul(t_end, hn::Set(d, generous<T>)), t_max));
-    std::uint8_t bits[8];
-    hn::StoreMaskBits(d, enter, bits);
-    entered |= static_cast<unsigned>(bits[0]) << i;
+    const auto enter =
+        hn::Le(t_begin, hn::Min(hn::Mul(t_end, hn::Set(d, generous<float>)), hn::Set(d, reach)));
+    entered |= static_cast<std::uint32_t>(bits_of(d, enter)) << i;
   }
   return entered;
 }
 
-/// Takes one ray, the same in all lanes, to the leaves that it may need, near ones first, until
-/// leaf(block) says that it is settled. `t_max` is read again, so a leaf may lower it.
-template <class D, class V, class Origin, class Block, typename T = hn::TFromD<D>, class Leaf>
-HWY_INLINE void walk_alone(D d, const PacketTree<Block>& tree, const TreeRays<V, Origin>& ray,
-                           const T& t_max, const Leaf& leaf) {
-  const bool backwards[3] = {hn::GetLane(ray.inverse.x) < 0, hn::GetLane(ray.inverse.y) < 0,
-                             hn::GetLane(ray.inverse.z) < 0};
-  TreeStack<T> stack;
+/// Takes one ray to the leaves that it may need, near ones first, until leaf(block) says that it is
+/// settled. `t_max` is read again, so a leaf may lower it.
+template <class Block, typename T, class Leaf>
+HWY_INLINE void walk_alone(const PacketTree<Block>& tree, const BoxRay& ray, const T& t_max,
+                           const Leaf& leaf) {
+  TreeStack<float> stack;
   while (stack.size > 0) {
     const auto entry = stack.pop();
-    if (entry.t > t_max) continue;
+    const float reach = box_reach(t_max);
+    if (entry.t > reach) continue;
     if (entry.child.is_leaf()) {
       if (leaf(tree.leaves[entry.child.index()])) return;
       continue;
     }
     const TreeNode& node = tree.nodes[entry.child.index()];
-    alignas(64) T t_begins[TreeNode::width];
-    std::uint32_t entered = enters(d, ray, backwards, node, hn::Set(d, t_max), t_begins);
+    alignas(64) float t_begins[TreeNode::width];
+    std::uint32_t entered = enters(ray, node, reach, t_begins);
     const std::size_t first = stack.size;
     for (; entered != 0; entered &= entered - 1) {
       const auto i = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(entered));

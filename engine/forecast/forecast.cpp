@@ -71,11 +71,11 @@ Expectation expect_contract(const RenderSettings& settings, std::optional<double
 std::string error_basis(const Rehearsal& rehearsal, double samples) {
   const std::string parts = pluralised(rehearsal.compared, "part") + " of the image";
   if (rehearsal.error == 0)
-    return fmt::format("in {} {} samples per pixel showed nothing that 1 did not", parts,
+    return fmt::format("in {} {} samples per pixel showed nothing that one did not", parts,
                        RefinementModel::second_step);
   std::string basis =
-      fmt::format("estimated from what {} samples per pixel changed against 1 in {}",
-                  RefinementModel::second_step, parts);
+      fmt::format("estimated in {} from what {} samples per pixel changed against one", parts,
+                  RefinementModel::second_step);
   if (samples > 1)
     basis += fmt::format(", where the error fell as samples^-{:.2f}", rehearsal.error_exponent);
   return basis + "; a detail that no sample met is not in it";

@@ -33,10 +33,6 @@ class SubtileErrors {
   const std::vector<double>& all() const { return error2_; }
 
  private:
-  static std::size_t blocks_along(int pixels) {
-    return static_cast<std::size_t>((pixels + block_side - 1) / block_side);
-  }
-
   std::size_t columns_;
   std::vector<double> error2_;
 };

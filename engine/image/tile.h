@@ -12,15 +12,17 @@ namespace raytracer {
 /// Pixels begin <= (x, y) < end, y = 0 on top.
 ///
 /// Only those of `subtiles` count: the subtiles of each block, from the tile's begin on, are
-/// numbered row by row.
+/// numbered row by row. And only blocks that are `block_step` pixels from one another.
 struct Tile {
   int x_begin;
   int y_begin;
   int x_end;
   int y_end;
   std::uint16_t subtiles = all_subtiles;
+  int block_step = block_side;
 
   static constexpr std::uint16_t all_subtiles = 0xFFFF;
+  static constexpr std::uint16_t first_subtile = 1;  ///< that blocks at the image's rims have, too
 
   /// The subtile that (x, y) is in.
   int subtile_of(int x, int y) const {

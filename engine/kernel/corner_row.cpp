@@ -39,13 +39,13 @@ CornerRow<T> corner_row(const std::array<Vec3, 3>& corners, const CornerValues& 
   row.b_offset = static_cast<T>(std::clamp(-dot(b_slope, corners[0]), -most, most));
   row.c_offset = static_cast<T>(std::clamp(-dot(c_slope, corners[0]), -most, most));
   if (!values.normals.empty()) {
-    const auto normals = values.of(values.normals, item);
+    const auto normals = values.normals_of(item);
     row.has_normals = 1;
     row.normal = narrowed<T>(normals[0]);
     row.b_normal = narrowed<T>(normals[1] - normals[0]);
     row.c_normal = narrowed<T>(normals[2] - normals[0]);
-    row.turn = static_cast<T>(std::min(length(normals[1] - normals[0]) * length(b_slope) +
-                                           length(normals[2] - normals[0]) * length(c_slope),
+    row.turn = static_cast<T>(std::min(turn_between(normals, 0, 1) * length(b_slope) +
+                                           turn_between(normals, 0, 2) * length(c_slope),
                                        most));
   }
   if (!values.colors.empty()) {

@@ -65,13 +65,14 @@ void add_soft_light(const SoftLight& soft, std::vector<PackedLight>& lights,
 /// The geometry of one kind, and its rows of the table.
 template <class Kind, typename T>
 void make_geometry(const PackedScene& scene, const std::vector<PackedLight>& lights,
-                   const FinderRow& finders, WorkerPool& pool, Geometry<Kind, T>& geometry,
-                   PacketScene<T>& packed) {
+                   const FinderRow& finders, bool transmits, WorkerPool& pool,
+                   Geometry<Kind, T>& geometry, PacketScene<T>& packed) {
   using Layout = PacketLayout<Kind, T>;
   const std::span<const typename Kind::Primitive> primitives(of_kind<Kind>(scene.primitives));
   geometry.count = primitives.size();
   if (primitives.empty()) return;  // none may be left of those that the finders were chosen for
   geometry.finders = finders;
+  geometry.transmits = transmits;
   const auto has = [&](Finder finder) {
     return std::find(finders.begin(), finders.end(), finder) != finders.end();
   };
@@ -170,7 +171,8 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
   for (const SoftLight& soft : scene.soft_lights) add_soft_light(soft, lights, packed);
   packed.light_sets = scene.light_sets;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
-    make_geometry<Kind, T>(scene, lights, finders[kind_index<Kind>], pool,
+    make_geometry<Kind, T>(scene, lights, finders[kind_index<Kind>],
+                           features.transmitting[kind_index<Kind>], pool,
                            std::get<kind_index<Kind>>(packed.geometry.kinds), packed);
   });
   packed.fetches_light_cells = exceed_caches(packed.geometry);

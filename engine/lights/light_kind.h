@@ -35,7 +35,7 @@ enum class LightShape : std::uint8_t {
 struct PackedLight {
   std::size_t kind;  ///< its place in LightKinds
   LightRays rays;
-  Vec3 place;    ///< parallel: unit vector towards the light; converging: where it is
+  Vec3 place;    ///< of parallel rays the unit vector towards the light; else where it is
   Rgb emission;  ///< i; of one that fades, at distance 1
   bool fades;    ///< with the distance's square
   LightShape shape = LightShape::point;

@@ -13,6 +13,9 @@
 
 namespace raytracer {
 
+/// Of rays that branch, those that count for less are left out. Given: by the scene document.
+inline constexpr double least_ray_weight = 0x1p-14;
+
 /// What was hit: an object of the document and which of its primitives (a sphere of a set, a
 /// triangle of a mesh, else 0). The order is the document's, which decides between equal distances.
 struct PrimitiveId {

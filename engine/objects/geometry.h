@@ -19,6 +19,7 @@ struct Geometry {
 
   FinderRow finders{};
   std::size_t count = 0;
+  bool transmits = false;                          ///< light comes through some
   LargeArray<typename Layout::Item> items;         ///< where rays or lists look at them
   ScreenBins bins;                                 ///< for rays from the eye
   ScreenMask mask;                                 ///< likewise, of a kind that finds its own parts

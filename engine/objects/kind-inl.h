@@ -69,12 +69,13 @@ concept HasOwnIntersection = requires(FloatPacket::D d, const FloatPacket& packe
 };
 
 template <class Kind>
-concept PacketKind = HasOcclusion<Kind> &&
-    (Kind::search == Search::own ||
-     HasItemIntersection<Kind>)&&(Kind::search != Search::own ||
-                                  HasOwnIntersection<Kind>)&&(Kind::search != Search::bounded ||
-                                                              (HasCandidates<Kind> &&
-                                                               HasLeaves<Kind>));
+concept HasItsIntersection = (Kind::search == Search::unbounded && HasItemIntersection<Kind>) ||
+                             (Kind::search == Search::bounded && HasItemIntersection<Kind> &&
+                              HasCandidates<Kind> && HasLeaves<Kind>) ||
+                             (Kind::search == Search::own && HasOwnIntersection<Kind>);
+
+template <class Kind>
+concept PacketKind = HasOcclusion<Kind> && HasItsIntersection<Kind>;
 
 static_assert(each_satisfies<ObjectKinds>([]<PacketKind Kind>(std::type_identity<Kind>) {}));
 

@@ -59,9 +59,8 @@ concept HasTraits = requires {
   Kind::Documents::count;                                   // Types<X, Xs>: what a document may say
   { Kind::noun } -> std::convertible_to<std::string_view>;  // what messages call it
   { Kind::search } -> std::convertible_to<Search>;          // how it can be found
-  {
-    Kind::has_point_grid
-    } -> std::convertible_to<bool>;  // whether a point light's grid may hold it
+  // Whether a point light's grid may hold it.
+  { Kind::has_point_grid } -> std::convertible_to<bool>;
   { Kind::tolerance_px } -> std::convertible_to<double>;  // what single may displace of its edges
 };
 
@@ -109,10 +108,13 @@ concept HasOwnSearch = requires(const typename Kind::Primitive& p, const Project
 };
 
 template <class Kind>
+concept HasItsSearch = Kind::search == Search::unbounded ||
+                       (Kind::search == Search::bounded && HasBoundedSearch<Kind>) ||
+                       (Kind::search == Search::own && HasOwnSearch<Kind>);
+
+template <class Kind>
 concept ObjectKind = HasTraits<Kind> && HasPrimitive<Kind> && HasBounds<Kind> &&
-    HasReference<Kind> && HasStatistics<Kind> &&
-    (Kind::search != Search::bounded || HasBoundedSearch<Kind>)&&(Kind::search != Search::own ||
-                                                                  HasOwnSearch<Kind>);
+    HasReference<Kind> && HasStatistics<Kind> && HasItsSearch<Kind>;
 
 // What a kind may have. Screen bins take more: HasScreenDepth, HasScreenOutline
 // (finders/screen_bins.h).

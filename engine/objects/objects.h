@@ -1,8 +1,7 @@
 // The kinds of objects, each in a folder beside this file: the one list of them.
 //
-// To add one: its folder, its headers here, in packets.h and in objects-inl.h, and its
-// name in ObjectKinds. The
-// order is that in which messages and plans name them.
+// To add one: its folder, its headers here, in packets.h and in objects-inl.h, and its name in
+// ObjectKinds. The order is that in which messages and plans name them.
 #pragma once
 
 #include <cstddef>

@@ -79,9 +79,17 @@ concept HasLayout = HasItems<Layout, typename Kind::Primitive> &&
     (Kind::search != Search::bounded || HasBlocks<Layout, typename Kind::Primitive>);
 
 template <class Kind>
-concept LaidOutKind = HasLayout < Kind,
+concept LaidOutInSingle = HasLayout < Kind,
         PacketLayout<Kind, float>,
-float > &&HasLayout<Kind, PacketLayout<Kind, double>, double>;
+float > ;
+
+template <class Kind>
+concept LaidOutInDouble = HasLayout < Kind,
+        PacketLayout<Kind, double>,
+double > ;
+
+template <class Kind>
+concept LaidOutKind = LaidOutInSingle<Kind> && LaidOutInDouble<Kind>;
 
 /// What a kind may have: what the eye knows beforehand of all of them; else nothing.
 template <class Layout, class Primitive>

@@ -82,7 +82,8 @@ class Report {
   }
 
   void say_what_is_displaced() {
-    // Single is chosen below 1/64 pixel; what double moves by more than 1/1024 is at its end.
+    // Single is chosen below 1/64 pixel or less; what double moves by more than 1/1024 is at its
+    // end.
     constexpr double usual_in_single_px = 1.0 / 64;
     constexpr double usual_in_double_px = 1.0 / 1024;
     const ArithmeticError& error = plan_.arithmetic_error;

@@ -1,5 +1,4 @@
-// What the engine will do for a scene, decided once and with its reasons: nothing downstream
-// decides it again.
+// What the engine will do for a scene, decided once and with its reasons.
 #pragma once
 
 #include "engine/plan/choice.h"

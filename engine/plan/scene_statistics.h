@@ -63,7 +63,7 @@ template <typename Primitive>
 double smooth_radius(const PackedScene& packed, const Primitive& primitive) {
   const CornerValues* const values = packed.corner_values_of(primitive.id);
   if (values == nullptr || values->normals.empty()) return infinity;
-  return least_radius(corners_of(primitive), values->of(values->normals, primitive.id.item));
+  return least_radius(corners_of(primitive), values->normals_of(primitive.id.item));
 }
 
 /// How much reflections magnify errors, of a scene that reaches to `farthest` from the eye.

@@ -60,9 +60,9 @@ Choice<int> choose_tile_side(const Scene& scene, int samples, std::size_t thread
   const std::uint64_t tiles = along(camera.width) * along(camera.height);
   return {side, [tiles, thread_count] {
             return fmt::format(
-                "{} for {}: large, because each costs a lock, but where the image allows {:.0f} or "
-                "more for each thread, to share the work evenly, and of at most {} rays, so that "
-                "other renders have their turn",
+                "{} for {}: few, because each costs a lock, but where the image allows {:.0f} or "
+                "more for each thread, to share the work evenly, and of at most {} rays each, so "
+                "that other renders have their turn",
                 pluralised(tiles, "tile"), pluralised(thread_count, "thread"), tiles_per_thread,
                 grouped(static_cast<std::uint64_t>(most_rays)));
           }};

@@ -9,8 +9,9 @@
 namespace raytracer {
 
 /// The largest tile that others, whose turn comes after it, may be made to wait for: by the rays
-/// of `samples` per pixel to the eye and to each light. A multiple of the kernel's blocks.
-int interruptible_side_px(int samples, std::size_t light_count);
+/// of `samples` per pixel, each one from the eye and `light_rays` to lights. A multiple of the
+/// kernel's blocks.
+int interruptible_side_px(int samples, std::size_t light_rays);
 
 /// Whether a pass of so many samples per pixel takes so few rays, reflected ones included, that
 /// whoever asks for it traces it, as one tile: two spheres at 64 x 48 take 5 us here and 14 us on

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -39,13 +40,13 @@ inline PointShading shading_at(const PackedScene& scene, const SurfacePoint& poi
   PointShading shading{point.normal, scene.material_of(point.id)};
   const CornerValues* const values = scene.corner_values_of(point.id);
   if (values == nullptr) return shading;
-  const auto interpolated = [&](const std::vector<Vec3>& of) {
-    const auto [a, b, c] = values->of(of, point.id.item);
-    return point.weights.x * a + point.weights.y * b + point.weights.z * c;
+  const auto interpolated = [&](const std::array<Vec3, 3>& of) {
+    return point.weights.x * of[0] + point.weights.y * of[1] + point.weights.z * of[2];
   };
-  if (!values->colors.empty()) shading.material.color = interpolated(values->colors);
+  if (!values->colors.empty())
+    shading.material.color = interpolated(values->of(values->colors, point.id.item));
   if (values->normals.empty()) return shading;
-  const Vec3 normal = unit(interpolated(values->normals));
+  const Vec3 normal = unit(interpolated(values->normals_of(point.id.item)));
   if (normal != Vec3{}) shading.normal = point.is_inside ? -normal : normal;
   return shading;
 }
@@ -172,7 +173,7 @@ inline void add_followers(const PackedScene& scene, const WeightedRay& before,
                           const SurfacePoint& point, const PointShading& shading,
                           std::vector<WeightedRay>& rays) {
   // Where rays branch those that count for nothing are left out.
-  const double least_weight = scene.transmits ? 0x1p-14 : 0;
+  const double least_weight = scene.transmits ? least_ray_weight : 0;
   const Material& material = shading.material;
   const Vec3& direction = before.ray.direction;
   const auto add = [&](const SurfacePoint& from, const Vec3& towards, double share) {

@@ -24,9 +24,9 @@ SamplePattern pilot_pattern(int samples) {
 /// time for, and few before many. False if not all of it was done.
 bool render_pilot(int samples, Tracing& tracing, RefinedImage& refined) {
   if (!tracing.scene.render.budget_ms) return refined.begin(pilot_pattern(samples));
-  std::optional<FirstPicture> first = trace_first_picture(tracing);
+  std::optional<CoarsePicture> first = trace_first_picture(tracing);
   if (!first) return false;
-  const bool is_whole = first->is_whole;
+  const bool is_whole = first->is_at_most(0);
   refined.begin(std::move(*first));
   if (!is_whole || samples == 1) return is_whole;
   constexpr int few = RefinementModel::first_step;

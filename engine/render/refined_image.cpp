@@ -56,30 +56,31 @@ bool RefinedImage::begin(const SamplePattern& pattern) {
   if (pattern.has_half_buffers())
     estimate_errors();
   else
-    guess_errors(std::vector<char>(errors_.block_count(), 1));
+    guess_errors(std::vector<std::uint8_t>(errors_.block_count(), 0));
   return true;
 }
 
-void RefinedImage::begin(FirstPicture first) {
+void RefinedImage::begin(CoarsePicture first) {
   note_first_pass(1);
   shown_.change([&](Image& whole) { whole = std::move(first.image); });
   errors_.set_all(1);
-  guess_errors(first.is_traced);
-  for (std::size_t block = 0; block < first.is_traced.size(); ++block) {
-    if (first.is_traced[block] != 0) continue;
+  guess_errors(first.coarseness);
+  for (std::size_t block = 0; block < first.coarseness.size(); ++block) {
+    if (first.coarseness[block] == 0) continue;
     const Tile tile = errors_.tile_of(block);
     const int width = tile.x_end - tile.x_begin;
     const int height = tile.y_end - tile.y_begin;
-    stand_ins_ += width * height - std::min(width, subtile_side) * std::min(height, subtile_side);
+    const int traced = std::min(width, subtile_side) * std::min(height, subtile_side);
+    stand_ins_ += width * height - (first.coarseness[block] == 1 ? traced : 0);
   }
 }
 
-void RefinedImage::guess_errors(const std::vector<char>& is_traced) {
+void RefinedImage::guess_errors(const std::vector<std::uint8_t>& coarseness) {
   const Stopwatch watch;
-  const auto columns = static_cast<std::size_t>((width_ + block_side - 1) / block_side);
-  tracing_.pool.run(is_traced.size() / columns, [&](std::size_t row) {
+  const std::size_t columns = blocks_along(width_);
+  tracing_.pool.run(coarseness.size() / columns, [&](std::size_t row) {
     for (std::size_t block = columns * row; block < columns * (row + 1); ++block) {
-      const auto errors2 = guess_errors2(image_, errors_.tile_of(block), is_traced[block] != 0);
+      const auto errors2 = guess_errors2(image_, errors_.tile_of(block), coarseness[block]);
       for (std::size_t i = 0; i < subtiles_in_block; ++i)
         errors_.set_guess(subtiles_in_block * block + i, errors2[i]);
     }

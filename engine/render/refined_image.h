@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/image/image.h"
-#include "engine/render/first_picture.h"
+#include "engine/render/coarse_picture.h"
 #include "engine/render/preview.h"
 #include "engine/render/refinement_tasks.h"
 #include "engine/render/tracing.h"
@@ -27,7 +27,7 @@ class RefinedImage {
   /// With these samples for all pixels. False if it was stopped.
   bool begin(const SamplePattern& pattern);
   /// With a sample per pixel, or what there was time for.
-  void begin(FirstPicture first);
+  void begin(CoarsePicture first);
 
   /// Counts objects that all samples may miss from here on, if there is time to find them.
   void look_for_subpixel_objects();
@@ -56,8 +56,8 @@ class RefinedImage {
   /// Says which were done.
   template <typename Run>
   std::vector<char> run_tasks(const std::vector<RefinementTask>& tasks, const Run& run);
-  /// Of pixels with one sample each, in blocks that were traced, or one subtile for all.
-  void guess_errors(const std::vector<char>& is_traced);
+  /// Of pixels with one sample each, or which a subtile stands for, as in a CoarsePicture.
+  void guess_errors(const std::vector<std::uint8_t>& coarseness);
   /// Estimates the errors, and notes how long it took to look at the last pass.
   void estimate_errors();
   /// What a sample takes, from a first pass that has just ended.

@@ -17,10 +17,6 @@
 namespace raytracer {
 namespace {
 
-std::size_t blocks_along(int pixels) {
-  return static_cast<std::size_t>((pixels + block_side - 1) / block_side);
-}
-
 /// Of a region's rows of blocks: where its errors lie among those of an image `width` pixels wide,
 /// and how many they are.
 template <typename Visit>

@@ -171,7 +171,7 @@ class Allocation {
 
 int most_samples(const Scene& scene, const Limits& limits) {
   constexpr double share_of_last = 1 - 1.0 / RefinementModel::least_growth;
-  const double by_work = share_of_last * static_cast<double>(limits.work) / count_rays(scene, 1);
+  const double by_work = share_of_last * static_cast<double>(limits.work) / work_of(scene, 1);
   return static_cast<int>(std::clamp(std::min(by_work, static_cast<double>(limits.samples)), 1.0,
                                      static_cast<double>(1 << RefinementModel::most_samples_log2)));
 }

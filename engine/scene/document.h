@@ -6,8 +6,7 @@
 
 #include <simdjson.h>
 
-#include <string_view>
-
+#include "engine/scene/document_text.h"
 #include "engine/scene/error_list.h"
 #include "engine/scene/result.h"
 
@@ -25,8 +24,8 @@ struct Document {
   JsonValue root() const { return json.root(); }
 };
 
-/// Parses `text` (UTF-8). A number too large for a double stands there as null.
+/// Parses a text. A number too large for a double stands there as null.
 /// Errors: one, of kind syntax, with line and column; or invalid, for a document nested too deep.
-Result<Document> parse_document(std::string_view text);
+Result<Document> parse_document(const DocumentText& text);
 
 }  // namespace raytracer

@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/math/ray.h"
+
 namespace raytracer {
 namespace {
 
@@ -45,10 +47,10 @@ void check_fields(const Structure& structure, const Path& path, ErrorList& error
 }
 
 /// The most rays that a sample may take: each may be followed by one, or by two where a surface
-/// both mirrors and lets through. All of one depth have a weight together, of which each has at
-/// least the 2^14th part of 1, or it is left out.
+/// both mirrors and lets through. All of one depth have a weight together, of which each has the
+/// least at least, or it is left out.
 double most_rays(const Scene& scene) {
-  constexpr double most_of_one = 0x1p14;
+  constexpr double most_of_one = 1 / least_ray_weight;
   bool is_followed = false;
   bool branches = false;
   double weight = 0;
@@ -74,6 +76,17 @@ double most_rays(const Scene& scene) {
     return rays + most_of_one * together * sum;
   }
   return rays;
+}
+
+/// The rays of a sample; those that surfaces split count by their weight together, which grows
+/// only where a surface gives back more than it receives.
+double weighed_rays(const Scene& scene) {
+  double weight = 0;
+  for (const Material& m : scene.materials)
+    weight = std::max(weight, m.reflectivity + m.transparency);
+  if (weight == 0) return 1;
+  const double rays = 1.0 + scene.render.max_depth;
+  return weight <= 1 ? rays : (std::pow(weight, rays) - 1) / (weight - 1);
 }
 
 }  // namespace
@@ -125,8 +138,13 @@ void check_view_limits(const Scene& scene, const Limits& limits, ErrorList& erro
                  limits, camera, errors);
   demand_at_most(scene.render.samples.value_or(1), &Limits::samples, limits,
                  render.child("samples"), errors);
-  demand_at_most(count_rays(scene, scene.render.samples.value_or(1)), &Limits::work, limits, render,
+  demand_at_most(work_of(scene, scene.render.samples.value_or(1)), &Limits::work, limits, render,
                  errors);
+}
+
+double work_of(const Scene& scene, int samples) {
+  return static_cast<double>(scene.camera.width) * scene.camera.height * samples *
+         weighed_rays(scene);
 }
 
 double count_rays(const Scene& scene, int samples) {

@@ -43,8 +43,12 @@ void check_view_rules(const Scene& scene, ErrorList& errors);
 /// The limits that depend on the view: pixels, samples and work.
 void check_view_limits(const Scene& scene, const Limits& limits, ErrorList& errors);
 
-/// Rays from the eye and reflected ones, at most, with so many samples per pixel: what
-/// Limits::work bounds. A double, because the product has no bound.
+/// What Limits::work bounds, with so many samples per pixel: rays from the eye and those that
+/// follow them, where a surface splits one, by the weight of both: what is left out below 2^-14
+/// bounds how many that are. A double, because the product has no bound.
+double work_of(const Scene& scene, int samples);
+
+/// Rays from the eye and those that follow them, at most.
 double count_rays(const Scene& scene, int samples);
 
 /// An error at `path`, which names the limit's flag, if `count` exceeds it.

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "engine/memory/page_allocator.h"
 #include "engine/scene/fields.h"
 #include "engine/text/pluralised.h"
 
@@ -30,25 +31,59 @@ bool has_one_for_each(const Field& field, std::size_t count, std::string_view no
   return false;
 }
 
-/// In place of a value that is wrong stands `otherwise`.
-template <typename Rule, typename Value>
+/// While it lives, the values for which a list has room are written in huge pages: of a large scene
+/// that takes half as long.
+template <typename Value>
+HugePages huge_pages_of(std::vector<Value>& list) {
+  return {list.data(), list.capacity() * sizeof(Value)};
+}
+
+/// Three numbers in `range`; nothing, without an error, if it is something else.
+std::optional<Vec3> get_triple(const JsonValue& value, const ValueRange& range) {
+  JsonArray array;
+  std::array<double, 3> numbers{};
+  if (value.get(array) || !get_numbers(array, range, numbers)) return {};
+  return Vec3{numbers[0], numbers[1], numbers[2]};
+}
+
+/// In place of a value that is wrong stands `otherwise`. get(value) returns most values that are
+/// right, sooner than they are read; for others it returns nothing.
+template <typename Rule, typename Value, typename Get>
 std::optional<std::vector<Value>> read_list(const Field& field, const Rule& rule,
-                                            const Value& otherwise) {
+                                            const Value& otherwise, const Get& get) {
   const auto array = read_array(field);
   if (!array) return {};
   std::vector<Value> values;
   values.reserve(array->size());
-  read_elements(field, *array, [&](const Field& element) {
-    values.push_back(read(element, rule).value_or(otherwise));
-  });
+  const HugePages pages = huge_pages_of(values);
+  for (const JsonValue element : *array) {
+    if (const std::optional<Value> value = get(element)) {
+      values.push_back(*value);
+      continue;
+    }
+    const Path path = field.path.child(values.size());
+    values.push_back(read(Field{element, path, field.errors}, rule).value_or(otherwise));
+  }
   return values;
+}
+
+/// As get_numbers().
+std::optional<std::vector<double>> get_all_numbers(const JsonArray& array,
+                                                   const ValueRange& range) {
+  std::vector<double> numbers;
+  numbers.reserve(array.size());
+  const HugePages pages = huge_pages_of(numbers);
+  numbers.resize(array.size());
+  if (!get_numbers(array, range, numbers)) return {};
+  return numbers;
 }
 
 }  // namespace
 
 std::optional<std::vector<Vec3>> read(const Field& field, const PointsRule&) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  return read_list(field, PointRule{}, Vec3{nan, nan, nan});  // differs from all points
+  return read_list(field, PointRule{}, Vec3{nan, nan, nan},  // differs from all points
+                   [](const JsonValue& value) { return get_triple(value, any_number); });
 }
 
 std::optional<std::vector<Vec3>> read(const Field& field, const OtherPointPerItemRule& rule) {
@@ -65,13 +100,17 @@ std::optional<std::vector<Vec3>> read(const Field& field, const OtherPointPerIte
 }
 
 std::optional<std::vector<Vec3>> read(const Field& field, const DirectionPerItemRule& rule) {
-  auto directions = read_list(field, DirectionRule{}, Vec3{});
+  auto directions = read_list(field, DirectionRule{}, Vec3{}, [](const JsonValue& value) {
+    const std::optional<Vec3> direction = get_triple(value, any_number);
+    return direction == Vec3{} ? std::nullopt : direction;  // it is read, which complains
+  });
   if (directions && !has_one_for_each(field, directions->size(), "vector", rule.items)) return {};
   return directions;
 }
 
 std::optional<std::vector<Rgb>> read(const Field& field, const ColorPerItemRule& rule) {
-  auto colors = read_list(field, ColorRule{}, Rgb{});
+  auto colors = read_list(field, ColorRule{}, Rgb{},
+                          [](const JsonValue& value) { return get_triple(value, unit_interval); });
   if (colors && !has_one_for_each(field, colors->size(), "color", rule.items)) return {};
   return colors;
 }
@@ -84,8 +123,9 @@ std::optional<std::vector<double>> read(const Field& field, const NumberPerItemR
     return std::vector{*number};
   }
   const JsonArray array = field.value.get_array().value_unsafe();
-  std::optional numbers{std::vector<double>(array.size())};
-  if (!get_numbers(array, rule.range, *numbers)) numbers = read_list(field, one, 1.0);
+  std::optional<std::vector<double>> numbers = get_all_numbers(array, rule.range);
+  if (!numbers)
+    numbers = read_list(field, one, 1.0, [](const JsonValue&) { return std::optional<double>(); });
   if (!has_one_for_each(field, numbers->size(), "number", rule.items,
                         "give one number, or one for each"))
     return {};
@@ -125,6 +165,7 @@ std::optional<std::vector<std::array<std::uint32_t, 3>>> read(const Field& field
                           item_count ? static_cast<std::int64_t>(*item_count) - 1 : largest_index};
   std::vector<std::array<std::uint32_t, 3>> triangles;
   triangles.reserve(array->size());
+  const HugePages pages = huge_pages_of(triangles);
   read_elements(field, *array, [&](const Field& element) {
     const auto corners = read_array(element);
     if (!corners) return;

@@ -86,7 +86,7 @@ Scene read_document(const Field& root) {
 
 }  // namespace
 
-Result<ViewedScene> read_viewed_scene(std::string_view text, const Limits& limits,
+Result<ViewedScene> read_viewed_scene(const DocumentText& text, const Limits& limits,
                                       const Overrides& overrides) {
   Result<Document> parsed = parse_document(text);
   if (!parsed.ok()) return parsed.errors();
@@ -107,7 +107,8 @@ Result<ViewedScene> read_viewed_scene(std::string_view text, const Limits& limit
   return ViewedScene{scene, view};
 }
 
-Result<Scene> read_scene(std::string_view text, const Limits& limits, const Overrides& overrides) {
+Result<Scene> read_scene(const DocumentText& text, const Limits& limits,
+                         const Overrides& overrides) {
   Result<ViewedScene> read = read_viewed_scene(text, limits, overrides);
   if (!read.ok()) return read.errors();
   return read.value().view;

@@ -1,8 +1,7 @@
 // JSON text to a Scene, or all of its errors: the first step of every render.
 #pragma once
 
-#include <string_view>
-
+#include "engine/scene/document_text.h"
 #include "engine/scene/limits.h"
 #include "engine/scene/overrides.h"
 #include "engine/scene/result.h"
@@ -20,11 +19,11 @@ struct ViewedScene {
 /// Errors: one ErrorKind::syntax error for text that is not JSON (the detail says line and
 /// column); otherwise every rule that the document breaks, and every limit that it exceeds with
 /// `overrides` applied, each with its JSON Pointer.
-Result<ViewedScene> read_viewed_scene(std::string_view text, const Limits& limits,
+Result<ViewedScene> read_viewed_scene(const DocumentText& text, const Limits& limits,
                                       const Overrides& overrides);
 
 /// The view alone.
-Result<Scene> read_scene(std::string_view text, const Limits& limits,
+Result<Scene> read_scene(const DocumentText& text, const Limits& limits,
                          const Overrides& overrides = {});
 
 }  // namespace raytracer

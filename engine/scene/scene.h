@@ -42,7 +42,7 @@ struct RenderSettings {
   std::optional<double> target_rmse;  ///< the error not to exceed
   std::optional<double> budget_ms;    ///< the time for tracing
   Precision precision = Precision::automatic;
-  int max_depth = 5;  ///< how many times a ray may be reflected
+  int max_depth = 5;  ///< how many times a ray may be reflected or refracted
   Transfer transfer = Transfer::linear;
 
   static constexpr auto fields = std::tuple(
@@ -54,7 +54,7 @@ struct RenderSettings {
                "The time that tracing may take, in milliseconds."),
       optional("precision", &RenderSettings::precision, ChoiceRule{"auto", "single", "double"}),
       optional("max_depth", &RenderSettings::max_depth, CountRule{0},
-               "How many times a ray may be reflected."),
+               "How many times a ray may be reflected or refracted."),
       optional("transfer", &RenderSettings::transfer, ChoiceRule{"linear", "srgb"}));
 };
 

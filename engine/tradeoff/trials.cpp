@@ -22,7 +22,7 @@ Trials::Trials(const Scene& scene, const Limits& limits, double most_ms, WorkerP
       scene_(scene),
       limits_(limits),
       most_ms_(most_ms),
-      most_samples_(static_cast<double>(limits.work) / count_rays(scene, 1)),
+      most_samples_(static_cast<double>(limits.work) / work_of(scene, 1)),
       pool_(pool),
       progress_(progress) {}
 

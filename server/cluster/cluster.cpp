@@ -105,18 +105,13 @@ BasicRendering<Channel> Cluster::render(const SceneView& view, const httplib::Pa
                                         const TaskCut& cut, RenderProgress& progress,
                                         Sharing& sharing) {
   constexpr std::chrono::milliseconds longest_silence{250};
-  const auto waiter = parts_.admission.add_waiter();
+  const auto waiter = parts_.admission.add_waiter(progress);
   const JobRecord record = jobs_.begin_render(view, query, cut, sizeof(Channel) == 1);
   struct AtEnd {
-    ClusterStore& store;
+    SharedJobs& jobs;
     const std::string& id;
-    ~AtEnd() {
-      try {
-        store.remove_job(id);
-      } catch (const std::exception&) {  // NOLINT: it is forgotten by itself
-      }
-    }
-  } const at_end{store_, record.id};
+    ~AtEnd() { jobs.end_render(id); }
+  } const at_end{jobs_, record.id};
 
   SharedJob job(record, store_, news_);
   for (JobState state = job.state(); !has_ended(state.status); state = job.state()) {

@@ -19,7 +19,7 @@ bool is_short(const PreparedScene& scene, double ms, std::size_t thread_count) {
   if (sampling_of(view.render) == Sampling::contract)
     return view.render.budget_ms.value_or(ms) < ms;
   const double rays = count_rays(view, view.render.samples.value_or(1)) *
-                      (1 + static_cast<double>(view.lights.size()));
+                      (1 + static_cast<double>(light_rays_per_sample(view)));
   return rays * slow_ray_ms / static_cast<double>(thread_count) < ms;
 }
 

@@ -139,10 +139,30 @@ JobRecord SharedJobs::begin_render(const SceneView& view, const httplib::Params&
     record.has_client = true;
     record.is_8_bit = is_8_bit;
     note_cut(record, cut);
-    parts_.store.put_job(record);
-    queue_all(record);
+    {
+      const std::scoped_lock lock(mutex_);
+      awaited_.insert(record.id);
+    }
+    try {
+      parts_.store.put_job(record);
+      queue_all(record);
+    } catch (...) {
+      end_render(record.id);
+      throw;
+    }
     return record;
   });
+}
+
+void SharedJobs::end_render(const std::string& id) {
+  {
+    const std::scoped_lock lock(mutex_);
+    awaited_.erase(id);
+  }
+  try {
+    parts_.store.remove_job(id);
+  } catch (const std::exception&) {  // NOLINT: look_after() does it later
+  }
 }
 
 void SharedJobs::queue_all(const JobRecord& record) {
@@ -248,6 +268,11 @@ bool SharedJobs::is_own(const std::string& id) const {
   return own_.contains(id);
 }
 
+bool SharedJobs::is_awaited(const std::string& id) const {
+  const std::scoped_lock lock(mutex_);
+  return awaited_.contains(id);
+}
+
 void SharedJobs::take_over(JobRecord record) {
   std::shared_ptr<Own> own;
   try {
@@ -314,15 +339,16 @@ void SharedJobs::look_after(const std::string& id, const std::vector<Member>& me
                             const std::vector<OpenJob>& open) {
   const auto record = parts_.store.job(id);
   if (!record) return;
+  const bool is_of_this = record->front == parts_.self.name;
+  const bool front_lives = is_of_this || lives(members, record->front, parts_.store.limits());
+  if (record->has_client && !(is_of_this ? is_awaited(id) : front_lives))
+    return parts_.store.remove_job(id);
   const auto has_ended_now = [&] {
     const std::scoped_lock lock(mutex_);
-    ended_.insert(id);
+    if (!record->has_client) ended_.insert(id);
     lacking_.erase(id);
   };
   if (!record->failure.empty()) return has_ended_now();
-  const bool is_of_this = record->front == parts_.self.name;
-  const bool front_lives = is_of_this || lives(members, record->front, parts_.store.limits());
-  if (record->has_client && !front_lives) return parts_.store.remove_job(id);
   if (record->task_count == 0) {
     // Its front has it in work, but for what it was told was not stored when NATS went away.
     if ((is_of_this || !front_lives) && !is_own(id)) take_over(*record);

@@ -72,6 +72,8 @@ class SharedJobs : public Jobs {
   /// Throws HttpError as accept().
   JobRecord begin_render(const SceneView& view, const httplib::Params& query, const TaskCut& cut,
                          bool is_8_bit);
+  /// Nobody waits for it any more: it goes, now or once NATS is back. Throws nothing.
+  void end_render(const std::string& id);
 
  private:
   struct Own;
@@ -88,11 +90,13 @@ class SharedJobs : public Jobs {
   void look_after(const std::string& id, const std::vector<Member>& members,
                   const std::vector<OpenJob>& open);
   bool is_own(const std::string& id) const;
+  bool is_awaited(const std::string& id) const;
 
   const Parts parts_;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
   std::map<std::string, std::shared_ptr<Own>> own_;  ///< foreseen or rendered here now
+  std::set<std::string> awaited_;                    ///< renders that a client waits for here
   std::set<std::string> ended_;                      ///< need no looking after
   std::map<std::string, std::size_t>
       lacking_;  ///< tasks that a job seemed to lack at the last look

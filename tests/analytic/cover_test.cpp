@@ -8,6 +8,7 @@
 #include "engine/image/encode.h"
 #include "engine/math/transfer.h"
 #include "tests/analytic/expect_color.h"
+#include "tests/support/rms_difference.h"
 #include "tests/support/scenes.h"
 
 namespace raytracer::test {
@@ -109,13 +110,6 @@ TEST(Cover, of_a_ball_is_its_discs_area) {
   }
 }
 
-double error_between(const Image& a, const Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.values.size(); ++i)
-    sum += std::pow(static_cast<double>(a.values[i]) - static_cast<double>(b.values[i]), 2);
-  return std::sqrt(sum / static_cast<double>(a.values.size()));
-}
-
 TEST(Cover, is_refined_to_a_target_as_colours_are) {
   for (const char* const transfer : {"linear", "srgb"}) {
     SCOPED_TRACE(transfer);
@@ -130,7 +124,7 @@ TEST(Cover, is_refined_to_a_target_as_colours_are) {
       const Rendering rendering = render(scene_of(text), Limits{}, pool, progress);
       EXPECT_EQ(rendering.stop, Stop::target);
       ASSERT_EQ(rendering.image.channels, 4);
-      EXPECT_LE(error_between(rendering.image, reference), target);
+      EXPECT_LE(rms_difference(rendering.image, reference), target);
       EXPECT_NEAR(mean_cover(rendering.image), disc_share, target);
     }
   }
@@ -143,7 +137,7 @@ TEST(Cover, of_what_is_black_is_refined) {
   json exact = text;
   exact["render"]["samples"] = 1024;
   text["render"]["target_rmse"] = 0.004;
-  EXPECT_LE(error_between(image_of(text), image_of(exact)), 0.004);
+  EXPECT_LE(rms_difference(image_of(text), image_of(exact)), 0.004);
 }
 
 TEST(Cover, is_there_however_short_the_time_was) {

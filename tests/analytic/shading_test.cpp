@@ -159,6 +159,31 @@ TEST(Shadow, of_a_point_light_is_cast_by_what_is_nearer_than_the_light_only) {
   expect_gray(shadow_scene("ambient", false, light_at(5)), ambient_part + direct_part);
 }
 
+TEST(Shadow, is_cast_by_what_is_closed_around_the_light) {
+  // Each reaches farther behind the light than before it.
+  for (const json& object : {sphere_json({0, 0, 8.9}, 1), cylinder_json({-1, 0, 9}, {1, 0, 9}, 1),
+                             cylinder_json({0, 0, 7.9}, {0, 0, 10}, 1),
+                             json{{"type", "cone"},
+                                  {"from", {0, 0, 7.9}},
+                                  {"to", {0, 0, 12}},
+                                  {"radius_from", 1},
+                                  {"radius_to", 0}},
+                             json{{"type", "cone"},
+                                  {"from", {-1, 0, 9}},
+                                  {"to", {1, 0, 9}},
+                                  {"radius_from", 0.5},
+                                  {"radius_to", 1.5}}}) {
+    for (const char* precision : {"single", "double"}) {
+      json text = document(camera_json(24, 18, 1, {0, 0, 7}, {0, 0, 0}),
+                           {plane_json({0, 0, 0}, {0, 0, 1}, diffuse_material()), object},
+                           {point_json({0, 0, 8.2}, 900)});
+      text["render"] = {{"precision", precision}};
+      const Image image = image_of(text);
+      for (const float value : image.values) EXPECT_EQ(value, 0) << object;
+    }
+  }
+}
+
 TEST(Shadow, is_cast_by_every_kind_of_object) {
   const Vec3 middle = Vec3{0, 0, 5} + 2.5 * Vec3{0.6, 0, -0.8};
   for (const json& object :
@@ -234,8 +259,11 @@ TEST(Shadow, is_not_cast_by_what_the_light_lies_in) {
   json without_shadows = text;
   without_shadows["shadows"] = "off";
   EXPECT_EQ(count_different(image_of(text), image_of(without_shadows)), 0);
-  text["objects"][1] = without_shadows["objects"][1] = sphere_json({0.3, 11.7, 0.7}, 1.7);
-  EXPECT_EQ(count_different(image_of(text), image_of(without_shadows)), 0);
+  for (const json& lamp : {sphere_json({0.3, 11.7, 0.7}, 1.7),
+                           cylinder_json({-1.7, 11.7, 0.7}, {1.9, 11.7, 0.7}, 1.7)}) {
+    text["objects"][1] = without_shadows["objects"][1] = lamp;
+    EXPECT_EQ(count_different(image_of(text), image_of(without_shadows)), 0) << lamp;
+  }
 }
 
 TEST(Light, exactly_at_a_surface_lights_nothing_there_and_makes_no_nan) {

@@ -69,8 +69,8 @@ TEST(SmoothMesh, is_shaded_by_the_normals_between_those_of_its_corners) {
     expect_by_weights(in_view({smooth_triangle(given, {}, diffuse_material(), is_turned)},
                               {distant_json({0.2, 0.1, 1}, 0.9)}),
                       [&](double b, double c) {
-                        const Vec3 normal = unit((1 - b - c) * unit(normals[0]) +
-                                                 b * unit(normals[1]) + c * unit(normals[2]));
+                        const Vec3 normal =
+                            unit((1 - b - c) * normals[0] + b * normals[1] + c * normals[2]);
                         const double gray = 0.9 * std::max(0.0, dot(normal, light));
                         return Vec3{gray, gray, gray};
                       });

@@ -200,18 +200,26 @@ std::string WebDriver::screenshot() {
   return decode_base64(command("GET", session_ + "/screenshot").get<std::string>());
 }
 
+void WebDriver::devtools(const std::string& method, const json& parameters) {
+  command("POST", session_ + "/goog/cdp/execute", {{"cmd", method}, {"params", parameters}});
+}
+
 void WebDriver::resize(int width, int height) {
-  command("POST", session_ + "/goog/cdp/execute",
-          {{"cmd", "Emulation.setDeviceMetricsOverride"},
-           {"params",
-            {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}}}});
+  devtools("Emulation.setDeviceMetricsOverride",
+           {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}});
 }
 
 void WebDriver::prefer_dark(bool dark) {
   const json feature{{"name", "prefers-color-scheme"}, {"value", dark ? "dark" : "light"}};
-  command(
-      "POST", session_ + "/goog/cdp/execute",
-      {{"cmd", "Emulation.setEmulatedMedia"}, {"params", {{"features", json::array({feature})}}}});
+  devtools("Emulation.setEmulatedMedia", {{"features", json::array({feature})}});
+}
+
+void WebDriver::drop(const fs::path& file) {
+  const json data{{"items", json::array()},
+                  {"files", json::array({file.string()})},
+                  {"dragOperationsMask", 1}};  // copy
+  for (const char* const type : {"dragEnter", "dragOver", "drop"})
+    devtools("Input.dispatchDragEvent", {{"type", type}, {"x", 400}, {"y", 300}, {"data", data}});
 }
 
 std::vector<json> WebDriver::log(const std::string& type) {

@@ -46,6 +46,8 @@ class WebDriver {
   void click(const std::string& selector);
   /// A mouse goes to `from`, is pressed, goes to `to` and is released; CSS pixels of the window.
   void drag(std::array<int, 2> from, std::array<int, 2> to);
+  /// A file manager's file is dragged to the middle of the window and dropped.
+  void drop(const std::filesystem::path& file);
   /// Presses keys in the element.
   void type(const std::string& selector, const std::string& keys);
   /// Presses and releases a key wherever the focus is, as a keyboard does, so many times.
@@ -69,6 +71,8 @@ class WebDriver {
   nlohmann::json command(const std::string& method, const std::string& path,
                          const nlohmann::json& body = nlohmann::json::object());
   std::string element(const std::string& selector);
+  /// A method of the Chrome DevTools Protocol.
+  void devtools(const std::string& method, const nlohmann::json& parameters);
   std::vector<nlohmann::json> log(const std::string& type);
 
   TemporaryFolder profile_;

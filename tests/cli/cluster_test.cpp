@@ -38,9 +38,9 @@ class Stub {
 TEST(ClusterCommand, prints_a_line_for_each_worker_and_the_tasks) {
   const Stub stub(200, R"({"workers": [
     {"name": "oak-1234", "build": "0123abc", "instruction_set": "AVX2", "threads": 16,
-     "tasks_done": 1205, "last_heard_s": 0.42, "works": true},
+     "tasks_done": 1205, "last_heard_s": 0.42}], "fronts": [
     {"name": "elm-7", "build": "0123abc", "instruction_set": "AVX3", "threads": 2,
-     "tasks_done": 0, "last_heard_s": 12.0, "works": false}],
+     "tasks_done": 0, "last_heard_s": 12.0}],
     "tasks": {"waiting": 3, "running": 2}, "redelivered": 1})");
   const Outcome outcome = run_client({"cluster", "--server", stub.url()});
   EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -43,7 +43,7 @@ std::size_t worker_count(const ServerProcess& front) {
   const nlohmann::json cluster = cluster_of(front);
   if (!cluster.is_object()) return 0;
   for (const nlohmann::json& member : cluster.at("workers"))
-    if (member.at("works") == true && member.at("last_heard_s") < lately_s) ++count;
+    if (member.at("last_heard_s") < lately_s) ++count;
   return count;
 }
 

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <csignal>
-#include <functional>
 #include <iostream>
 #include <map>
 #include <mutex>
@@ -16,6 +14,7 @@
 #include <vector>
 
 #include "tests/cluster/balancer.h"
+#include "tests/cluster/traffic.h"
 #include "tests/process/endless_scene.h"
 #include "tests/process/patience.h"
 
@@ -62,54 +61,6 @@ std::string front_of(const httplib::Result& answer) {
   return id.substr(0, id.find('-'));
 }
 
-/// Requests from many connections at once, each as soon as the former is answered, until it ends.
-class Traffic {
- public:
-  using Send = std::function<httplib::Result(httplib::Client&, int number)>;
-
-  Traffic(int connections, const std::function<httplib::Client()>& connect, const Send& send) {
-    for (int i = 0; i < connections; ++i)
-      threads_.emplace_back([this, connect, send] {
-        httplib::Client client = connect();
-        while (!over_) {
-          const int number = ++sent_;
-          const httplib::Result answer = send(client, number);
-          ++answered_;
-          if (answer && answer->status == 200) continue;
-          const std::scoped_lock lock(mutex_);
-          failed_ += fmt::format("{}: {}\n", number,
-                                 answer ? std::to_string(answer->status) + " " + answer->body
-                                        : httplib::to_string(answer.error()));
-        }
-      });
-  }
-  ~Traffic() { end(); }
-  Traffic(const Traffic&) = delete;
-  Traffic& operator=(const Traffic&) = delete;
-
-  /// Returns after so many answers more.
-  void go_on(int count) {
-    const int wanted = answered_ + count;
-    EXPECT_TRUE(eventually([&] { return answered_ >= wanted; }, 60s)) << answered_;
-  }
-  /// A line for each request that failed.
-  std::string end() {
-    over_ = true;
-    for (std::thread& thread : threads_) thread.join();
-    threads_.clear();
-    return failed_;
-  }
-  int answered() const { return answered_; }
-
- private:
-  std::atomic<bool> over_{false};
-  std::atomic<int> sent_{0};
-  std::atomic<int> answered_{0};
-  std::mutex mutex_;
-  std::string failed_;
-  std::vector<std::thread> threads_;
-};
-
 httplib::Result get_small_render(httplib::Client& client, int number) {
   return client.Get(fmt::format("/render?scene={}&width=96&height=72&samples={}",
                                 shipped[static_cast<std::size_t>(number) % shipped.size()],
@@ -123,12 +74,12 @@ httplib::Result post_small_render(httplib::Client& client, int number) {
 TEST_F(Haproxy, no_get_fails_while_a_front_is_killed_and_another_is_drained) {
   Traffic traffic(
       16, [this] { return client(); }, get_small_render);
-  traffic.go_on(2000);
+  EXPECT_TRUE(traffic.go_on(2000));
   front(0).signal(SIGKILL);
-  traffic.go_on(2000);
+  EXPECT_TRUE(traffic.go_on(2000));
   front(1).signal(SIGTERM);
   EXPECT_EQ(front(1).wait(), 0) << front(1).log();
-  traffic.go_on(2000);
+  EXPECT_TRUE(traffic.go_on(2000));
   EXPECT_EQ(traffic.end(), "") << log();
   std::cout << traffic.answered() << " requests\n";
 }
@@ -137,11 +88,11 @@ TEST_F(Haproxy, no_get_fails_while_a_front_is_killed_and_another_is_drained) {
 TEST_F(Haproxy, no_post_fails_while_two_fronts_are_drained) {
   Traffic traffic(
       16, [this] { return client(); }, post_small_render);
-  traffic.go_on(1000);
+  EXPECT_TRUE(traffic.go_on(1000));
   for (const std::size_t index : {0, 1}) {
     front(index).signal(SIGTERM);
     EXPECT_EQ(front(index).wait(), 0) << front(index).log();
-    traffic.go_on(1000);
+    EXPECT_TRUE(traffic.go_on(1000));
   }
   EXPECT_EQ(traffic.end(), "") << log();
   std::cout << traffic.answered() << " requests\n";

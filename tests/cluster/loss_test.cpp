@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <string>
+#include <thread>
 
 #include "tests/cluster/cluster_test.h"
 #include "tests/cluster/stored.h"
@@ -100,6 +102,41 @@ TEST_F(Loss, picture_for_a_client_of_a_killed_front_is_forgotten) {
   Stored stored(nats().url());
   EXPECT_TRUE(eventually([&] { return stored.of_jobs().empty(); }))
       << testing::PrintToString(stored.of_jobs());
+}
+
+TEST_F(Loss, front_that_is_told_to_end_finishes_what_its_client_waits_for) {
+  ServerProcess& front = start(quick);  // that works, and nobody else does
+  ASSERT_TRUE(has_workers(front, 1));
+  std::optional<httplib::Result> answer;
+  std::thread client(
+      [&] { answer.emplace(front.client().Post("/render", scene, "application/json")); });
+  EXPECT_TRUE(eventually([&] { return task_count(front) > 0; }));
+  front.signal(SIGTERM);
+  client.join();
+  const httplib::Result& image = *answer;
+  ASSERT_TRUE(image) << httplib::to_string(image.error()) << front.log();
+  EXPECT_EQ(image->status, 200) << image->body;
+  EXPECT_TRUE(image->body == alone("/render", scene));
+  EXPECT_EQ(front.wait(), 0) << front.log();
+}
+
+TEST_F(Loss, front_that_is_told_to_end_twice_waits_for_no_worker) {
+  ServerProcess& front = start_front(quick);
+  start_worker(quick);
+  ASSERT_TRUE(has_workers(front, 1));
+  std::optional<httplib::Result> answer;
+  std::thread client(
+      [&] { answer.emplace(front.client().Post("/render", endless_scene(), "application/json")); });
+  EXPECT_TRUE(eventually([&] { return task_count(front) > 0; }));
+  front.signal(SIGTERM);
+  std::this_thread::sleep_for(200ms);  // so that it is not the same signal
+  front.signal(SIGTERM);
+  EXPECT_EQ(front.wait(20s), 0) << front.log();
+  if (front.wait(0s) != 0) front.signal(SIGKILL);
+  client.join();
+  const httplib::Result& refused = *answer;
+  ASSERT_TRUE(refused) << httplib::to_string(refused.error());
+  EXPECT_EQ(refused->status, 503) << refused->body;
 }
 
 TEST_F(Loss, worker_that_is_told_to_end_leaves_its_tasks_in_order) {

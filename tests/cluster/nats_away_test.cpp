@@ -91,6 +91,26 @@ TEST_F(NatsAway, task_that_ends_meanwhile_is_kept_and_is_not_a_loss) {
   EXPECT_EQ(metric_of(worker, "raytracer_cluster_tasks_total"), 1);
 }
 
+TEST_F(NatsAway, render_that_its_client_gave_up_meanwhile_is_forgotten) {
+  const ServerProcess& front = start_front();
+  start_worker();
+  ASSERT_TRUE(has_workers(front, 1));
+  std::thread client([&] {
+    httplib::Client connection = front.client();
+    connection.set_read_timeout(patience(2s));
+    EXPECT_FALSE(connection.Post("/render", endless_scene(), "application/json"));
+  });
+  EXPECT_TRUE(eventually([&] { return task_count(front) > 0; }));
+  nats().kill();
+  client.join();
+  EXPECT_TRUE(eventually([&] { return front.log().find("status=499") != std::string::npos; }))
+      << front.log();
+  nats().start();
+  Stored stored(nats().url());
+  EXPECT_TRUE(eventually([&] { return stored.of_jobs().empty(); }))
+      << testing::PrintToString(stored.of_jobs());
+}
+
 TEST_F(NatsAway, client_that_waits_for_a_shared_render_gets_it) {
   const ServerProcess& front = start_front();
   start_worker();

@@ -163,7 +163,7 @@ class OracleSearch {
       const QuadVec side = corners[(k + 2) % 3] - corners[(k + 1) % 3];
       const Quad weight = dot(across, cross(side, best_.point - corners[(k + 1) % 3])) / area;
       const std::size_t corner = m.triangles[i][k];
-      if (!m.normals.empty()) normal = normal + unit(QuadVec(m.normals[corner])) * weight;
+      if (!m.normals.empty()) normal = normal + QuadVec(m.normals[corner]) * weight;
       if (!m.vertex_colors.empty()) tint = tint + QuadVec(m.vertex_colors[corner]) * weight;
     }
     best_.shading = unit(normal) * (dot(across, best_.normal) < 0 ? -1 : 1);

@@ -85,6 +85,14 @@ TEST(Pdb, water_and_alternate_locations_are_left_out_and_counted) {
   EXPECT_EQ(count_of(document(".pdb", text, wishes), "sphere"), 3U);
 }
 
+TEST(Pdb, water_alone_is_shown) {
+  const std::string water = pdb_atom(1, " O  ", "HOH", 'A', 1, 0, "O");
+  EXPECT_EQ(document(".pdb", water).at("objects").size(), 1U);
+  const json with_ion = document(".pdb", water + pdb_atom(2, "NA  ", " NA", 'A', 2, 5, "NA"));
+  ASSERT_EQ(with_ion.at("objects").size(), 1U);
+  EXPECT_EQ(with_ion.at("objects")[0].at("material"), "Na");
+}
+
 TEST(Pdb, models_are_frames) {
   const std::string atom = pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C");
   EXPECT_EQ(documents(".ent", "MODEL        1\n" + atom + "TER\nENDMDL\nMODEL        2\n" + atom +
@@ -139,7 +147,6 @@ TEST(Pdb, each_error_has_its_line) {
       {"HEADER\n", 1, "the file has no atoms"},
       {atom + atom.substr(0, 50) + "\n", 2, "ends before column 54"},
       {std::string(atom).replace(33, 2, "xy"), 1, "'xy000' stands in columns 31 to 38, where x"},
-      {pdb_atom(1, " O  ", "HOH", 'A', 1, 0, "O"), 1, "--water shows it"},
       {atom, 1, "nothing here is called 'mass'", "mass"},
       {atom.substr(0, 60) + "\n", 1, "'' stands where bfactor is to be a number", "bfactor"},
   };
@@ -198,6 +205,22 @@ TEST(Mmcif, cell_of_a_small_structure_is_filled) {
       "_symmetry_space_group_name_H-M 'F m -3 m'\nloop_\n_atom_site_label\n_atom_site_fract_x\n"
       "_atom_site_fract_y\n_atom_site_fract_z\nNa1 0 0 0\nCl1 0.5 0.5 0.5\n");
   EXPECT_EQ(count_of(scene, "sphere"), 8U);
+}
+
+TEST(Mmcif, tags_may_be_capitals_and_atoms_in_a_later_block) {
+  const json scene = document(".cif",
+                              "DATA_A\n_cell.length_a 1\nDATA_B\nLOOP_\n_Atom_Site.Type_Symbol\n"
+                              "_ATOM_SITE.CARTN_X\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+                              "C 1 2 3\nC 4 5 6\n");
+  EXPECT_EQ(scene.at("objects")[0].at("centers"), json::parse("[[-1, 2, 3], [-4, 5, 6]]"));
+}
+
+/// A category of one row needs no loop.
+TEST(Mmcif, single_rows_may_be_pairs) {
+  const std::string atom =
+      "data_A\n_atom_site.type_symbol C\n_atom_site.Cartn_x 1\n_atom_site.Cartn_y 2\n"
+      "_atom_site.Cartn_z 3\n";
+  EXPECT_EQ(document(".cif", atom).at("objects")[0].at("center"), json::parse("[-1, 2, 3]"));
 }
 
 TEST(Mmcif, errors_have_the_line_that_gemmi_names_or_that_of_the_table) {

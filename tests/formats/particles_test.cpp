@@ -113,6 +113,13 @@ TEST(Table, fields_may_be_quoted_and_lines_comments) {
   EXPECT_EQ(centers_of(scene).size(), 1U);
 }
 
+TEST(Table, quoted_fields_may_go_over_lines_and_a_byte_order_mark_is_none_of_them) {
+  const json scene = document(
+      ".csv",
+      "\xEF\xBB\xBF\"x\",\"y\",\"z\",note\r\n1,2,3,\"two\r\n\"\"lines\"\"\"\r\n4,5,6,\"\"\r\n");
+  EXPECT_EQ(scene.at("objects")[0].at("centers"), json::parse("[[-1, 2, 3], [-4, 5, 6]]"));
+}
+
 TEST(Table, words_are_groups) {
   const json scene =
       document(".csv", "x;y;z;kind\n0;0;0;oak\n1;0;0;ash\n2;0;0;oak\n", wishes_for("kind"));

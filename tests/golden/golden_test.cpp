@@ -6,7 +6,9 @@
 //
 // The bytes are the same on every run and for every number of threads; on another machine the C
 // library's tan() and pow() may differ in their last bit, which moves a channel across a rounding
-// border here and there. So one level in one pixel of a thousand is let pass, and no more.
+// border here and there, and the estimates of 1 / x of other instructions in all of theirs. So one
+// level in one pixel of a thousand is let pass; where lights are soft, what one of their places
+// more or less comes to; and no more.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,6 +41,14 @@ std::vector<std::string> shipped_scenes() {
   return names;
 }
 
+/// By how many levels a pixel may differ.
+int allowed_levels(const std::string& document) {
+  const Scene scene = read_scene(document, Limits{}).value();
+  const bool is_soft = find_features(scene).soft_lights > 0;
+  constexpr int places = 64;  // of each light, at least
+  return is_soft ? (255 + places - 1) / places : 1;
+}
+
 std::string render_small(const std::string& document) {
   const auto camera = nlohmann::json::parse(document).at("camera");
   const double ratio = camera.at("height").get<double>() / camera.at("width").get<double>();
@@ -57,14 +67,14 @@ class Golden : public testing::TestWithParam<std::string> {};
 
 TEST_P(Golden, scene_looks_as_committed) {
   const fs::path golden = source_dir / "tests/golden" / (GetParam() + ".png");
-  const std::string png =
-      render_small(read_file(source_dir / "server/scenes" / (GetParam() + ".json")));
+  const std::string document = read_file(source_dir / "server/scenes" / (GetParam() + ".json"));
+  const std::string png = render_small(document);
   if (std::getenv("RAYTRACER_UPDATE_GOLDEN") != nullptr)
     std::ofstream(golden, std::ios::binary) << png;
   ASSERT_TRUE(fs::exists(golden)) << golden << " is missing; RAYTRACER_UPDATE_GOLDEN=1 makes it";
   const Picture rendered = decode_png(png);
   const Difference difference = compare(rendered, decode_png(read_file(golden)));
-  EXPECT_LE(difference.most_levels, 1);
+  EXPECT_LE(difference.most_levels, allowed_levels(document));
   EXPECT_LE(difference.different_count, rendered.width * rendered.height / 1000);
 }
 

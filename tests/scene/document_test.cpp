@@ -54,7 +54,7 @@ bool is_accepted(const std::string& text) {
   // Not a byte behind it belongs to the text: a sanitizer would see it read.
   const auto exact = std::make_unique<char[]>(text.size());
   std::copy(text.begin(), text.end(), exact.get());
-  const Result<Document> read = parse_document({exact.get(), text.size()});
+  const Result<Document> read = parse_document(std::string_view(exact.get(), text.size()));
   const json expected = json::parse(text, nullptr, /*allow_exceptions=*/false);
   const bool has_zero_byte = text.find('\0') != std::string::npos;  // to nlohmann its end
   if (!read.ok()) {
@@ -104,6 +104,23 @@ std::vector<std::string> documents() {
 TEST(Document, is_read_whatever_it_says) {
   ASSERT_GT(documents().size(), 20U) << "where are the scenes?";
   for (const std::string& text : documents()) EXPECT_TRUE(is_accepted(text)) << text;
+}
+
+TEST(Document, is_what_its_text_says_with_room_behind_it_or_without) {
+  for (std::string text : documents()) {
+    const json expected = json::parse(text);
+    for (const std::string_view behind : {"", "]", "0", "\"", "}}}"}) {
+      // What is behind it is in its memory, and no part of it.
+      const std::size_t size = text.size();
+      text.append(behind).append(DocumentText::read_ahead, ' ').resize(size);
+      ASSERT_TRUE(DocumentText(text).has_room_behind());
+      for (const DocumentText& given : {DocumentText(text), DocumentText(std::string_view(text))}) {
+        const Result<Document> read = parse_document(given);
+        ASSERT_TRUE(read.ok()) << text;
+        EXPECT_TRUE(are_equal(read.value().root(), expected)) << text;
+      }
+    }
+  }
 }
 
 TEST(Document, of_other_texts_is_none) {

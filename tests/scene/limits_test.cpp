@@ -83,7 +83,7 @@ TEST(Limit, of_work_counts_reflections_where_something_reflects) {
   expect_limit(errors_of(text, {.work = 499}), "/render", "--max-work");
 }
 
-TEST(Limit, of_work_counts_rays_that_branch) {
+TEST(Limit, of_work_counts_rays_that_branch_by_their_weight) {
   json text = with_samples(10, 10, 1);
   const auto expect_rays = [&](double transparency, double reflectivity, int depth,
                                std::int64_t most) {
@@ -93,10 +93,10 @@ TEST(Limit, of_work_counts_rays_that_branch) {
     EXPECT_TRUE(errors_of(text, {.work = 100 * most}).empty()) << most;
     expect_limit(errors_of(text, {.work = 100 * most - 1}), "/render", "--max-work");
   };
-  expect_rays(0.5, 0, 4, 5);  // one follows one
-  expect_rays(0.5, 0.5, 4, 31);
-  expect_rays(1, 1, 10, 2047);
-  expect_rays(0.5, 0.5, 20, (1 << 15) - 1 + 6 * (1 << 14));  // the others weigh nothing
+  expect_rays(0.5, 0, 4, 5);    // one follows one
+  expect_rays(0.5, 0.5, 4, 5);  // two weigh as much as the one that they follow
+  expect_rays(0.3, 0.6, 20, 21);
+  expect_rays(1, 1, 10, 2047);  // and here twice as much
   for (const double weight : {0.5, 0.5000001, 1.0}) {
     text["render"]["max_depth"] = 2'000'000'000;
     text["objects"][0] =

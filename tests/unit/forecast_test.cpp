@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/support/edit.h"
+#include "tests/support/rms_difference.h"
 #include "tests/support/scenes.h"
 
 namespace raytracer::test {
@@ -29,15 +30,6 @@ Scene row_of_spheres(int count) {
   for (int i = 0; i < count; ++i)
     append(scene.objects, {Sphere{{2.5 * (i - (count - 1) / 2.0), 0, 0}, 1}, 0});
   return scene;
-}
-
-double rms_difference(const Image& a, const Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) {
-    const double difference = static_cast<double>(a.values[i]) - static_cast<double>(b.values[i]);
-    sum += difference * difference;
-  }
-  return std::sqrt(sum / static_cast<double>(a.values.size()));
 }
 
 TEST(Forecast, more_samples_take_longer_and_err_less) {

@@ -67,6 +67,22 @@ TEST(Finders, find_cylinders_alike_by_every_finder) {
 
 TEST(Finders, find_cones_alike_by_every_finder) { expect_alike_by_every_finder<ConeKind>(); }
 
+/// From so far away that a single holds places to a fiftieth of a radius.
+TEST(Finders, find_mirrored_spheres_that_boxes_hardly_hold_apart) {
+  const std::string mirror = R"({"reflectivity": 0.6})";
+  for (const char* const lights : {distant_lights, point_light}) {
+    Scene scene = with_objects(random_spheres(400, 0.4, mirror) + "," + random_cones(90, mirror) +
+                                   "," + random_cylinders(90, mirror),
+                               lights);
+    scene.camera.origin = 1e4 * scene.camera.origin;
+    scene.camera.fov /= 1e4;
+    const Image expected = reference_image(scene);
+    for (const InstructionSet& set : supported_instruction_sets())
+      EXPECT_EQ(count_wrong(image_on(set, Precision::double_precision, scene), expected), 0)
+          << lights << " on " << set.name;
+  }
+}
+
 TEST(Finders, find_spheres_in_an_image_wider_than_sixteen_bits_count) {
   Scene scene =
       with_objects(R"({"type": "sphere", "center": [5.6, 0, 0], "radius": 0.2})", distant_lights);

@@ -1,10 +1,12 @@
 // What peers are said not to draw, from a scene's features alone; the peers need not be there.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
 #include <string>
 
 #include "tests/measure/peers/povray_peer.h"
+#include "tests/measure/peers/povray_scene.h"
 #include "tests/measure/peers/scene_features.h"
 #include "tests/measure/peers/tachyon_peer.h"
 #include "tests/measure/peers/tachyon_scene.h"
@@ -54,7 +56,7 @@ TEST_F(PeerRefusal, plain_scene_is_refused_by_none) {
 TEST_F(PeerRefusal, names_what_is_in_the_way) {
   const std::string item_colors =
       R"("type": "spheres", "centers": [[0, 0, 0]], "radius": 1, "colors": ["#ff0000"])";
-  EXPECT_EQ(refusal(povray, {.object = item_colors}), "sets with a colour for each item");
+  EXPECT_EQ(refusal(povray, {.object = item_colors}), "");
   EXPECT_EQ(refusal(tachyon, {.object = item_colors}), "sets with a colour for each item");
   EXPECT_EQ(refusal(povray, {.material = R"("shininess": 0)"}), "highlights of shininess 0");
   EXPECT_EQ(refusal(povray, {.material = R"("shininess": 0, "ks": 0)"}), "");
@@ -67,6 +69,28 @@ TEST_F(PeerRefusal, is_about_what_occurs_together) {
   EXPECT_EQ(refusal(tachyon, {.light = point, .material = R"("ks": 0)"}), "");
   EXPECT_NE(refusal(tachyon, {.light = point}).find("highlights of point lights"),
             std::string::npos);
+}
+
+TEST_F(PeerRefusal, is_about_kinds_that_only_some_draw) {
+  const std::string cone =
+      R"("type": "cone", "from": [0, 0, 0], "to": [0, 1, 0], "radius_from": 1, "radius_to": 0)";
+  EXPECT_EQ(refusal(povray, {.object = cone}), "");
+  EXPECT_EQ(refusal(tachyon, {.object = cone}), "objects of type cone");
+  const std::string glass = R"("transparency": 0.9)";
+  EXPECT_EQ(refusal(povray, {.material = glass}), "");
+  EXPECT_NE(refusal(tachyon, {.material = glass}).find("glass"), std::string::npos);
+  const std::string unfading = R"({"type": "point", "position": [0, 9, 0], "falloff": "none"})";
+  EXPECT_EQ(refusal(tachyon, {.light = unfading}), "");
+}
+
+TEST_F(PeerRefusal, tells_soft_lights_from_hard_ones) {
+  const Parts sky{.light = R"({"type": "sky"})"};
+  EXPECT_EQ(refusal(tachyon, sky), "");
+  EXPECT_EQ(refusal(povray, sky), "lights of type sky");
+  EXPECT_EQ(refusal(tachyon, {.light = R"({"type": "sky", "reach": 2})"}),
+            "lights of type sky with a reach");
+  const std::string wide = R"({"type": "distant", "direction": [0, -1, 0], "angle": 0.1})";
+  EXPECT_EQ(refusal(povray, {.light = wide}), "lights of type distant with an angle");
 }
 
 TEST(SceneFeatures, type_that_no_peer_was_taught_is_unknown) {
@@ -95,6 +119,17 @@ TEST_F(PeerDifferences, coloured_highlights_are_exact_under_one_white_light) {
       tachyon.differences(scene_of({.light = two, .material = red, .render = one_sample})).size(),
       1U);
   EXPECT_TRUE(tachyon.differences(scene_of({.light = two, .render = one_sample})).empty());
+}
+
+TEST(PovrayScene, light_of_its_own_makes_up_for_what_glass_lets_through) {
+  std::ostringstream text;
+  write_povray_scene(scene_of({.material = R"("kd": 0.2, "transparency": 0.75, "ior": 1.4)"}),
+                     text);
+  EXPECT_NE(text.str().find("transmit 0.75"), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find(fmt::format("diffuse {:.17g}", 0.2 / 0.25)), std::string::npos)
+      << text.str();
+  EXPECT_NE(text.str().find("interior { ior 1.3999999999999999 }"), std::string::npos)
+      << text.str();
 }
 
 TEST(TachyonScene, takes_highlights_for_the_colour_of_light_or_surface) {

@@ -53,19 +53,28 @@ TEST(RandomScene, every_kind_of_object_light_and_mode_occurs) {
     for (const ObjectKind& kind : object_kinds())
       if (scene.summary.find(kind.name) != std::string::npos) found.insert(kind.name);
     const nlohmann::json document = nlohmann::json::parse(scene.document);
-    for (const nlohmann::json& light : document["lights"]) found.insert(light["type"]);
+    for (const nlohmann::json& light : document["lights"]) {
+      found.insert(light["type"]);
+      if (light.contains("angle")) found.insert("wide sun");
+      if (light.contains("radius")) found.insert("lamp");
+      if (light.contains("reach")) found.insert("near sky");
+    }
     for (const nlohmann::json& object : document["objects"]) {
       if (object.contains("axes")) found.insert(object["axes"]);
       if (object.contains("caps")) found.insert(object["caps"].get<bool>() ? "closed" : "open");
       if (object.contains("colors")) found.insert("colors");
+      if (object.contains("normals")) found.insert("smooth");
     }
     found.insert(document["shadows"]);
     found.insert(document["render"]["transfer"]);
     if (scene.summary.find("mirrors") != std::string::npos) found.insert("mirrors");
+    if (scene.summary.find("glass") != std::string::npos) found.insert("glass");
   }
   for (const ObjectKind& kind : object_kinds()) EXPECT_TRUE(found.contains(kind.name)) << kind.name;
-  for (const char* const word : {"distant", "point", "xz", "xy", "yz", "closed", "open", "colors",
-                                 "black", "ambient", "off", "linear", "srgb", "mirrors"})
+  for (const char* const word :
+       {"distant", "point", "sky",    "wide sun", "lamp",    "near sky", "xz",
+        "xy",      "yz",    "closed", "open",     "colors",  "smooth",   "black",
+        "ambient", "off",   "linear", "srgb",     "mirrors", "glass"})
     EXPECT_TRUE(found.contains(word)) << word;
 }
 

@@ -108,9 +108,9 @@ class MeshImport {
   static model::Material plain() {
     model::Material material{};
     material.color = {0.6, 0.6, 0.6};
-    material.kd = 0.8;
-    material.ks = 0.15;
-    material.shininess = 40;
+    material.kd = 0.7;
+    material.ks = 0.25;
+    material.shininess = 30;
     material.ior = 1;
     return material;
   }
@@ -125,8 +125,11 @@ class MeshImport {
   void add_material(const aiMaterial& file) {
     model::Material material = plain();
     aiColor4D color;
-    if (file.Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS ||
-        file.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS) {
+    // STL has none: assimp says white, which would leave no outline before a white background.
+    const bool has_color = format_ != MeshFormat::stl &&
+                           (file.Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS ||
+                            file.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS);
+    if (has_color) {
       const model::Rgb rgb = light(color);
       material.color = {rgb[0], rgb[1], rgb[2]};
     }
@@ -226,7 +229,8 @@ class MeshImport {
 
 }  // namespace
 
-Reading import_meshes(MeshFormat format, const std::string& path, std::string_view text) {
+void raytracer_import_meshes(MeshFormat format, const std::string& path, std::string_view text,
+                             Reading& reading) {
   Assimp::Importer importer;
   const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
   const aiScene* const scene =
@@ -242,7 +246,7 @@ Reading import_meshes(MeshFormat format, const std::string& path, std::string_vi
   import.count_omissions();
   if (import.has_faces() && !importer.ApplyPostProcessing(aiProcess_PreTransformVertices))
     throw refuse();
-  return std::move(import).read();
+  reading = std::move(import).read();
 }
 
 }  // namespace raytracer::client

@@ -1,8 +1,11 @@
 #include "client/formats/meshes/mesh_file.h"
 
+#include <dlfcn.h>
+
 #include <filesystem>
 #include <utility>
 
+#include "client/failure.h"
 #include "client/formats/arrange.h"
 #include "client/formats/meshes/import_meshes.h"
 #include "client/formats/meshes/own_process.h"
@@ -10,6 +13,15 @@
 
 namespace raytracer::client {
 namespace {
+
+/// Loads the library, which is found where the program was linked to look for libraries.
+ImportMeshes& importer() {
+  void* const library = dlopen(RAYTRACER_MESHES, RTLD_NOW);
+  void* const function = library ? dlsym(library, "raytracer_import_meshes") : nullptr;
+  if (!function)
+    throw InputError(std::string("cannot be read without a part of this program: ") + dlerror());
+  return *reinterpret_cast<ImportMeshes*>(function);
+}
 
 /// Of one frame.
 class MeshFile : public SceneFile {
@@ -31,8 +43,11 @@ class MeshFile : public SceneFile {
     const std::size_t known_size = unknown ? 0 : size;
     const ProcessLimits limits{(std::size_t{768} << 20) + 60 * known_size,
                                static_cast<unsigned>(3 + (known_size >> 22))};
-    Reading reading = reading_of(in_own_process(
-        limits, [&] { return bytes_of(import_meshes(format_, input_.path, text)); }));
+    Reading reading = reading_of(in_own_process(limits, [&] {
+      Reading imported;
+      importer()(format_, input_.path, text, imported);
+      return bytes_of(imported);
+    }));
     arrange(
         reading.scene, wishes_,
         view_of_all(reading.scene, wishes_, format_ == MeshFormat::stl ? Upright::z : Upright::y));

@@ -23,11 +23,13 @@ void AtomCollector::omit(int line, std::string_view one, std::string_view many) 
 }
 
 std::optional<std::uint32_t> AtomCollector::add(int line, const Atom& atom, float color_value) {
-  if (!wishes_.with_water && is_water(atom.residue)) {
+  const bool is_left_out = !wishes_.with_water && is_water(atom.residue);
+  if (is_left_out) {
     omit(line, "atom of water left out (--water shows it)",
          "atoms of water left out (--water shows them)");
-    has_left_out_ = true;
-    return std::nullopt;
+    if (!particles_.places.empty()) return std::nullopt;
+  } else {
+    water_ = {};
   }
   // Of a residue that the file has in several places the first one is shown.
   const auto is_same_residue = [&] {
@@ -45,21 +47,21 @@ std::optional<std::uint32_t> AtomCollector::add(int line, const Atom& atom, floa
       return std::nullopt;
     }
   }
-  const auto index = static_cast<std::uint32_t>(particles_.places.size());
-  particles_.places.push_back(atom.place);
-  particles_.elements.push_back(atom.element);
+  Particles& among = is_left_out ? water_ : particles_;
+  const auto index = static_cast<std::uint32_t>(among.places.size());
+  among.places.push_back(atom.place);
+  among.elements.push_back(atom.element);
   if (color_column_)
-    particles_.values.push_back(color_value);
+    among.values.push_back(color_value);
   else if (wishes_.color != "element")
-    particles_.groups.push_back(
-        groups_.number_of(wishes_.color == "chain" ? atom.chain : atom.residue));
+    among.groups.push_back(groups_.number_of(wishes_.color == "chain" ? atom.chain : atom.residue));
+  if (is_left_out) return std::nullopt;
   return index;
 }
 
 Particles AtomCollector::take(int line) {
-  if (particles_.places.empty())
-    throw LineError{line, has_left_out_ ? "the model has nothing but water; --water shows it"
-                                        : "the file has no atoms"};
+  if (particles_.places.empty()) particles_ = std::exchange(water_, {});
+  if (particles_.places.empty()) throw LineError{line, "the file has no atoms"};
   particles_.group_names = groups_.names();
   residue_.clear();
   return std::exchange(particles_, {});

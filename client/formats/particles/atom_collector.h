@@ -27,11 +27,12 @@ class AtomCollector {
   /// What is to give the colours by its numbers; nothing if that is element, chain or residue.
   const std::optional<std::string>& color_column() const { return color_column_; }
 
-  /// Its place among the particles; nothing if it is left out. `color_value`: what it has in the
-  /// column that gives the colours.
+  /// Its place among the particles; nothing if it is left out, as water is beside anything else.
+  /// `color_value`: what it has in the column that gives the colours.
   std::optional<std::uint32_t> add(int line, const Atom& atom, float color_value);
 
-  /// Ends the model. Throws LineError if it has no atoms.
+  /// Ends the model, which is its water if there is nothing else. Throws LineError if it has no
+  /// atoms.
   Particles take(int line);
 
  private:
@@ -40,10 +41,10 @@ class AtomCollector {
   Wishes wishes_;
   std::optional<std::string> color_column_;
   Particles particles_;
+  Particles water_;        ///< until there is something else
   GroupNames groups_;      ///< of all models
   std::string residue_;    ///< the last one's chain and number
   std::string alternate_;  ///< which is shown of it; empty: not decided
-  bool has_left_out_ = false;
 };
 
 }  // namespace raytracer::client

@@ -5,6 +5,8 @@
 #include <exception>
 #include <gemmi/cif.hpp>
 #include <gemmi/smcif.hpp>
+#include <gemmi/util.hpp>
+#include <optional>
 #include <utility>
 
 namespace raytracer::client {
@@ -25,12 +27,27 @@ cif::Document read_document(const std::string& text) {
   }
 }
 
-CifTable table_of(cif::Item& item) {
-  CifTable table;
-  table.line = std::max(item.line_number, 1);
-  table.tags = item.loop.tags;
-  table.values = std::move(item.loop.values);
-  for (std::string& value : table.values) value = cif::as_string(value);
+/// The category whose tags begin so: a loop or, where it has a single row, pairs.
+std::optional<CifTable> table_of(cif::Block& block, const std::string& category) {
+  std::optional<CifTable> table;
+  const auto begin = [&](const cif::Item& item) {
+    if (!table) table.emplace().line = std::max(item.line_number, 1);
+  };
+  for (cif::Item& item : block.items) {
+    if (item.type == cif::ItemType::Loop && gemmi::istarts_with(item.loop.tags[0], category)) {
+      begin(item);
+      table->tags = item.loop.tags;
+      table->values = std::move(item.loop.values);
+      break;
+    }
+    if (item.type == cif::ItemType::Pair && gemmi::istarts_with(item.pair[0], category)) {
+      begin(item);
+      table->tags.push_back(item.pair[0]);
+      table->values.push_back(item.pair[1]);
+    }
+  }
+  if (table)
+    for (std::string& value : table->values) value = cif::as_string(value);
   return table;
 }
 
@@ -51,21 +68,28 @@ std::vector<CifSite> sites_of_cell(const cif::Block& block) {
 }  // namespace
 
 int CifTable::column(const std::string& tag) const {
-  const auto found = std::find(tags.begin(), tags.end(), tag);
+  const std::string in_small_letters = gemmi::to_lower(tag);
+  const auto found = std::find_if(tags.begin(), tags.end(), [&](const std::string& each) {
+    return gemmi::iequal(each, in_small_letters);
+  });
   return found == tags.end() ? -1 : static_cast<int>(found - tags.begin());
 }
 
 CifContents read_cif(const std::string& text) {
   cif::Document document = read_document(text);
   if (document.blocks.empty()) throw CifError{1, "the file has no data_ block"};
-  cif::Block& block = document.blocks.front();
   CifContents contents;
-  for (cif::Item& item : block.items) {
-    if (item.type != cif::ItemType::Loop) continue;
-    if (item.loop.find_tag("_atom_site.Cartn_x") >= 0) contents.sites = table_of(item);
-    if (item.loop.find_tag("_struct_conn.conn_type_id") >= 0) contents.connections = table_of(item);
+  for (cif::Block& block : document.blocks) {
+    contents.sites = table_of(block, "_atom_site.");
+    if (contents.sites && contents.sites->column("_atom_site.Cartn_x") >= 0) {
+      contents.connections = table_of(block, "_struct_conn.").value_or(CifTable{});
+      return contents;
+    }
+    contents.sites.reset();
+    if (block.find_values("_atom_site_fract_x").length() == 0) continue;
+    contents.cell_sites = sites_of_cell(block);
+    break;
   }
-  if (!contents.sites) contents.cell_sites = sites_of_cell(block);
   return contents;
 }
 

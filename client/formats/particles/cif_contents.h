@@ -8,13 +8,13 @@
 
 namespace raytracer::client {
 
-/// Of a loop, row for row; what is unknown or left open is empty.
+/// Of a category, row for row; what is unknown or left open is empty.
 struct CifTable {
   int line = 1;  ///< where it begins
   std::vector<std::string> tags;
   std::vector<std::string> values;
 
-  /// Which column it is; -1: none.
+  /// Which column it is, small letters or capitals; -1: none.
   int column(const std::string& tag) const;
 };
 
@@ -38,7 +38,7 @@ struct CifError {
   std::string what;
 };
 
-/// Throws CifError.
+/// Of the first block that has atoms. Throws CifError.
 CifContents read_cif(const std::string& text);
 
 }  // namespace raytracer::client

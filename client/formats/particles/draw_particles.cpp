@@ -20,9 +20,9 @@ model::Material material_of(const model::Rgb& on_screen, std::string_view name) 
     return std::round(1e4 * static_cast<double>(share)) / 1e4;
   };
   material.color = {rounded(light[0]), rounded(light[1]), rounded(light[2])};
-  material.kd = 0.75;
-  material.ks = 0.2;
-  material.shininess = 60;
+  material.kd = 0.7;
+  material.ks = 0.4;
+  material.shininess = 30;
   material.ior = 1;
   material.name = name;
   return material;

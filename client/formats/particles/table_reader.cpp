@@ -10,8 +10,23 @@ TableReader::TableReader(std::unique_ptr<TextSource> source, char separator, con
     : source_(std::move(source)), lines_(*source_), separator_(separator), color_(wishes.color) {}
 
 void TableReader::split() {
-  if (!split_quoted(lines_.line(), separator_, fields_, unquoted_))
-    throw lines_.wrong("a quotation mark is not closed before the line ends");
+  if (split_quoted(lines_.line(), separator_, fields_, unquoted_)) return;
+  // What stands in quotation marks may go over several lines; the last one has the mark that makes
+  // their number even.
+  constexpr std::size_t longest = 1 << 20;
+  const int first = lines_.number();
+  const auto marks = [](std::string_view text) {
+    return std::count(text.begin(), text.end(), '"');
+  };
+  record_ = lines_.line();
+  for (auto count = marks(record_); count % 2 != 0; count += marks(lines_.line())) {
+    lines_.advance();
+    if (lines_.at_end() || record_.size() > longest)
+      throw LineError{first, "a quotation mark is not closed"};
+    record_.append("\n").append(lines_.line());
+  }
+  if (!split_quoted(record_, separator_, fields_, unquoted_))
+    throw LineError{first, "a quotation mark is not closed"};
 }
 
 Particles TableReader::next_frame() {
@@ -30,8 +45,6 @@ Particles TableReader::next_frame() {
     throw lines_.wrong(
         "a number stands in the first line, which is to name the columns: x, y, z "
         "and so on");
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (fields_[0].starts_with(byte_order_mark)) fields_[0].remove_prefix(byte_order_mark.size());
   Columns columns({fields_.begin(), fields_.end()}, color_, lines_.number());
   const std::size_t width = fields_.size();
   lines_.advance();

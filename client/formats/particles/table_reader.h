@@ -24,6 +24,7 @@ class TableReader : public ParticleReader {
   Lines lines_;
   char separator_;
   std::string color_;
+  std::string record_;  ///< one that goes over several lines
   std::vector<std::string_view> fields_;
   std::vector<std::string> unquoted_;
 };

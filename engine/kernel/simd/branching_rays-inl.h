@@ -8,12 +8,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/math/ray.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// Rays that count for less are left out.
 template <typename T>
-inline constexpr T least_weight = T(0x1p-14);
+inline constexpr T least_weight = static_cast<T>(least_ray_weight);
 
 /// A packet of rays that may be inside of things.
 template <class V>

@@ -42,11 +42,32 @@ HWY_INLINE void intersect_from_eye(D d, const PacketScene<T>& scene,
   }
 }
 
-/// Rays that follow others against one kind.
+/// The kinds of objects that rays look for: all.
+struct EveryKind {
+  template <class Geometry>
+  HWY_INLINE bool operator()(const Geometry&) const {
+    return true;
+  }
+};
+
+/// Those of which some let light through, those that do not, or both.
+struct ChosenKinds {
+  bool opaque;
+  bool transmitting;
+  template <class Geometry>
+  HWY_INLINE bool operator()(const Geometry& geometry) const {
+    return geometry.transmits ? transmitting : opaque;
+  }
+};
+
+/// Rays that follow others against one kind. Of what lets nothing through none comes out.
 template <class D, class Kind, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE void intersect_followed(D d, const Geometry<Kind, T>& geometry, const Origin& from,
                                    const V3<V>& direction, M active, Hit<V>& hit) {
+  if constexpr (may_be_inside<Origin>)
+    if (!geometry.transmits)
+      return intersect_followed<D, Kind, RayOrigin<V>>(d, geometry, from, direction, active, hit);
   if constexpr (Kind::search == Search::own) {
     intersect_own<true>(d, geometry, from, direction, active, hit);
   } else {
@@ -58,15 +79,16 @@ HWY_INLINE void intersect_followed(D d, const Geometry<Kind, T>& geometry, const
   }
 }
 
-/// What rays that follow others meet nearer than t_max.
-template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
-          typename T = hn::TFromD<D>>
+/// What rays that follow others meet nearer than t_max, of the kinds that `counts` chooses.
+template <class D, class Origin, class Counts = EveryKind, class V = hn::Vec<D>,
+          class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE Hit<V> find_followed(D d, const PacketScene<T>& scene, const Origin& from,
-                                const V3<V>& direction, V t_max, M active) {
+                                const V3<V>& direction, V t_max, M active,
+                                const Counts& counts = {}) {
   const V none = hn::Set(d, T(-1));
   Hit<V> hit{t_max, none, none, none};
   for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
-    intersect_followed(d, geometry, from, direction, active, hit);
+    if (counts(geometry)) intersect_followed(d, geometry, from, direction, active, hit);
   });
   return hit;
 }
@@ -119,12 +141,15 @@ HWY_INLINE M stands_nearer(D d, const Geometry<Kind, T>& geometry, const RayOrig
 }
 
 /// Lanes of `lit` from which something stands on the way to a place on a soft light, by what finds
-/// followed rays.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M occluded_followed(D d, const PacketScene<T>& scene, const ShadowRays<V>& rays, M lit) {
+/// followed rays; of the kinds that `counts` chooses.
+template <class D, class Counts = EveryKind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_followed(D d, const PacketScene<T>& scene, const ShadowRays<V>& rays, M lit,
+                               const Counts& counts = {}) {
   const V distance = hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>));
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
   for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
+    if (!counts(geometry)) return;
     dark = hn::Or(
         dark, stands_nearer(d, geometry, rays.from, rays.towards, distance, hn::AndNot(dark, lit)));
   });
@@ -172,13 +197,15 @@ class LightCandidates {
   std::array<ShaftCandidates, ObjectKinds::count> kinds_;
 };
 
-/// Lanes of `lit` from which something stands before a light, or the end of an axis.
-template <class D, class Light, class V = hn::Vec<D>, class M = hn::Mask<D>,
-          typename T = hn::TFromD<D>>
+/// Lanes of `lit` from which something of the kinds that `counts` chooses stands before a light, or
+/// the end of an axis.
+template <class D, class Light, class Counts = EveryKind, class V = hn::Vec<D>,
+          class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M occluded(D d, const PacketScene<T>& scene, const Light& light,
-                      const ShadowRays<V>& rays, M lit) {
+                      const ShadowRays<V>& rays, M lit, const Counts& counts = {}) {
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
   for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
+    if (!counts(geometry)) return;
     dark = hn::Or(dark, occluded_by_kind(d, geometry, light, rays, hn::AndNot(dark, lit)));
   });
   return dark;

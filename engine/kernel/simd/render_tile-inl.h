@@ -310,8 +310,8 @@ TracedTile render_blocks(const PacketScene<T>& scene, const SamplePattern& patte
   const SolidRow background(d, resolved_background(d, scene, pattern.points.size(), transfer));
   BlockSpread<T> spread;
   const TileErrors told = pattern.has_half_buffers() ? errors : TileErrors{};
-  for (int y = tile.y_begin; y < tile.y_end; y += block_side)
-    for (int x = tile.x_begin; x < tile.x_end; x += block_side)
+  for (int y = tile.y_begin; y < tile.y_end; y += tile.block_step)
+    for (int x = tile.x_begin; x < tile.x_end; x += tile.block_step)
       render_block(scene, pattern, transfer,
                    {x, y, std::min(block_side, tile.x_end - x),
                     std::min(block_side, tile.y_end - y), tile.subtiles},

@@ -59,21 +59,34 @@ HWY_INLINE V depth_beyond(D d, const PacketScene<T>& scene, const Surface<D>& su
   return hn::Max(hn::Add(depth, hn::IfThenElseZero(is_solid, step)), zero);
 }
 
+inline constexpr ChosenKinds every_kind{.opaque = true, .transmitting = true};
+inline constexpr ChosenKinds opaque_kinds{.opaque = true, .transmitting = false};
+inline constexpr ChosenKinds transmitting_kinds{.opaque = false, .transmitting = true};
+
 /// What rays meet nearer than t_max that are inside of `depth` solids.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_NOINLINE Hit<V> find_within(D d, const PacketScene<T>& scene, const RayOrigin<V>& from,
-                                const V3<V>& direction, V t_max, V depth, M active) {
+                                const V3<V>& direction, V t_max, V depth, M active,
+                                ChosenKinds kinds = every_kind) {
   if (hn::AllFalse(d, hn::And(active, hn::Gt(depth, hn::Zero(d)))))
-    return find_followed(d, scene, from, direction, t_max, active);
-  return find_followed(d, scene, InnerOrigin<V>{from}, direction, t_max, active);
+    return find_followed(d, scene, from, direction, t_max, active, kinds);
+  return find_followed(d, scene, InnerOrigin<V>{from}, direction, t_max, active, kinds);
+}
+
+/// Lanes of `lit` from which something stands before the light.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_NOINLINE M occluded_by_chosen(D d, const PacketScene<T>& scene, const PacketLight<T>& light,
+                                  const ShadowRays<V>& rays, M lit, ChosenKinds kinds) {
+  return occluded(d, scene, light, rays, lit, kinds);
 }
 
 /// Surfaces in one place that light is followed through: one that has met so many without getting
 /// on goes to and fro between some that rounding cannot tell apart.
 inline constexpr int most_in_one_place = 16;
 
-/// How much of the light that starts out from a light arrives at points: the product of the
-/// transparencies on the straight way. `depth` is of how many solids the points are inside.
+/// How much of the light that starts out from a light arrives at points before which no kind stands
+/// that lets none through: the product of the transparencies on the straight way. `depth` is of how
+/// many solids the points are inside.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_NOINLINE V transmitted_share(D d, const PacketScene<T>& scene, const ShadowRays<V>& rays,
                                  V depth, M active) {
@@ -83,7 +96,8 @@ HWY_NOINLINE V transmitted_share(D d, const PacketScene<T>& scene, const ShadowR
   RayOrigin<V> from = rays.from;
   V met = zero;  // since it has got on by more than rounding
   while (true) {
-    const Hit<V> hit = find_within(d, scene, from, rays.towards, left, depth, active);
+    const Hit<V> hit =
+        find_within(d, scene, from, rays.towards, left, depth, active, transmitting_kinds);
     active = hn::And(active, hn::Ge(hit.id, zero));
     if (hn::AllFalse(d, active)) return share;
     Surface<D> surface = surface_at(d, scene, from, rays.towards, hit, active);
@@ -115,12 +129,14 @@ class LightThroughSurfaces {
   template <class Light>
   HWY_INLINE M reached(D d, const PacketScene<T>& scene, const Light& light,
                        const ShadowRays<V>& rays, M lit) {
+    share_ = hn::Set(d, T(1));
+    lit = hn::AndNot(occluded_by_chosen(d, scene, light, rays, lit, opaque_kinds), lit);
     const M inside = hn::And(lit, hn::Gt(depth_, hn::Zero(d)));
     const M outside = hn::AndNot(inside, lit);
     M doubtful = inside;
     if (!hn::AllFalse(d, outside))
-      doubtful = hn::Or(inside, occluded(d, scene, light, rays, outside));
-    share_ = hn::Set(d, T(1));
+      doubtful =
+          hn::Or(inside, occluded_by_chosen(d, scene, light, rays, outside, transmitting_kinds));
     if (hn::AllFalse(d, doubtful)) return lit;
     const V through = transmitted_share(d, scene, rays, depth_, doubtful);
     share_ = hn::IfThenElse(doubtful, through, share_);
@@ -128,7 +144,9 @@ class LightThroughSurfaces {
   }
   HWY_INLINE V share_along(D d, const PacketScene<T>& scene, const ShadowRays<V>& rays,
                            M lit) const {
-    return hn::IfThenElseZero(lit, transmitted_share(d, scene, rays, depth_, lit));
+    const M clear = hn::AndNot(occluded_followed(d, scene, rays, lit, opaque_kinds), lit);
+    if (hn::AllFalse(d, clear)) return hn::Zero(d);
+    return hn::IfThenElseZero(clear, transmitted_share(d, scene, rays, depth_, clear));
   }
   HWY_INLINE V weakened(V share) const { return hn::Mul(share, share_); }
 

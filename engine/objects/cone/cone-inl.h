@@ -194,11 +194,10 @@ HWY_NOINLINE M intersect_open(D d, const Cones<V>& c, const RayOrigin<V>& from,
                 hn::AndNot(leaves, is_hit));
 }
 
-/// Lanes of `active` whose rays meet their cone, at t; of a closed one `leave` is where they come
-/// out again, of an open one t. No ray begins inside a closed one.
+/// Lanes of `active` whose rays meet their cone, at t. No ray begins inside a closed one.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M intersect_cones(D d, const Cones<V>& c, const RayOrigin<V>& from,
-                             const V3<V>& direction, M active, V& t, V& leave) {
+                             const V3<V>& direction, M active, V& t) {
   const AlongCone<V> g = direction_along(c, direction);
   const AlongCone<V> f = place_along(c, from.point);
   const V power = hn::NegMulAdd(f.girth, f.girth, hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)));
@@ -206,13 +205,11 @@ HWY_INLINE M intersect_cones(D d, const Cones<V>& c, const RayOrigin<V>& from,
   const M is_closed = hn::Gt(c.has_caps, hn::Zero(d));
   M is_hit = hn::And(hn::AndNot(hn::Eq(from.id, c.id), enter_closed(d, chords, t)),
                      hn::And(active, is_closed));
-  leave = chords.leave;
   const M open = hn::AndNot(is_closed, active);
   if (HWY_UNLIKELY(!hn::AllFalse(d, open))) {
     V t_open;
     const M hits_open = hn::And(open, intersect_open(d, c, from, direction, f, g, power, t_open));
     t = hn::IfThenElse(open, t_open, t);
-    leave = hn::IfThenElse(open, t_open, leave);
     is_hit = hn::Or(is_hit, hits_open);
   }
   return is_hit;
@@ -221,17 +218,16 @@ HWY_INLINE M intersect_cones(D d, const Cones<V>& c, const RayOrigin<V>& from,
 /// The same of rays that may begin inside.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M intersect_cones(D d, const Cones<V>& c, const InnerOrigin<V>& from,
-                             const V3<V>& direction, M active, V& t, V& leave) {
+                             const V3<V>& direction, M active, V& t) {
   const M is_closed = hn::Gt(c.has_caps, hn::Zero(d));
   const M is_hit = hn::AndNot(
       is_closed,
-      intersect_cones(d, c, static_cast<const RayOrigin<V>&>(from), direction, active, t, leave));
+      intersect_cones(d, c, static_cast<const RayOrigin<V>&>(from), direction, active, t));
   const AlongCone<V> g = direction_along(c, direction);
   const AlongCone<V> f = place_along(c, from.point);
   const V across2 = hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v));
   const V power = hn::NegMulAdd(f.girth, f.girth, across2);
   const ConeChords<V, M> found = chords_of(d, c, f, g, power);
-  leave = found.leave;
   const AlongCone<V> n = direction_along(c, from.normal);
   const V half = hn::Set(d, T(0.5));
   const V from_middle = hn::NegMulAdd(half, hn::Add(c.low, c.high), f.w);
@@ -248,8 +244,7 @@ HWY_INLINE M intersect_cones(D d, const Cones<V>& c, const InnerOrigin<V>& from,
 /// What finders/tree-inl.h asks for: lanes whose rays meet their cones, at t.
 template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE M intersect(D d, const Cones<V>& c, const TreeRays<V, Origin>& rays, M active, V& t) {
-  V leave;
-  return intersect_cones(d, c, rays.from, rays.direction, active, t, leave);
+  return intersect_cones(d, c, rays.from, rays.direction, active, t);
 }
 
 /// The packet against one cone.
@@ -259,8 +254,7 @@ HWY_INLINE void intersect_item(D d, const Geometry<ConeKind, T>&, const ConeItem
                                const Origin& from, const V3<V>& direction, M active, Hit<V>& hit) {
   const Cones<V> c = in_all_lanes(d, item);
   V t;
-  V leave;
-  const M is_hit = intersect_cones(d, c, from, direction, active, t, leave);
+  const M is_hit = intersect_cones(d, c, from, direction, active, t);
   if (hn::AllFalse(d, is_hit)) return;
   take(hit, is_nearer(hit, t, c.id, is_hit), t, c.id);
 }
@@ -292,14 +286,13 @@ HWY_INLINE void prefetch_candidate(const PrimitiveRows<T>&, const Geometry<ConeK
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M occluded_by(D d, const Geometry<ConeKind, T>& cones, const PacketLight<T>& light,
                          const ShadowRays<V>& rays, M lit) {
-  // The chord's middle before the light; one in whose surface the light lies does not hide it.
-  const V twice = hn::Mul(rays.path, hn::Set(d, 2 * nearer_than_light<T>));
+  // Met before the light, which may be inside; one in whose surface it lies does not hide it.
+  const V distance = hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>));
   const auto hides = [&](std::size_t i, M rest) HWY_ATTR {
     V t;
-    V leave;
-    const M is_hit = intersect_cones(d, in_all_lanes(d, cones.items[i]), rays.from, rays.towards,
-                                     rest, t, leave);
-    return hn::And(is_hit, hn::Lt(hn::Add(t, leave), twice));
+    const M is_hit =
+        intersect_cones(d, in_all_lanes(d, cones.items[i]), rays.from, rays.towards, rest, t);
+    return hn::And(is_hit, hn::Lt(t, distance));
   };
   if (light.rays == LightRays::parallel &&
       cones.finder(RayKind::to_distant_light) == Finder::light_grid)

@@ -78,7 +78,7 @@ HWY_INLINE M is_met_from_within(D d, const ConeItem<T>& item, const V3<V>& point
   return hn::Gt(hn::IfThenElse(is_cap, along_cap, along_side), zero);
 }
 
-/// Tells of the lanes of `own` that hit a cone on which side, as set_side() has it; those of
+/// Tells of the lanes of `own` that hit a cone on which side, as tell_sides() has it; those of
 /// `within` may have come from inside of something.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_NOINLINE void own_sides(D d, const PrimitiveRows<T>& rows, const Geometry<ConeKind, T>& cones,

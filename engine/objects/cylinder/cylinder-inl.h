@@ -107,9 +107,9 @@ HWY_INLINE CylinderSpans<V, M> spans_of(D d, const Cylinders<V>& c, const InAxes
 /// ahead, so that a point in the surface, or inside of it by rounding, is left outwards without
 /// meeting it.
 template <class D, class V, class M = hn::Mask<D>>
-HWY_INLINE M enter_closed(D d, const CylinderSpans<V, M>& spans, V& t, V& leave) {
+HWY_INLINE M enter_closed(D d, const CylinderSpans<V, M>& spans, V& t) {
   const V enter = hn::Max(spans.enter_side, spans.enter_ends);
-  leave = hn::Min(spans.leave_side, spans.leave_ends);
+  const V leave = hn::Min(spans.leave_side, spans.leave_ends);
   t = hn::Max(enter, hn::Zero(d));
   const M ahead = hn::Gt(hn::Add(enter, leave), hn::Zero(d));
   return hn::And(hn::And(spans.crosses, hn::Le(enter, leave)), ahead);
@@ -153,16 +153,15 @@ HWY_NOINLINE M intersect_open(D d, const Cylinders<V>& c, const RayOrigin<V>& fr
   return hn::Or(hn::And(leaves, hn::And(inwards, between)), hn::AndNot(leaves, is_hit));
 }
 
-/// Lanes of `active` whose rays meet their cylinder, at t; of a closed one `leave` is where they
-/// come out again, of an open one t. No ray begins inside a closed one.
+/// Lanes of `active` whose rays meet their cylinder, at t. No ray begins inside a closed one.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M intersect_cylinders(D d, const Cylinders<V>& c, const RayOrigin<V>& from,
-                                 const V3<V>& direction, M active, V& t, V& leave) {
+                                 const V3<V>& direction, M active, V& t) {
   const InAxes<V> g = in_axes(c, direction);
   InAxes<V> f = in_axes(c, from.point);
   f.v = hn::Sub(f.v, c.distance);
   const V power = hn::Sub(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)), c.radius2);
-  const M hits_closed = enter_closed(d, spans_of(d, c, f, g, power), t, leave);
+  const M hits_closed = enter_closed(d, spans_of(d, c, f, g, power), t);
   const M is_closed = hn::Gt(c.has_caps, hn::Zero(d));
   M is_hit = hn::And(hn::AndNot(hn::Eq(from.id, c.id), hits_closed), hn::And(active, is_closed));
   const M open = hn::AndNot(is_closed, active);
@@ -170,7 +169,6 @@ HWY_INLINE M intersect_cylinders(D d, const Cylinders<V>& c, const RayOrigin<V>&
     V t_open;
     const M hits_open = hn::And(open, intersect_open(d, c, from, f, g, power, t_open));
     t = hn::IfThenElse(open, t_open, t);
-    leave = hn::IfThenElse(open, t_open, leave);
     is_hit = hn::Or(is_hit, hits_open);
   }
   return is_hit;
@@ -179,17 +177,17 @@ HWY_INLINE M intersect_cylinders(D d, const Cylinders<V>& c, const RayOrigin<V>&
 /// The same of rays that may begin inside.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M intersect_cylinders(D d, const Cylinders<V>& c, const InnerOrigin<V>& from,
-                                 const V3<V>& direction, M active, V& t, V& leave) {
+                                 const V3<V>& direction, M active, V& t) {
   const M is_closed = hn::Gt(c.has_caps, hn::Zero(d));
   M is_hit = hn::AndNot(is_closed, intersect_cylinders(d, c, static_cast<const RayOrigin<V>&>(from),
-                                                       direction, active, t, leave));
+                                                       direction, active, t));
   const InAxes<V> g = in_axes(c, direction);
   InAxes<V> f = in_axes(c, from.point);
   f.v = hn::Sub(f.v, c.distance);
   const V power = hn::Sub(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)), c.radius2);
   const CylinderSpans<V, M> spans = spans_of(d, c, f, g, power);
   const V enter = hn::Max(spans.enter_side, spans.enter_ends);
-  leave = hn::Min(spans.leave_side, spans.leave_ends);
+  const V leave = hn::Min(spans.leave_side, spans.leave_ends);
   const InAxes<V> n = in_axes(c, from.normal);
   const V half = hn::Set(d, T(0.5));
   const V from_middle = hn::NegMulAdd(half, hn::Add(c.low, c.high), f.w);
@@ -208,8 +206,7 @@ HWY_INLINE M intersect_cylinders(D d, const Cylinders<V>& c, const InnerOrigin<V
 template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE M intersect(D d, const Cylinders<V>& c, const TreeRays<V, Origin>& rays, M active,
                        V& t) {
-  V leave;
-  return intersect_cylinders(d, c, rays.from, rays.direction, active, t, leave);
+  return intersect_cylinders(d, c, rays.from, rays.direction, active, t);
 }
 
 /// The packet against one cylinder.
@@ -219,8 +216,7 @@ HWY_INLINE void intersect_item(D d, const Geometry<CylinderKind, T>&, const Cyli
                                const Origin& from, const V3<V>& direction, M active, Hit<V>& hit) {
   const Cylinders<V> c = in_all_lanes(d, item);
   V t;
-  V leave;
-  const M is_hit = intersect_cylinders(d, c, from, direction, active, t, leave);
+  const M is_hit = intersect_cylinders(d, c, from, direction, active, t);
   if (hn::AllFalse(d, is_hit)) return;
   take(hit, is_nearer(hit, t, c.id, is_hit), t, c.id);
 }
@@ -238,8 +234,7 @@ HWY_INLINE void intersect_candidate(D d, const PrimitiveRows<T>&,
     const CylinderSpans<V, M> spans =
         spans_of(d, c, InAxes<V>{zero, hn::Neg(c.distance), zero}, g, hn::Set(d, item.eye_c));
     V t;
-    V leave;
-    const M is_hit = item.has_caps > 0 ? enter_closed(d, spans, t, leave) : hit_open(d, spans, t);
+    const M is_hit = item.has_caps > 0 ? enter_closed(d, spans, t) : hit_open(d, spans, t);
     return take(hit, is_nearer(hit, t, c.id, is_hit), t, c.id);
   }
   // The side is met from outside, if at all.
@@ -307,12 +302,10 @@ HWY_INLINE M occluded_by_one(D d, const CylinderItem<T>& item, const CylinderSha
     return hn::And(hn::AndNot(hn::Eq(rays.from.id, hn::Set(d, item.id)), lit),
                    hides_distant_light(d, *shadow, rays.from.point));
   V t;
-  V leave;
-  const M is_hit =
-      intersect_cylinders(d, in_all_lanes(d, item), rays.from, rays.towards, lit, t, leave);
-  // The chord's middle before the light; one in whose surface the light lies does not hide it.
-  const V twice = hn::Mul(rays.path, hn::Set(d, 2 * nearer_than_light<T>));
-  return hn::And(is_hit, hn::Lt(hn::Add(t, leave), twice));
+  const M is_hit = intersect_cylinders(d, in_all_lanes(d, item), rays.from, rays.towards, lit, t);
+  // Met before the light, which may be inside; one in whose surface it lies does not hide it.
+  const V distance = hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>));
+  return hn::And(is_hit, hn::Lt(t, distance));
 }
 
 /// Lanes of `lit` from which a cylinder stands before the light.

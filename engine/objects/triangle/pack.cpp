@@ -71,8 +71,7 @@ CornerValues corner_values(const Mesh& mesh) {
   CornerValues values;
   if (mesh.normals.empty() && mesh.vertex_colors.empty()) return values;
   values.corners = mesh.triangles;
-  values.normals.resize(mesh.normals.size());
-  std::transform(mesh.normals.begin(), mesh.normals.end(), values.normals.begin(), unit);
+  values.normals = mesh.normals;
   values.colors = mesh.vertex_colors;
   return values;
 }

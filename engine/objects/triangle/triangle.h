@@ -38,14 +38,14 @@ struct Mesh {
   static constexpr std::string_view type = "mesh";
   static constexpr std::string_view description =
       "Triangles, each with its geometric normal or, smooth, with those of its corners.";
-  static constexpr auto fields =
-      std::tuple(required("vertices", &Mesh::vertices, PointsRule{}),
-                 required("triangles", &Mesh::triangles, TriplesRule{"vertices"},
-                          "Triples of indices into vertices."),
-                 optional("normals", &Mesh::normals, DirectionPerItemRule{"vertices"},
-                          "One for each vertex: interpolated they shade the triangles."),
-                 optional("colors", &Mesh::vertex_colors, ColorPerItemRule{"vertices"},
-                          "One for each vertex, interpolated, in place of the material's."));
+  static constexpr auto fields = std::tuple(
+      required("vertices", &Mesh::vertices, PointsRule{}),
+      required("triangles", &Mesh::triangles, TriplesRule{"vertices"},
+               "Triples of indices into vertices."),
+      optional("normals", &Mesh::normals, DirectionPerItemRule{"vertices"},
+               "One for each vertex: interpolated, lengths and all, they shade the triangles."),
+      optional("colors", &Mesh::vertex_colors, ColorPerItemRule{"vertices"},
+               "One for each vertex, interpolated, in place of the material's."));
 };
 
 /// In frame coordinates.

@@ -74,12 +74,13 @@ std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
 
 /// The standard cases of the scenes that are named; a scene without any as its document has it.
 std::vector<Case> wanted_cases(const Options& options) {
+  const std::vector<Case> standard = standard_cases(options.shipped);
   std::vector<Case> cases;
-  if (options.scenes.empty()) cases = standard_cases();
+  if (options.scenes.empty()) cases = standard;
   for (const std::string& name : options.scenes) {
     const std::size_t before = cases.size();
-    for (Case& each : standard_cases())
-      if (each.scene.name == name) cases.push_back(std::move(each));
+    for (const Case& each : standard)
+      if (each.scene.name == name) cases.push_back(each);
     if (cases.size() == before) cases.push_back({measure::find_scene(name, options.shipped)});
   }
   if (options.is_quick) std::erase_if(cases, [](const Case& each) { return !each.is_quick; });

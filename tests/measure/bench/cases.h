@@ -19,6 +19,6 @@ struct Case {
 };
 
 /// Those that are measured where no scene is named.
-std::vector<Case> standard_cases();
+std::vector<Case> standard_cases(const std::string& shipped);
 
 }  // namespace raytracer::bench

@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 #include "tests/measure/bench/report.h"
 #include "tests/measure/bench/summary.h"
@@ -27,17 +30,33 @@ const PeerFigures& of_peer(const CaseFigures& figures, const std::string& name) 
                        [&](const PeerFigures& peer) { return peer.name == name; });
 }
 
+/// The worst first: there is where users lose most.
+std::vector<const CaseFigures*> by_worst_ratio(const Report& report) {
+  std::vector<std::pair<double, const CaseFigures*>> ratios;
+  for (const CaseFigures& figures : report.cases)
+    ratios.emplace_back(worst_ratio(figures), &figures);
+  std::stable_sort(ratios.begin(), ratios.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<const CaseFigures*> cases;
+  for (const auto& [ratio, figures] : ratios) cases.push_back(figures);
+  return cases;
+}
+
 std::string overview_table(const Report& report) {
-  std::string head = "| scene | build, ms | trace, ms |";
-  std::string rule = "|:--|--:|--:|";
+  std::string head = "| scene | worst | build, ms | trace, ms |";
+  std::string rule = "|:--|--:|--:|--:|";
   for (const auto& [name, version] : report.head.peers) {
     head += fmt::format(" {}: trace | with build |", name);
     rule += "--:|--:|";
   }
-  std::string text = "\n## How many times as long others take\n\n" + head + '\n' + rule + '\n';
-  for (const CaseFigures& figures : report.cases) {
+  std::string text =
+      "\n## How many times as long others take\n\nThe worst first.\n\n" + head + '\n' + rule + '\n';
+  for (const CaseFigures* const each : by_worst_ratio(report)) {
+    const CaseFigures& figures = *each;
     const ProjectTimes times = summarize(figures).project;
-    text += fmt::format("| {} | {} | {} |", figures.measured.name(), digits(times.build_ms),
+    const double worst = worst_ratio(figures);
+    text += fmt::format("| {} | {} | {} | {} |", figures.measured.name(),
+                        std::isfinite(worst) ? digits(worst) + 'x' : "-", digits(times.build_ms),
                         digits(times.trace_ms));
     for (const auto& [name, version] : report.head.peers) {
       const PeerFigures& peer = of_peer(figures, name);

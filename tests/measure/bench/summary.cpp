@@ -1,6 +1,7 @@
 #include "tests/measure/bench/summary.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -78,6 +79,16 @@ PeerSummary summarize(const PeerFigures& figures) {
           .whole_ratio =
               of([](const PeerRound& each) { return each.peer.whole_ms / whole_ms(each.project); }),
           .way = most_frequent_way(figures.rounds)};
+}
+
+double worst_ratio(const CaseFigures& figures) {
+  double worst = std::numeric_limits<double>::infinity();
+  for (const PeerFigures& peer : figures.peers) {
+    if (peer.refusal) continue;
+    const PeerSummary summary = summarize(peer);
+    worst = std::min({worst, summary.trace_ratio, summary.build_and_trace_ratio});
+  }
+  return worst;
 }
 
 }  // namespace raytracer::bench

@@ -36,4 +36,8 @@ Summary summarize(const CaseFigures& figures);
 
 PeerSummary summarize(const PeerFigures& figures);
 
+/// The least that any peer takes, traced alone or with its build, over the project's time; infinite
+/// where none draws it.
+double worst_ratio(const CaseFigures& figures);
+
 }  // namespace raytracer::bench

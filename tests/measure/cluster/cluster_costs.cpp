@@ -32,7 +32,7 @@ struct Options {
   std::string shipped = "server/scenes";
   int width = 1920, height = 1080, samples = 64;
   int tasks = 300;
-  std::vector<int> listeners{1, 51};
+  bool are_floats = false;
 };
 
 struct RealJob {
@@ -41,6 +41,7 @@ struct RealJob {
 };
 
 /// One thread traces all regions, after the other.
+template <typename Channel>
 RealJob trace(const Options& options) {
   const auto named = measure::find_scene(options.scene, options.shipped);
   Scene scene = measure::read_document(named.document(), {});
@@ -53,33 +54,28 @@ RealJob trace(const Options& options) {
   const PreparedScene prepared(scene, pool);
   RenderProgress progress;
   const auto prediction = predict(prepared, Limits{}, measure_machine_costs(pool), pool, progress);
-  const TaskCut cut = cut_into_tasks(prepared, prediction.value(), false);
+  const TaskCut cut = cut_into_tasks(prepared, prediction.value(), sizeof(Channel) == 1);
   RealJob job;
   for (const Tile& region : regions_of(options.width, options.height, cut.side_px)) {
     const Stopwatch stopwatch;
-    const auto part = render_region<float>(prepared, region, pool, progress);
+    const auto part = render_region<Channel>(prepared, region, pool, progress);
     job.task_ms.push_back(stopwatch.elapsed_ms());
     job.result_bytes +=
-        part->values.size() * sizeof(float) + part->subtile_error2.size() * sizeof(double);
+        part->values.size() * sizeof(Channel) + part->subtile_error2.size() * sizeof(double);
   }
   job.result_bytes /= job.task_ms.size();
   return job;
 }
 
 /// Milliseconds of NATS's processor for each task: queued, taken, looked up, its result stored and
-/// told to so many listeners, acknowledged, and fetched.
-double nats_ms(const Options& options, std::size_t result_bytes, int listener_count) {
+/// told to a front, acknowledged, and fetched.
+double nats_ms(const Options& options, std::size_t result_bytes) {
   const Nats nats;
   NatsConnection connection(nats.url());
   test::eventually([&] { return connection.is_connected(); });
   ClusterStore store(connection, StoreLimits{});
   store.ensure_streams();
-  NatsConnection others(nats.url());
-  test::eventually([&] { return others.is_connected(); });
-  std::vector<std::shared_ptr<const void>> listeners;
-  ClusterStore of_others(others, StoreLimits{});
-  for (int i = 0; i < listener_count; ++i)
-    listeners.push_back(of_others.listen_for_news([] {}, true));
+  const auto listener = store.listen_for_news([] {}, true);
 
   const std::string result(result_bytes, 'x');
   const double before_ms = nats.processor_ms();
@@ -105,18 +101,13 @@ double nats_ms(const Options& options, std::size_t result_bytes, int listener_co
 }
 
 void measure_all(const Options& options) {
-  const RealJob job = trace(options);
-  const double few = nats_ms(options, job.result_bytes, options.listeners.at(0));
-  const double many = nats_ms(options, job.result_bytes, options.listeners.at(1));
-  const double listener_ms =
-      std::max(0.0, (many - few) / (options.listeners[1] - options.listeners[0]));
+  const RealJob job = options.are_floats ? trace<float>(options) : trace<unsigned char>(options);
   const measure::TaskCosts empty = measure::measure_empty_tasks();
   const nlohmann::ordered_json figures{
       {"scene", fmt::format("{} {} x {} x {}", options.scene, options.width, options.height,
                             options.samples)},
       {"result_bytes", job.result_bytes},
-      {"nats_ms", few - listener_ms * options.listeners[0]},
-      {"nats_listener_ms", listener_ms},
+      {"nats_ms", nats_ms(options, job.result_bytes)},
       {"empty_task",
        {{"nats_ms", empty.nats_ms}, {"worker_ms", empty.worker_ms}, {"front_ms", empty.front_ms}}},
       {"task_ms", job.task_ms}};
@@ -133,6 +124,7 @@ int main(int argc, char** argv) try {
   app.add_option("--width", options.width, "Pixels");
   app.add_option("--height", options.height, "Pixels");
   app.add_option("--samples", options.samples, "Samples per pixel");
+  app.add_flag("--floats", options.are_floats, "Results as jobs whose floats are announced have");
   app.add_option("--tasks", options.tasks, "Tasks that go through NATS")
       ->check(CLI::Range(1, 100'000));
   CLI11_PARSE(app, argc, argv);

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "engine/measure/stopwatch.h"
+#include "tests/measure/cluster/jobs.h"
 #include "tests/measure/cluster/nats.h"
 #include "tests/measure/report/markdown_table.h"
-#include "tests/process/patience.h"
 #include "tests/process/server_process.h"
 
 namespace {
@@ -55,23 +55,14 @@ void compare(const Options& options, bool front_works) {
   };
   const test::ServerProcess front(front_works ? flags : with("--no-work"));
   const test::ServerProcess worker(with("--worker"));
-  httplib::Client client = front.client();
-  const auto says = [&](const std::string& path, const std::string& text) {
-    const auto answer = client.Get(path);
-    return answer && answer->body.find(text) != std::string::npos;
-  };
-  if (!test::eventually([&] { return says("/cluster", "\"works\": true"); }))
-    throw std::runtime_error("there is no worker");
+  await_workers(front, front_works ? 2 : 1);
   const double idle_ms = small_render_p95(front, options.renders);
-  const auto accepted = client.Post("/jobs?" + options.job, "", "application/json");
-  if (!accepted || accepted->status != 202)
-    throw std::runtime_error("the job is not accepted: " + (accepted ? accepted->body : ""));
-  const std::string job = accepted->get_header_value("Location");
-  if (!test::eventually([&] { return says(job, "\"running\""); }))
-    throw std::runtime_error("the job does not run");
+  const std::string job = begin_job(front, options.job);
+  await_running_task(front);
   const double beside_ms = small_render_p95(front, options.renders);
-  if (!says(job, "\"running\"")) throw std::runtime_error("the job was too short");
-  client.Delete(job);
+  if (get(front, job).find("\"running\"") == std::string::npos)
+    throw std::runtime_error("the job was too short");
+  front.client().Delete(job);
   std::cout << row(front_works ? "works" : "--no-work", fmt::format("{:.2f}", idle_ms),
                    fmt::format("{:.2f}", beside_ms), fmt::format("{:.2f}", 2 * idle_ms + 5));
 }

@@ -53,7 +53,6 @@ std::string read_costs(const std::string& path, ClusterCosts& costs) {
   if (costs.task_ms.empty()) throw std::runtime_error(path + ": there are no tasks in it");
   costs.result_bytes = json.at("result_bytes");
   costs.nats_ms = json.at("nats_ms");
-  costs.nats_listener_ms = json.at("nats_listener_ms");
   costs.worker_ms = json.at("empty_task").at("worker_ms");
   costs.front_ms = json.at("empty_task").at("front_ms");
   return json.at("scene");

@@ -34,11 +34,13 @@ struct Event {
   bool operator>(const Event& other) const { return at_ms > other.at_ms; }
 };
 
+/// Has two tasks at once: one is traced while the other's result travels.
 struct Worker {
   std::uint64_t life = 0;
   bool is_there = false;
   double since_ms = 0;
-  double task_ms = 0;  ///< 0: it has none
+  std::size_t task_count = 0;  ///< that it has and has not traced
+  Resource thread{};
 };
 
 class Simulation {
@@ -77,7 +79,8 @@ class Simulation {
         worker.since_ms = event.at_ms;
         const double came_ms =
             out_.serve(event.at_ms, costs_.scene_bytes / costs_.link_bytes_per_ms);
-        events_.push({came_ms + costs_.scene_ready_ms, Kind::ask, event.worker, worker.life});
+        for (int i = 0; i < 2; ++i)
+          events_.push({came_ms + costs_.scene_ready_ms, Kind::ask, event.worker, worker.life});
         return;
       }
       case Kind::ask:
@@ -85,13 +88,12 @@ class Simulation {
         return;
       case Kind::done:
         if (event.life != worker.life) return;
-        worker.task_ms = 0;
+        --worker.task_count;
         events_.push({in_.serve(event.at_ms, transfer_ms()), Kind::arrived, event.worker,
                       event.life, event.task_ms});
         return;
       case Kind::arrived: {
-        const double told_ms = costs_.nats_listener_ms * static_cast<double>(workers_.size());
-        const double stored_ms = nats_.serve(event.at_ms, costs_.nats_ms / 2 + told_ms);
+        const double stored_ms = nats_.serve(event.at_ms, costs_.nats_ms / 2);
         events_.push({stored_ms, Kind::stored, event.worker, event.life, event.task_ms});
         events_.push({stored_ms, Kind::ask, event.worker, event.life});
         return;
@@ -122,10 +124,11 @@ class Simulation {
     Worker& worker = workers_[index];
     const std::size_t drawn =
         std::uniform_int_distribution<std::size_t>(0, costs_.task_ms.size() - 1)(random_);
-    worker.task_ms = costs_.task_ms[drawn];
+    const double task_ms = costs_.task_ms[drawn];
+    ++worker.task_count;
     const double taken_ms = nats_.serve(now_ms, costs_.nats_ms / 2);
-    events_.push({taken_ms + costs_.worker_ms + worker.task_ms, Kind::done, index, worker.life,
-                  worker.task_ms});
+    events_.push({worker.thread.serve(taken_ms, costs_.worker_ms + task_ms), Kind::done, index,
+                  worker.life, task_ms});
   }
 
   double transfer_ms() const { return costs_.result_bytes / costs_.link_bytes_per_ms; }
@@ -135,10 +138,9 @@ class Simulation {
         std::uniform_int_distribution<std::size_t>(0, workers_.size() - 1)(random_);
     Worker& worker = workers_[index];
     if (!worker.is_there) return;
-    if (worker.task_ms > 0) {
-      ++lost_;
+    lost_ += worker.task_count;
+    for (std::size_t i = 0; i < worker.task_count; ++i)
       events_.push({now_ms + losses_.timeout_ms, Kind::task_again, 0, 0});
-    }
     std::erase(idle_, index);
     present_ms_ += now_ms - worker.since_ms;
     worker = {.life = worker.life + 1};

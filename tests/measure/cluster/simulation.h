@@ -17,7 +17,6 @@ struct ClusterCosts {
   double worker_ms = 3;         ///< of a worker's time, for each task beside its tracing
   double front_ms = 1;          ///< of a front's time, for each result
   double nats_ms = 0.3;         ///< of one core of NATS, for each task
-  double nats_listener_ms = 0;  ///< the same for each server that hears of a result
   double result_bytes = 0;
   double scene_bytes = 20e6;         ///< to each worker once
   double scene_ready_ms = 100;       ///< to read it and build its structures

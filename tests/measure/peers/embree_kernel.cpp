@@ -4,6 +4,7 @@
 
 #include "tests/measure/peers/embree_lanes.h"
 #include "tests/measure/peers/embree_rays.h"
+#include "tests/measure/peers/embree_shadows.h"
 
 namespace raytracer::peers {
 namespace {
@@ -42,7 +43,8 @@ struct Scale<float> {
 template <int width, typename Channel>
 class TileTracer : Lanes<width> {
  public:
-  TileTracer(const EmbreeFrame& frame, EmbreeMode mode) : frame_(frame), rays_(frame, mode) {}
+  TileTracer(const EmbreeFrame& frame, EmbreeMode mode, unsigned seed)
+      : frame_(frame), rays_(frame, mode), shadows_(frame, rays_, seed) {}
 
   /// A packet is a block of pixels, or as many samples of one pixel if there are enough.
   void trace(int x_begin, int y_begin, int x_end, int y_end, Channel* rgb) {
@@ -202,36 +204,35 @@ class TileTracer : Lanes<width> {
     Vector sum{everywhere, everywhere, everywhere};
     for (int i = 0; i < frame_.light_count; ++i) {
       const EmbreeLight& light = frame_.lights[i];
-      Vector towards = splat(light.place);
-      F reach = splat(far_away);
-      F weakened = splat(1);
-      if (light.is_point) {
-        const Vector path = plus(towards, times(point, splat(-1)));
-        weakened = 1.0F / dot(path, path);
-        reach = dot(path, path) * root(weakened);
-        towards = times(path, root(weakened));
+      F share;
+      F direct;
+      if (light.kind == EmbreeLightKind::sky) {
+        share = shadows_.share_of_sky(point, normal, active, depth);
+        direct = share * surface.kd;
+      } else {
+        const auto arriving = shadows_.arriving_from(light, point);
+        const F cosine = dot(normal, arriving.towards);
+        const M visible = active & (cosine > 0.0F);
+        if (!any(visible)) continue;
+        share = shadows_.share_of(light, arriving, point, normal, visible, depth);
+        const Vector half = unit(plus(arriving.towards, times(direction, splat(-1))));
+        F aligned = dot(half, normal);
+        aligned = aligned > 1e-20F ? aligned : splat(1e-20F);
+        direct = share * arriving.weakened *
+                 (surface.kd * cosine + surface.ks * power(aligned, surface.shininess));
       }
-      const F cosine = dot(normal, towards);
-      M visible = active & (cosine > 0.0F);
-      if (!any(visible)) continue;
-      if (frame_.has_shadows)
-        visible = visible & ~rays_.occluded(point, towards, reach, visible, depth);
-      if (!any(visible)) continue;
-
-      const Vector half = unit(plus(towards, times(direction, splat(-1))));
-      F aligned = dot(half, normal);
-      aligned = aligned > 1e-20F ? aligned : splat(1e-20F);
-      const F direct =
-          weakened * (surface.kd * cosine + surface.ks * power(aligned, surface.shininess));
-      sum.x += visible ? where_lit + direct * light.intensity[0] : F{};
-      sum.y += visible ? where_lit + direct * light.intensity[1] : F{};
-      sum.z += visible ? where_lit + direct * light.intensity[2] : F{};
+      const M lit = share > 0.0F;
+      if (!any(lit)) continue;
+      sum.x += lit ? where_lit + direct * light.intensity[0] : F{};
+      sum.y += lit ? where_lit + direct * light.intensity[1] : F{};
+      sum.z += lit ? where_lit + direct * light.intensity[2] : F{};
     }
     return {sum.x * surface.color.x, sum.y * surface.color.y, sum.z * surface.color.z};
   }
 
   const EmbreeFrame& frame_;
   RayCaster<width> rays_;
+  Shadows<width> shadows_;
 };
 
 template <typename Channel>
@@ -240,12 +241,13 @@ void trace_tile(const EmbreeFrame& frame, EmbreeMode mode, int packet_width, int
   const FlushSubnormals flush;
   const int width =
       mode == EmbreeMode::narrow_packets && packet_width > 4 ? packet_width / 2 : packet_width;
+  const auto seed = static_cast<unsigned>(y_begin * frame.width + x_begin);
   if (width == 16)
-    TileTracer<16, Channel>(frame, mode).trace(x_begin, y_begin, x_end, y_end, rgb);
+    TileTracer<16, Channel>(frame, mode, seed).trace(x_begin, y_begin, x_end, y_end, rgb);
   else if (width == 8)
-    TileTracer<8, Channel>(frame, mode).trace(x_begin, y_begin, x_end, y_end, rgb);
+    TileTracer<8, Channel>(frame, mode, seed).trace(x_begin, y_begin, x_end, y_end, rgb);
   else
-    TileTracer<4, Channel>(frame, mode).trace(x_begin, y_begin, x_end, y_end, rgb);
+    TileTracer<4, Channel>(frame, mode, seed).trace(x_begin, y_begin, x_end, y_end, rgb);
 }
 
 }  // namespace

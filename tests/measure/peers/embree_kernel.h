@@ -24,10 +24,27 @@ struct EmbreeMaterial {
   float reflectivity;
 };
 
+enum class EmbreeLightKind { distant, point, sky };
+
+/// A disc where its size is above 0.
 struct EmbreeLight {
-  bool is_point;
+  EmbreeLightKind kind;
+  bool fades;
   float place[3];      ///< the unit vector towards a distant light; where a point light is
-  float intensity[3];  ///< times colour; of a point light over 4 pi, at distance 1
+  float intensity[3];  ///< times colour; of a point light that fades over 4 pi, at distance 1
+  float size;          ///< radius; the tangent of half the angle
+};
+
+/// Of soft lights. Where `random_side` is above 0 the others do not count.
+struct EmbreePlaces {
+  const float* disc_x;  ///< in the unit disc
+  const float* disc_y;
+  int disc_count;
+  const float* sphere_x;  ///< of unit vectors
+  const float* sphere_y;
+  const float* sphere_z;
+  int sphere_count;
+  int random_side;  ///< a random one in each of random_side^2 strata
 };
 
 /// normal . x = offset; intersected outside Embree, which has no unbounded primitives.
@@ -54,6 +71,7 @@ struct EmbreeFrame {
   int max_depth;
   const EmbreeLight* lights;
   int light_count;
+  EmbreePlaces places;
   const EmbreeMaterial* materials;  ///< of each Embree geometry by its id, then of each plane
   int geometry_count;
   const EmbreePlane* planes;

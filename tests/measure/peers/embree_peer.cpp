@@ -62,10 +62,25 @@ std::string EmbreePeer::version() const {
 std::optional<std::string> EmbreePeer::refusal(const Scene& scene) const {
   const SceneFeatures features = features_of(scene);
   if (auto type = first_unknown(features.objects,
-                                {"sphere", "spheres", "sphere_square", "plane", "mesh"}, "objects"))
+                                {"sphere", "spheres", "sphere_square", "plane", "mesh", "cylinder",
+                                 "cylinders", "cone", "cones"},
+                                "objects"))
     return type;
-  if (auto type = first_unknown(features.lights, {"distant", "point"}, "lights")) return type;
-  return first_reason({{features.has_item_colors, "sets with a colour for each item"}});
+  if (auto type = first_unknown(
+          features.lights,
+          {"distant", "distant with an angle", "point", "point with a radius", "sky"}, "lights"))
+    return type;
+  return first_reason({{features.has_transparent_background, "a transparent background"},
+                       {features.has_item_colors, "sets with a colour for each item"},
+                       {features.has_vertex_colors, "meshes with a colour for each vertex"},
+                       {features.has_smooth_meshes, "smooth meshes"},
+                       {features.has_caps, "cylinders and cones that are closed"},
+                       {features.has_glass, "glass"}});
+}
+
+std::vector<std::string> EmbreePeer::differences(const Scene& scene) const {
+  if (std::none_of(scene.lights.begin(), scene.lights.end(), is_soft)) return {};
+  return {"other places of soft lights"};
 }
 
 void EmbreePeer::set_scene(const Scene& scene) {
@@ -92,21 +107,32 @@ std::vector<Ladder> EmbreePeer::ladders() {
   double build_ms = 0;
   world_ = build(build_ms);
   image_ = Image(scene_.camera.width, scene_.camera.height);
-  Ladder all{{}, always};
-  Ladder filling_packets{{}, always};
-  for (int side = 1; side <= largest_side; ++side) {
-    all.settings.push_back(grid(side));
-    if (side * side % packet_width_ == 0) filling_packets.settings.push_back(grid(side));
+  std::vector<int> light_sides{0};
+  if (std::any_of(scene_.lights.begin(), scene_.lights.end(), is_soft)) light_sides = {1, 2, 4, 8};
+  std::vector<Ladder> ladders;
+  for (const int light_side : light_sides) {
+    Ladder all{{}, always};
+    Ladder filling_packets{{}, always};
+    for (int side = 1; side <= largest_side; ++side) {
+      all.settings.push_back(grid(side, light_side));
+      if (side * side % packet_width_ == 0)
+        filling_packets.settings.push_back(grid(side, light_side));
+    }
+    ladders.push_back(std::move(all));
+    ladders.push_back(std::move(filling_packets));
   }
-  return {std::move(all), std::move(filling_packets)};
+  return ladders;
 }
 
-Setting EmbreePeer::grid(int side) {
-  return {fmt::format("{0} x {0}", side), [this, side] { return draw_grid(side); }};
+Setting EmbreePeer::grid(int side, int light_side) {
+  std::string name = fmt::format("{0} x {0}", side);
+  if (light_side > 0) name += fmt::format(", {0} x {0} on each light", light_side);
+  return {name, [this, side, light_side] { return draw_grid(side, light_side); }};
 }
 
-Drawing EmbreePeer::draw_grid(int side) {
+Drawing EmbreePeer::draw_grid(int side, int light_side) {
   set_sample_grid(*world_, side);
+  set_random_places(*world_, light_side);
   EmbreeMode& fastest = fastest_[side * side % packet_width_ == 0 ? 1 : 0];
   Drawing drawing;
   drawing.times.trace_ms = std::numeric_limits<double>::infinity();

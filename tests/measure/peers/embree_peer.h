@@ -3,6 +3,7 @@
 // What the comparison grants it: this machine's instruction set without dispatch, relaxed
 // arithmetic, the best of four ways to hand rays over, an image that was touched before. Squares
 // of spheres become spheres, because it has nothing like them; planes are intersected beside it.
+// Open cylinders and cones are its linear curves, which have no caps.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -27,10 +28,11 @@ class EmbreePeer : public Peer {
   bool is_program() const override { return false; }
   std::optional<std::string> refusal(const Scene& scene) const override;
   bool omits_ambient(const Scene&) const override { return false; }
-  std::vector<std::string> differences(const Scene&) const override { return {}; }
+  std::vector<std::string> differences(const Scene& scene) const override;
   void set_scene(const Scene& scene) override;
   Drawing draw() override;
-  /// Regular grids of side x side samples in every pixel.
+  /// Regular grids of side x side samples in every pixel; of each sample a random place in each of
+  /// so many strata of soft lights.
   std::vector<Ladder> ladders() override;
 
  private:
@@ -38,9 +40,9 @@ class EmbreePeer : public Peer {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
   };
 
-  Drawing draw_grid(int side);
+  Drawing draw_grid(int side, int light_side);
   /// In the way that was the fastest on a small grid of this kind; on a small one in every way.
-  Setting grid(int side);
+  Setting grid(int side, int light_side);
 
   /// `build_ms` is the commit alone, not its arrays.
   std::unique_ptr<EmbreeWorld> build(double& build_ms);

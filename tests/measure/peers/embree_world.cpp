@@ -1,5 +1,6 @@
 #include "tests/measure/peers/embree_world.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -42,6 +43,7 @@ class GeometryCollector {
       std::visit([this](const auto& shape) { add(shape); }, object.shape);
     }
     for (const auto& [material, spheres] : spheres_of_material_) attach_spheres(material, spheres);
+    for (const auto& [material, ends] : tubes_of_material_) attach_tubes(material, ends);
     world_.frame.geometry_count = static_cast<int>(world_.materials.size());
     for (const MaterialIndex material : material_of_plane_)
       world_.materials.push_back(embree_material(scene_.materials[material]));
@@ -54,6 +56,16 @@ class GeometryCollector {
       add_sphere(spheres.centers[i], spheres.radius(i));
   }
   void add(const SphereSquare& square) { add(expanded(square)); }
+  void add(const Cylinder& c) { add_tube(c.from, c.radius, c.to, c.radius); }
+  void add(const Cylinders& c) {
+    for (std::size_t i = 0; i < c.from.size(); ++i)
+      add_tube(c.from[i], c.radius(i), c.to[i], c.radius(i));
+  }
+  void add(const Cone& c) { add_tube(c.from, c.radius_from, c.to, c.radius_to); }
+  void add(const Cones& c) {
+    for (std::size_t i = 0; i < c.from.size(); ++i)
+      add_tube(c.from[i], c.radius_from(i), c.to[i], c.radius_to(i));
+  }
   void add(const auto&) { throw std::logic_error("not a shape that the Embree peer draws"); }
 
   void add(const Plane& plane) {
@@ -85,19 +97,41 @@ class GeometryCollector {
   }
 
   void add_sphere(const Vec3& center, double radius) {
+    append(spheres_of_material_[material_], center, radius);
+  }
+  void add_tube(const Vec3& from, double radius_from, const Vec3& to, double radius_to) {
+    append(tubes_of_material_[material_], from, radius_from);
+    append(tubes_of_material_[material_], to, radius_to);
+  }
+
+  void append(std::vector<float>& values, const Vec3& center, double radius) const {
     const Vec3 point = center - scene_.camera.origin;
-    std::vector<float>& spheres = spheres_of_material_[material_];
     for (const double value : {point.x, point.y, point.z, radius})
-      spheres.push_back(static_cast<float>(value));
+      values.push_back(static_cast<float>(value));
   }
 
   void attach_spheres(MaterialIndex material, const std::vector<float>& spheres) {
     const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    set_points(geometry, spheres);
+    attach(geometry, material);
+  }
+
+  /// Two points each, open at both ends.
+  void attach_tubes(MaterialIndex material, const std::vector<float>& ends) {
+    const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+    set_points(geometry, ends);
+    const std::size_t count = ends.size() / 8;
+    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, sizeof(unsigned), count));
+    for (std::size_t i = 0; i < count; ++i) indices[i] = static_cast<unsigned>(2 * i);
+    attach(geometry, material);
+  }
+
+  static void set_points(RTCGeometry geometry, const std::vector<float>& points) {
     auto* buffer = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
                                                                RTC_FORMAT_FLOAT4, 4 * sizeof(float),
-                                                               spheres.size() / 4));
-    std::copy(spheres.begin(), spheres.end(), buffer);
-    attach(geometry, material);
+                                                               points.size() / 4));
+    std::copy(points.begin(), points.end(), buffer);
   }
 
   void attach(RTCGeometry geometry, MaterialIndex material) {
@@ -114,6 +148,7 @@ class GeometryCollector {
   EmbreeWorld& world_;
   MaterialIndex material_ = 0;
   std::map<MaterialIndex, std::vector<float>> spheres_of_material_;
+  std::map<MaterialIndex, std::vector<float>> tubes_of_material_;
   std::vector<MaterialIndex> material_of_plane_;
 };
 
@@ -121,14 +156,20 @@ std::vector<EmbreeLight> embree_lights(const Scene& scene) {
   std::vector<EmbreeLight> lights;
   for (const Light& light : scene.lights) {
     EmbreeLight result{};
+    double emission = light.intensity;
     if (const auto* point = std::get_if<PointLight>(&light.source)) {
-      result.is_point = true;
+      result.kind = EmbreeLightKind::point;
+      result.fades = point->falloff == Falloff::inverse_square;
+      result.size = static_cast<float>(point->radius);
       set(result.place, point->position - scene.camera.origin);
-      set(result.intensity, light.color * (light.intensity / (4 * std::numbers::pi)));
+      if (result.fades) emission /= 4 * std::numbers::pi;
+    } else if (const auto* distant = std::get_if<DistantLight>(&light.source)) {
+      result.size = static_cast<float>(std::tan(distant->angle / 2));
+      set(result.place, -unit(distant->direction));
     } else {
-      set(result.place, -unit(std::get<DistantLight>(light.source).direction));
-      set(result.intensity, light.color * light.intensity);
+      result.kind = EmbreeLightKind::sky;
     }
+    set(result.intensity, light.color * emission);
     lights.push_back(result);
   }
   return lights;
@@ -140,6 +181,26 @@ void set_samples(EmbreeWorld& world, std::vector<float> x, std::vector<float> y)
   world.frame.sample_x = world.sample_x.data();
   world.frame.sample_y = world.sample_y.data();
   world.frame.sample_count = static_cast<int>(world.sample_x.size());
+}
+
+/// Evenly, `count` on the disc and twice as many on the sphere, of which half are above a surface.
+void set_shared_places(EmbreeWorld& world, int count) {
+  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (int i = 0; i < count; ++i) {
+    const double radius = std::sqrt((i + 0.5) / count);
+    world.disc_x.push_back(static_cast<float>(radius * std::cos(i * turn)));
+    world.disc_y.push_back(static_cast<float>(radius * std::sin(i * turn)));
+  }
+  for (int i = 0; i < 2 * count; ++i) {
+    const double height = 1 - (i + 0.5) / count;
+    const double radius = std::sqrt(1 - height * height);
+    world.sphere_x.push_back(static_cast<float>(radius * std::cos(i * turn)));
+    world.sphere_y.push_back(static_cast<float>(height));
+    world.sphere_z.push_back(static_cast<float>(radius * std::sin(i * turn)));
+  }
+  world.frame.places = {
+      world.disc_x.data(),   world.disc_y.data(),   count,     world.sphere_x.data(),
+      world.sphere_y.data(), world.sphere_z.data(), 2 * count, 0};
 }
 
 }  // namespace
@@ -158,6 +219,9 @@ std::unique_ptr<EmbreeWorld> make_embree_world(RTCDevice device, const Scene& sc
     sample_y.push_back(static_cast<float>(sample.y));
   }
   set_samples(*world, std::move(sample_x), std::move(sample_y));
+  constexpr int least_places = 64;  // for a pixel, as documents are promised
+  const int samples = world->frame.sample_count;
+  set_shared_places(*world, (least_places + samples - 1) / samples);
 
   EmbreeFrame& frame = world->frame;
   const EyeView view = make_eye_view(scene.camera);
@@ -179,6 +243,8 @@ std::unique_ptr<EmbreeWorld> make_embree_world(RTCDevice device, const Scene& sc
   frame.plane_count = static_cast<int>(world->planes.size());
   return world;
 }
+
+void set_random_places(EmbreeWorld& world, int side) { world.frame.places.random_side = side; }
 
 void set_sample_grid(EmbreeWorld& world, int side) {
   std::vector<float> x;

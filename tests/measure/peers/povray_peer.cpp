@@ -35,11 +35,17 @@ std::string PovrayPeer::version() const {
 }
 
 std::optional<std::string> PovrayPeer::refusal(const Scene& scene) const {
-  if (auto reason = ProgramPeer::refusal(scene)) return reason;
   const SceneFeatures features = features_of(scene);
+  if (auto type = first_unknown(features.objects,
+                                {"sphere", "spheres", "sphere_square", "plane", "mesh", "cylinder",
+                                 "cylinders", "cone", "cones"},
+                                "objects"))
+    return type;
+  if (auto type = first_unknown(features.lights, {"distant", "point"}, "lights")) return type;
   const int root = root_of(features.samples);
   return first_reason(
-      {{features.has_flat_highlights, "highlights of shininess 0"},
+      {{features.has_transparent_background, "a transparent background"},
+       {features.has_flat_highlights, "highlights of shininess 0"},
        {root * root != features.samples, "a number of samples that is not a square"}});
 }
 
@@ -48,6 +54,11 @@ std::vector<std::string> PovrayPeer::differences(const Scene& scene) const {
   std::vector<std::string> differences = ProgramPeer::differences(scene);
   if (features.has_colored_highlights)
     differences.push_back("highlights on coloured surfaces have a Fresnel term");
+  if (features.has_smooth_meshes) differences.push_back("smooth meshes mirror by other rules");
+  if (features.has_glass)
+    differences.push_back("glass within glass is bent by the ratio of both indices");
+  if (features.has_fresnel)
+    differences.push_back("what goes through and is mirrored add up to 1 at every angle");
   if (features.samples > 1) differences.push_back("other sample positions");
   return differences;
 }

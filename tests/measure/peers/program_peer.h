@@ -1,7 +1,6 @@
 // What peers have in common that are programs of their own, run anew for each picture.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,6 @@ namespace raytracer::peers {
 class ProgramPeer : public Peer {
  public:
   bool is_program() const override { return true; }
-  std::optional<std::string> refusal(const Scene& scene) const override;
   bool omits_ambient(const Scene& scene) const override;
   std::vector<std::string> differences(const Scene& scene) const override;
 };

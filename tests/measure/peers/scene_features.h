@@ -14,12 +14,19 @@ namespace raytracer::peers {
 
 struct SceneFeatures {
   std::set<std::string_view> objects;  ///< their types, as in documents
-  std::set<std::string_view> lights;
-  bool has_item_colors = false;         ///< sets with a colour for each item
+  std::set<std::string_view> lights;   ///< likewise; soft ones by names of their own
+  bool has_item_colors = false;        ///< sets with a colour for each item
+  bool has_vertex_colors = false;
+  bool has_smooth_meshes = false;
+  bool has_caps = false;                ///< cylinders or cones that are closed
+  bool has_fading_points = false;       ///< lights that fall off with the distance
   bool has_highlights = false;          ///< some material's ks is above 0
   bool has_flat_highlights = false;     ///< of shininess 0
   bool has_colored_highlights = false;  ///< on materials that are not grey
   bool has_mirrors = false;
+  bool has_glass = false;
+  bool has_fresnel = false;
+  bool has_transparent_background = false;
   bool has_uneven_lights = false;  ///< not all grey and of one intensity
   bool has_ambient_part = false;   ///< ambient light that surfaces answer
   int samples = 1;                 ///< per pixel

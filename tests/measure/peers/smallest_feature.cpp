@@ -23,6 +23,16 @@ double size_of(const Cylinders& cylinders) {
     least = std::min({least, cylinders.radius(i), length(cylinders.to[i] - cylinders.from[i])});
   return least;
 }
+double size_of(const Cone& cone) {
+  return std::min(std::max(cone.radius_from, cone.radius_to), length(cone.to - cone.from));
+}
+double size_of(const Cones& cones) {
+  double least = none;
+  for (std::size_t i = 0; i < cones.from.size(); ++i)
+    least = std::min({least, std::max(cones.radius_from(i), cones.radius_to(i)),
+                      length(cones.to[i] - cones.from[i])});
+  return least;
+}
 double size_of(const Mesh& mesh) {
   double extent = 0;
   for (const Vec3& vertex : mesh.vertices) extent = std::max(extent, max_abs(vertex));

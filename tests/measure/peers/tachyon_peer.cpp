@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <fstream>
 #include <stdexcept>
 
@@ -9,16 +11,36 @@
 #include "tests/measure/peers/tachyon_scene.h"
 
 namespace raytracer::peers {
+namespace {
+
+std::ptrdiff_t sky_count(const Scene& scene) {
+  return std::count_if(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+    return std::holds_alternative<SkyLight>(light.source);
+  });
+}
+
+}  // namespace
 
 std::string TachyonPeer::version() const {
   return stated_version("tachyon -version", R"(([0-9][0-9.]*))");
 }
 
 std::optional<std::string> TachyonPeer::refusal(const Scene& scene) const {
-  if (auto reason = ProgramPeer::refusal(scene)) return reason;
   const SceneFeatures features = features_of(scene);
+  if (auto type = first_unknown(
+          features.objects,
+          {"sphere", "spheres", "sphere_square", "plane", "mesh", "cylinder", "cylinders"},
+          "objects"))
+    return type;
+  if (auto type = first_unknown(features.lights, {"distant", "point", "sky"}, "lights"))
+    return type;
   return first_reason(
-      {{features.has_highlights && features.lights.contains("point"),
+      {{features.has_transparent_background, "a transparent background"},
+       {features.has_item_colors, "sets with a colour for each item"},
+       {features.has_vertex_colors, "meshes with a colour for each vertex"},
+       {features.has_glass, "glass, which it does not bend light in"},
+       {sky_count(scene) > 1, "more than one sky"},
+       {features.has_highlights && features.has_fading_points,
         "highlights of point lights, which do not fall off with the distance there"}});
 }
 
@@ -30,6 +52,8 @@ std::vector<std::string> TachyonPeer::differences(const Scene& scene) const {
         "highlights on coloured surfaces have the same brightness and no colour of any light");
   if (features.has_mirrors)
     differences.push_back("what was reflected max_depth times sees the background");
+  if (features.lights.contains("sky"))
+    differences.push_back("64 random directions of the sky in every point");
   if (features.samples > 1) differences.push_back("random sample positions");
   return differences;
 }

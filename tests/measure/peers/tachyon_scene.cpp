@@ -26,6 +26,7 @@ class TachyonWriter {
 
   void write() {
     fmt::print(out_, "BEGIN_SCENE\nRESOLUTION {} {}\n", scene_.camera.width, scene_.camera.height);
+    write_sky();
     write_camera();
     fmt::print(out_, "BACKGROUND {}\n", tachyon_vector(scene_.background.value_or(Rgb{})));
     for (const Light& light : scene_.lights) write_light(light);
@@ -57,8 +58,25 @@ class TachyonWriter {
                -half_height - half_pixel, half_height - half_pixel);
   }
 
+  /// Its ambient occlusion, which stands before the camera.
+  void write_sky() {
+    for (const Light& light : scene_.lights)
+      if (std::holds_alternative<SkyLight>(light.source))
+        fmt::print(out_,
+                   "SHADER_MODE FULL AMBIENT_OCCLUSION AMBIENT_COLOR {} RESCALE_DIRECT 1 SAMPLES "
+                   "64 END_SHADER_MODE\n",
+                   tachyon_vector(light.color * light.intensity));
+  }
+
   void write_light(const Light& light) {
-    if (const auto* point = std::get_if<PointLight>(&light.source)) {
+    if (std::holds_alternative<SkyLight>(light.source)) return;
+    const auto* point = std::get_if<PointLight>(&light.source);
+    if (point && point->falloff == Falloff::none) {
+      fmt::print(out_, "LIGHT CENTER {} RAD 0 COLOR {}\n", point_text(point->position),
+                 tachyon_vector(light.color * light.intensity));
+      return;
+    }
+    if (point) {
       // The intensity is in the attenuation: what is below 0.002 before the colour is left out.
       const double quadratic = 4 * std::numbers::pi / (light.intensity * scale_ * scale_);
       if (light.intensity > 0)
@@ -108,10 +126,14 @@ class TachyonWriter {
                tachyon_vector(unit(plane.normal)), texture_);
   }
   void write(const Mesh& mesh) {
-    for (const auto& triangle : mesh.triangles)
-      fmt::print(out_, "TRI V0 {} V1 {} V2 {} {}\n", point_text(mesh.vertices[triangle[0]]),
-                 point_text(mesh.vertices[triangle[1]]), point_text(mesh.vertices[triangle[2]]),
-                 texture_);
+    for (const auto& triangle : mesh.triangles) {
+      out_ << (mesh.normals.empty() ? "TRI" : "STRI");
+      for (std::size_t k = 0; k < 3; ++k)
+        fmt::print(out_, " V{} {}", k, point_text(mesh.vertices[triangle[k]]));
+      for (std::size_t k = 0; k < 3 && !mesh.normals.empty(); ++k)
+        fmt::print(out_, " N{} {}", k, tachyon_vector(unit(mesh.normals[triangle[k]])));
+      fmt::print(out_, " {}\n", texture_);
+    }
   }
   void write(const auto&) { throw std::logic_error("not a shape that the Tachyon peer draws"); }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tests/measure/scenes/haines_scenes.h"
 #include "tests/measure/scenes/scene_documents.h"
 
 namespace raytracer::measure {
@@ -37,7 +38,21 @@ std::vector<NamedScene> made_scenes() {
           {"sphereflake-7381", [] { return sphereflake(4); }},
           {"mesh-4800", [] { return bumpy_torus(60, 40); }},
           {"mesh-100000", [] { return bumpy_torus(250, 200); }},
-          {"reflections", reflections}};
+          {"reflections", reflections},
+          {"sky-1000", [] { return random_spheres_under_sky(1'000); }},
+          {"sky-100000", [] { return random_spheres_under_sky(100'000); }},
+          {"sky-sphereflake", [] { return sphereflake_under_sky(4); }},
+          {"wide-sun-1000", [] { return random_spheres_under_wide_sun(1'000); }},
+          {"wide-sun-100000", [] { return random_spheres_under_wide_sun(100'000); }},
+          {"lamp-1000", [] { return random_spheres_under_lamp(1'000); }},
+          {"haines-balls", haines_balls},
+          {"haines-mount", haines_mount},
+          {"haines-rings", haines_rings},
+          {"haines-tree", haines_tree},
+          {"haines-goblet", haines_goblet},
+          {"haines-gears", haines_gears},
+          {"haines-tetra", haines_tetra},
+          {"haines-shells", haines_shells}};
 }
 
 std::vector<NamedScene> shipped_scenes(const std::string& shipped) {

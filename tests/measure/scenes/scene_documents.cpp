@@ -2,21 +2,31 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <random>
 
 #include "engine/math/vec.h"
+#include "tests/measure/scenes/document_text.h"
 
 namespace raytracer::measure {
 namespace {
 
-constexpr const char* lights = R"([
+struct Lighting {
+  const char* shadows;
+  const char* lights;
+};
+constexpr Lighting two_suns{"black", R"([
     {"type": "distant", "direction": [-0.6, -1, 0.7], "intensity": 0.6},
     {"type": "distant", "direction": [0.8, -1, 0.3], "color": [1, 0.9, 0.8], "intensity": 0.4}
-  ])";
+  ])"};
+
+constexpr Lighting sky{"ambient", R"([{"type": "sky"}])"};
+constexpr Lighting wide_sun{"ambient",
+                            R"([{"type": "distant", "direction": [-0.6, -1, 0.7], "angle": 0.2}])"};
+constexpr Lighting lamp{
+    "ambient",
+    R"([{"type": "point", "position": [-25, 30, -30], "radius": 4, "falloff": "none"}])"};
 
 constexpr const char* materials = R"({
     "red": {"color": [0.9, 0.2, 0.2]},
@@ -36,13 +46,14 @@ constexpr const char* at_the_torus =
 
 constexpr double square_half_width = 14;
 
-std::string document(const char* camera, const std::string& objects) {
+std::string document(const char* camera, const std::string& objects,
+                     const Lighting& lighting = two_suns) {
   return fmt::format(
       R"({{
   "camera": {{{}, "width": 700, "height": 500}},
   "background": [0.53, 0.8, 0.92],
   "ambient": 0.1,
-  "shadows": "black",
+  "shadows": "{}",
   "lights": {},
   "materials": {},
   "objects": [
@@ -50,33 +61,8 @@ std::string document(const char* camera, const std::string& objects) {
   ]
 }}
 )",
-      camera, lights, materials, objects);
+      camera, lighting.shadows, lighting.lights, materials, objects);
 }
-
-void append_point(std::string& text, const Vec3& point) {
-  fmt::format_to(std::back_inserter(text), "[{:.6g},{:.6g},{:.6g}]", point.x, point.y, point.z);
-}
-
-/// Collects the text of one `spheres` object.
-class SpheresText {
- public:
-  void add(const Vec3& center, double radius) {
-    const char* separator = radii_.empty() ? "" : ",";
-    centers_ += separator;
-    append_point(centers_, center);
-    fmt::format_to(std::back_inserter(radii_), "{}{:.6g}", separator, radius);
-  }
-
-  std::string object(const char* material) const {
-    return fmt::format(
-        R"(    {{"type": "spheres", "centers": [{}], "radius": [{}], "material": "{}"}})", centers_,
-        radii_, material);
-  }
-
- private:
-  std::string centers_;
-  std::string radii_;
-};
 
 const std::string pair_of_spheres =
     R"(    {"type": "sphere", "center": [-2.5, 0, 0], "radius": 2, "material": "red"},
@@ -108,24 +94,7 @@ void add_flake(SpheresText& spheres, const Vec3& center, double radius, const Ve
   add_ring(3, std::numbers::pi / 3, std::numbers::pi / 6);
 }
 
-}  // namespace
-
-std::string two_spheres() { return document(from_the_front, pair_of_spheres); }
-
-std::string two_spheres_and_square(int n) {
-  return document(from_the_front, pair_of_spheres + ",\n" + square_object(n));
-}
-
-std::string two_spheres_and_explicit_square(int n) {
-  const double radius = square_half_width / (2.0 * n);
-  SpheresText spheres;
-  for (int i = 0; i < 2 * n; ++i)
-    for (int k = 0; k < 2 * n; ++k)
-      spheres.add({(2 * i + 1 - 2 * n) * radius, -3, (2 * k + 1 - 2 * n) * radius}, radius);
-  return document(from_the_front, pair_of_spheres + ",\n" + spheres.object("white"));
-}
-
-std::string random_spheres(int count) {
+SpheresText spheres_in_a_cube(int count) {
   constexpr double half_side = 10;
   constexpr double missed = 0.25;
   // A line along an axis meets pi mean(r^2) count / side^2 spheres on average; r is uniform in
@@ -144,40 +113,70 @@ std::string random_spheres(int count) {
     const double z = within(-half_side, half_side);
     spheres.add({x, y, z}, mean_radius * within(0.5, 1.5));
   }
-  return document(at_the_cube, spheres.object("white"));
+  return spheres;
+}
+
+SpheresText flake(int levels) {
+  SpheresText spheres;
+  add_flake(spheres, {0, 0, 0}, 1, {0, 1, 0}, levels);
+  return spheres;
+}
+
+}  // namespace
+
+std::string two_spheres() { return document(from_the_front, pair_of_spheres); }
+
+std::string two_spheres_and_square(int n) {
+  return document(from_the_front, pair_of_spheres + ",\n" + square_object(n));
+}
+
+std::string two_spheres_and_explicit_square(int n) {
+  const double radius = square_half_width / (2.0 * n);
+  SpheresText spheres;
+  for (int i = 0; i < 2 * n; ++i)
+    for (int k = 0; k < 2 * n; ++k)
+      spheres.add({(2 * i + 1 - 2 * n) * radius, -3, (2 * k + 1 - 2 * n) * radius}, radius);
+  return document(from_the_front, pair_of_spheres + ",\n" + spheres.object("white"));
+}
+
+std::string random_spheres(int count) {
+  return document(at_the_cube, spheres_in_a_cube(count).object("white"));
+}
+
+std::string random_spheres_under_sky(int count) {
+  return document(at_the_cube, spheres_in_a_cube(count).object("white"), sky);
+}
+
+std::string random_spheres_under_wide_sun(int count) {
+  return document(at_the_cube, spheres_in_a_cube(count).object("white"), wide_sun);
+}
+
+std::string random_spheres_under_lamp(int count) {
+  return document(at_the_cube, spheres_in_a_cube(count).object("white"), lamp);
 }
 
 std::string sphereflake(int levels) {
-  SpheresText spheres;
-  add_flake(spheres, {0, 0, 0}, 1, {0, 1, 0}, levels);
-  return document(at_the_flake, spheres.object("white"));
+  return document(at_the_flake, flake(levels).object("white"));
+}
+
+std::string sphereflake_under_sky(int levels) {
+  return document(at_the_flake, flake(levels).object("white"), sky);
 }
 
 std::string bumpy_torus(int around, int across) {
-  std::string vertices;
-  std::string triangles;
+  MeshText mesh;
   for (int i = 0; i < around; ++i) {
     for (int k = 0; k < across; ++k) {
       const double u = 2 * std::numbers::pi * i / around;
       const double v = 2 * std::numbers::pi * k / across;
       const double tube = 0.5 * (1 + 0.1 * std::sin(11 * u) * std::sin(5 * v));
       const double ring = 1 + tube * std::cos(v);
-      if (!vertices.empty()) vertices += ',';
-      append_point(vertices, {ring * std::cos(u), tube * std::sin(v), ring * std::sin(u)});
-
+      mesh.add_vertex({ring * std::cos(u), tube * std::sin(v), ring * std::sin(u)});
       const auto index = [&](int a, int b) { return a % around * across + b % across; };
-      const std::array<int, 4> corners{index(i, k), index(i + 1, k), index(i + 1, k + 1),
-                                       index(i, k + 1)};
-      fmt::format_to(std::back_inserter(triangles), "{}[{},{},{}],[{},{},{}]",
-                     triangles.empty() ? "" : ",", corners[0], corners[1], corners[2], corners[0],
-                     corners[2], corners[3]);
+      mesh.add_quadrangle(index(i, k), index(i + 1, k), index(i + 1, k + 1), index(i, k + 1));
     }
   }
-  return document(
-      at_the_torus,
-      fmt::format(
-          R"(    {{"type": "mesh", "vertices": [{}], "triangles": [{}], "material": "white"}})",
-          vertices, triangles));
+  return document(at_the_torus, mesh.object("white"));
 }
 
 std::string reflections() {

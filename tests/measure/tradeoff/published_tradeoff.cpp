@@ -114,8 +114,9 @@ std::vector<NamedScene> wanted(const Options& options, const std::string& part) 
   if (!options.scenes.empty()) return named(options.scenes, options);
   if (part == "contracts") return contract_scenes(options);
   if (part == "budgets") return named({"demo", "mirrors", "mesh", "random-1000"}, options);
-  return named({"two-spheres", "square-28x28", "square-80x80", "demo", "reflections", "random-1000",
-                "mesh-4800"},
+  return named({"two-spheres", "square-28x28", "square-80x80", "demo", "random-1000", "reflections",
+                "mirrors", "mesh-4800", "haines-balls", "haines-gears", "haines-tetra", "sky-1000",
+                "wide-sun-1000", "lamp-1000"},
                options);
 }
 

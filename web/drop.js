@@ -1,0 +1,51 @@
+// Files dropped onto the page. It reads scene documents alone; of any other file it says which
+// command shows it, since the readers of all formats are the client's.
+import { Problem } from "./api.js";
+
+/// Takes what is dropped anywhere: `onScene(text, name)` gets a document and its file's name,
+/// `onProblem(problem)` why there is none.
+export function acceptDrops({ onScene, onProblem }) {
+  const root = document.documentElement;
+  const holdsFiles = ({ dataTransfer }) => dataTransfer.types.includes("Files");
+
+  document.addEventListener("dragover", (event) => {
+    if (!holdsFiles(event)) return;  // text, which the editor takes
+    event.preventDefault();
+    event.dataTransfer.dropEffect = "copy";
+    root.classList.add("receiving");
+  });
+  document.addEventListener("dragleave", ({ relatedTarget }) => {
+    if (relatedTarget === null) root.classList.remove("receiving");
+  });
+  document.addEventListener("drop", async (event) => {
+    root.classList.remove("receiving");
+    if (!holdsFiles(event)) return;
+    event.preventDefault();  // or the browser would leave the page for the file
+    const { files } = event.dataTransfer;
+    try {
+      onScene(await documentOf([...files]), files[0].name);
+    } catch (error) {
+      onProblem(error);
+    }
+  });
+}
+
+async function documentOf(files) {
+  if (files.length > 1) throw new Problem({ title: "One file at a time", detail: `These are ${files.length}.` });
+  const [file] = files;
+  if (!/\.json$/i.test(file.name)) {
+    throw new Problem({
+      title: "This page opens scene documents (.json)",
+      detail: `For molecules, particles and meshes, in a terminal: raytracer open ${quoted(file.name)}`,
+    });
+  }
+  return file.text().catch((error) => {
+    throw new Problem({ title: `${file.name} cannot be read`, detail: error.message });
+  });
+}
+
+// As a shell takes it for one word.
+function quoted(name) {
+  const word = name.startsWith("-") ? `./${name}` : name;
+  return /^[\w.,:+@%/-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
+}
