@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <httplib.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "client/failure.h"
@@ -56,6 +58,15 @@ struct Api::Connection {
     const httplib::Result result = client.Get(path, headers);
     interrupts.check();
     return expect(200, "GET " + path, result);
+  }
+
+  /// The body of what may not be there.
+  std::optional<std::string> find(const std::string& path) {
+    interrupts.check();
+    const httplib::Result result = client.Get(path);
+    interrupts.check();
+    if (result && result->status == 404) return std::nullopt;
+    return expect(200, "GET " + path, result).body;
   }
 
   httplib::Response post(const std::string& path, const SceneText& scene, const Overrides& query,
@@ -142,11 +153,14 @@ std::vector<ShippedScene> Api::scenes() {
 }
 
 SceneText Api::shipped_scene(const std::string& name) {
+  // Not looked for in the list: the server has to read all scenes to write it.
+  const bool may_be_one = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+  });
+  if (may_be_one && !name.empty())
+    if (auto scene = connection_->find("/scenes/" + name)) return {name, std::move(*scene), false};
   std::string known;
-  for (const ShippedScene& scene : scenes()) {
-    if (scene.name == name) return {name, connection_->get("/scenes/" + name).body, false};
-    known += (known.empty() ? "" : ", ") + scene.name;
-  }
+  for (const ShippedScene& scene : scenes()) known += (known.empty() ? "" : ", ") + scene.name;
   throw InputError(fmt::format(
       "{}: there is no such file, and no shipped scene of that name; there are: {}", name, known));
 }

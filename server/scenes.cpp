@@ -21,6 +21,8 @@ bool is_scene_id(std::string_view name) {
   return name.size() == id_length && name.find_first_not_of("0123456789abcdef") == name.npos;
 }
 
+bool is_white_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
 /// A JSON document's text without what lies between its tokens.
 std::string without_white_space(std::string_view document) {
   std::string text;
@@ -28,7 +30,7 @@ std::string without_white_space(std::string_view document) {
   bool is_in_string = false;
   for (std::size_t i = 0; i < document.size(); ++i) {
     const char c = document[i];
-    if (!is_in_string && std::string_view(" \t\r\n").find(c) != std::string_view::npos) continue;
+    if (!is_in_string && is_white_space(c)) continue;
     text += c;
     if (is_in_string && c == '\\' && i + 1 < document.size()) text += document[++i];
     if (c == '"') is_in_string = !is_in_string;

@@ -1,10 +1,10 @@
 #include "client/formats/scene_model.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -58,10 +58,10 @@ class DocumentWriter {
     fmt::format_to(std::back_inserter(text_), format, values...);
   }
 
-  /// Large scenes are made of these, so not by a format.
+  /// Large scenes are made of these, so that no format is read for each.
   void number(double value) {
     std::array<char, 32> room{};
-    text_.append(room.data(), std::to_chars(room.begin(), room.end(), value).ptr);
+    text_.append(room.data(), fmt::format_to(room.data(), FMT_COMPILE("{}"), value));
   }
 
   void numbers(const Triple& all) {

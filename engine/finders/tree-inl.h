@@ -36,9 +36,9 @@ class PacketLanes {
   }
 
   /// The same for boxes.
-  HWY_INLINE BoxRay box_ray_of(std::size_t lane) const {
+  HWY_INLINE NodeRay node_ray(std::size_t lane) const {
     const auto at = [&](std::size_t i) { return values_[i][lane]; };
-    return box_ray<T>({at(0), at(1), at(2)}, {at(10), at(11), at(12)});
+    return node_ray_of<T>({at(0), at(1), at(2)}, {at(10), at(11), at(12)});
   }
 
  private:
@@ -70,22 +70,23 @@ HWY_INLINE void intersect_block(D d, const Block& block, const TreeRays<V, Origi
         intersect(d, side_by_side(d, block, i), ray, hn::FirstN(d, block.count - i), t);
     const auto counts = hn::And(hit, hn::Le(t, hn::Set(d, nearest_t)));
     if (hn::AllFalse(d, counts)) continue;
-    alignas(64) T ts[Tree::leaf_size];
-    hn::Store(hn::IfThenElse(counts, t, hn::Set(d, std::numeric_limits<T>::max())), d, ts);
-    for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
-      const T id = block.id[i + k];
-      if (ts[k] < nearest_t || (ts[k] == nearest_t && id < nearest_id)) {
-        nearest_t = ts[k];
-        nearest_id = id;
-      }
+    const V none = hn::Set(d, std::numeric_limits<T>::max());
+    const V least_t = hn::MinOfLanes(d, hn::IfThenElse(counts, t, none));
+    const V ids = hn::Load(d, block.id.data() + i);
+    const auto nearest = hn::And(counts, hn::Eq(t, least_t));
+    const T id = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(nearest, ids, none)));
+    const T first_t = hn::GetLane(least_t);
+    if (first_t < nearest_t || id < nearest_id) {
+      nearest_t = first_t;
+      nearest_id = id;
     }
   }
 }
 
-/// Whether the active lanes had better walk together: where one leaf is all, or where their
-/// directions have something in common. n random ones have a sum whose square is n on average.
-/// Processor time in ms of all together, each alone and by this rule: 1,000 mirroring spheres 49,
-/// 80, 50; 100,000 338, 214, 220; a mirroring sphereflake 49, 91, 57.
+/// Whether the active lanes' directions have something in common: n random ones have a sum whose
+/// square is n on average. Processor time in ms of all together, each alone and by this rule:
+/// 1,000 mirroring spheres 49, 80, 50; 100,000 338, 214, 220; a mirroring sphereflake 49, 91, 57.
+/// To try a single leaf's primitives together is as good at any time.
 template <class D, class Block, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE bool go_together(D d, const PacketTree<Block>& tree, const V3<V>& direction, M active) {
@@ -120,7 +121,7 @@ HWY_NOINLINE void intersect_tree_alone(D d, const PacketTree<Block>& tree,
   hn::Store(hit.id, d, nearest_id);
   for_each_lane(d, active, [&](std::size_t lane) HWY_ATTR {
     const auto ray = lanes.template ray<Origin<hn::Vec<decltype(d8)>>>(d8, lane);
-    walk_alone(tree, lanes.box_ray_of(lane), nearest_t[lane], [&](const Block& block) HWY_ATTR {
+    walk_alone(tree, lanes.node_ray(lane), nearest_t[lane], [&](const Block& block) HWY_ATTR {
       intersect_block(d8, block, ray, nearest_t[lane], nearest_id[lane]);
       return false;
     });
@@ -137,67 +138,34 @@ void intersect_tree(D d, const PacketTree<Block>& tree, const Origin<V>& from,
   const TreeRays<V, Origin<V>> rays = tree_rays(d, from, direction);
   if (!go_together(d, tree, direction, active))
     return intersect_tree_alone(d, tree, rays, active, hit);
-  walk_together(d, tree, rays, active, hit.t, [&](const Block& block) HWY_ATTR {
+  walk_together(d, tree, rays, active, hit.t, [&](const Block& block, M lanes) HWY_ATTR {
     for (std::size_t i = 0; i < block.count; ++i) {
       V t;
       const auto columns = in_all_lanes(d, block, i);
-      const M is_hit = intersect(d, columns, rays, active, t);
+      const M is_hit = intersect(d, columns, rays, lanes, t);
       take(hit, is_nearer(hit, t, columns.id, is_hit), t, columns.id);
     }
     return false;
   });
 }
 
-/// Whether one ray meets something of a block nearer than `distance`.
-template <class D, class Origin, class V = hn::Vec<D>, typename T = hn::TFromD<D>, class Block>
-HWY_INLINE bool is_occluded_by_block(D d, const Block& block, const TreeRays<V, Origin>& ray,
-                                     T distance) {
-  for (std::size_t i = 0; i < block.count; i += hn::Lanes(d)) {
-    V t;
-    const auto hit =
-        intersect(d, side_by_side(d, block, i), ray, hn::FirstN(d, block.count - i), t);
-    if (!hn::AllFalse(d, hn::And(hit, hn::Lt(t, hn::Set(d, distance))))) return true;
-  }
-  return false;
-}
-
-/// Lanes of `lit` from which something in the tree stands nearer than `distance`, each ray alone.
-template <class D, class V, class M = hn::Mask<D>, typename T = hn::TFromD<D>, class Block>
-HWY_NOINLINE M occluded_in_tree_alone(D d, const PacketTree<Block>& tree, const TreeRays<V>& rays,
-                                      V distance, M lit) {
-  const EightTag<T> d8;
-  const PacketLanes<T> lanes(d, rays);
-  alignas(64) T distances[PacketLanes<T>::most];
-  hn::Store(distance, d, distances);
-  std::uint64_t dark = 0;
-  for_each_lane(d, lit, [&](std::size_t lane) HWY_ATTR {
-    const auto ray = lanes.template ray<RayOrigin<hn::Vec<decltype(d8)>>>(d8, lane);
-    walk_alone(tree, lanes.box_ray_of(lane), distances[lane], [&](const Block& block) HWY_ATTR {
-      if (!is_occluded_by_block(d8, block, ray, distances[lane])) return false;
-      dark |= std::uint64_t{1} << lane;
-      return true;
-    });
-  });
-  return mask_of(d, dark);
-}
-
-/// Lanes of `lit` from which something in the tree stands nearer than `distance`.
+/// Lanes of `lit` from which something in the tree stands nearer than `distance`. Rays to a light
+/// go together.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>,
           class Block>
 M occluded_in_tree(D d, const PacketTree<Block>& tree, const RayOrigin<V>& from,
                    const V3<V>& towards, V distance, M lit) {
-  const TreeRays<V> rays = tree_rays(d, from, towards);
-  if (!go_together(d, tree, towards, lit))
-    return occluded_in_tree_alone(d, tree, rays, distance, lit);
+  const auto rays = tree_rays(d, from, towards);
   M rest = lit;
-  walk_together(d, tree, rays, rest, distance, [&](const Block& block) HWY_ATTR {
-    for (std::size_t i = 0; i < block.count; ++i) {
+  walk_together(d, tree, rays, rest, distance, [&](const Block& block, M lanes) HWY_ATTR {
+    M clear = lanes;
+    for (std::size_t i = 0; i < block.count && !hn::AllFalse(d, clear); ++i) {
       V t;
-      const M hit = intersect(d, in_all_lanes(d, block, i), rays, rest, t);
-      rest = hn::AndNot(hn::And(hit, hn::Lt(t, distance)), rest);
-      if (hn::AllFalse(d, rest)) return true;
+      const M hit = intersect(d, in_all_lanes(d, block, i), rays, clear, t);
+      clear = hn::AndNot(hn::And(hit, hn::Lt(t, distance)), clear);
     }
-    return false;
+    rest = hn::AndNot(hn::AndNot(clear, lanes), rest);
+    return hn::AllFalse(d, rest);
   });
   return hn::AndNot(rest, lit);
 }

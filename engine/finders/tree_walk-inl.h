@@ -40,25 +40,34 @@ HWY_INLINE TreeRays<V, Origin> tree_rays(D d, const Origin& from, const V3<V>& d
           basis_across(d, direction)};
 }
 
-/// Untried children, each with the least distance at which it may be met; of a node's the nearest
-/// is on top.
-template <typename T>
-struct TreeStack {
-  struct Entry {
-    TreeChild child;
-    T t;
-  };
+/// A child that is still to be tried, and the least distance at which it may be met.
+struct UntriedChild {
+  TreeChild child;
+  float t;
+};
 
+/// The same of a packet, and a bit for each lane that enters it.
+template <typename T>
+struct UntriedByLanes {
+  TreeChild child;
+  T t;
+  std::uint32_t lanes;
+};
+
+/// Untried children; of a node's the nearest is on top.
+template <class Entry>
+struct TreeStack {
   Entry entries[Tree::stack_size];
   std::size_t size = 0;
 
-  TreeStack() { push(TreeChild::node(0), 0, 0); }
+  explicit TreeStack(const Entry& root) { push(root, 0); }
 
   /// Below the entries from `first` on that are nearer.
-  HWY_INLINE void push(TreeChild child, T t, std::size_t first) {
+  HWY_INLINE void push(const Entry& entry, std::size_t first) {
     std::size_t place = size++;
-    for (; place > first && entries[place - 1].t < t; --place) entries[place] = entries[place - 1];
-    entries[place] = {child, t};
+    for (; place > first && entries[place - 1].t < entry.t; --place)
+      entries[place] = entries[place - 1];
+    entries[place] = entry;
   }
   HWY_INLINE Entry pop() { return entries[--size]; }
 };
@@ -67,30 +76,30 @@ template <typename T>
 inline constexpr T generous = 1 + 8 * std::numeric_limits<T>::epsilon();
 
 /// For all boxes of a node, or as many as fit.
-using BoxTag = hn::CappedTag<float, TreeNode::width>;
-using BoxVec = hn::Vec<BoxTag>;
+using NodeTag = hn::CappedTag<float, TreeNode::width>;
+using NodeVec = hn::Vec<NodeTag>;
 
-/// One ray for boxes, the same in all lanes: in single precision whatever its own. What narrowing
-/// has moved its origin by makes boxes that much larger.
-struct BoxRay {
-  V3<BoxVec> near_from;  ///< for the sides where it may come in
-  V3<BoxVec> far_from;   ///< and for those where it may go out
-  V3<BoxVec> inverse;
+/// One ray for the boxes of nodes, the same in all lanes: in single precision whatever its own.
+/// What narrowing has moved its origin by makes boxes that much larger.
+struct NodeRay {
+  V3<NodeVec> near_from;  ///< for the sides where it may come in
+  V3<NodeVec> far_from;   ///< and for those where it may go out
+  V3<NodeVec> inverse;
   bool backwards[3];
 };
 
 template <typename T>
-HWY_INLINE BoxRay box_ray(const Triple<T>& from, const Triple<T>& inverse) {
+HWY_INLINE NodeRay node_ray_of(const Triple<T>& from, const Triple<T>& inverse) {
   constexpr float slack = 4 * std::numeric_limits<float>::epsilon();
-  const BoxTag d;
+  const NodeTag d;
   const auto moved = [&](T place, T slope, float share) HWY_ATTR {
     const auto narrowed = static_cast<float>(place);
     if constexpr (sizeof(T) == sizeof(float)) return hn::Set(d, narrowed);
     return hn::Set(d, narrowed + (slope < 0 ? -share : share) * std::abs(narrowed));
   };
   const auto all = [&](float share) HWY_ATTR {
-    return V3<BoxVec>{moved(from.x, inverse.x, share), moved(from.y, inverse.y, share),
-                      moved(from.z, inverse.z, share)};
+    return V3<NodeVec>{moved(from.x, inverse.x, share), moved(from.y, inverse.y, share),
+                       moved(from.z, inverse.z, share)};
   };
   return {all(slack),
           all(-slack),
@@ -108,22 +117,22 @@ HWY_INLINE float box_reach(T t_max) {
 }
 
 /// One ray against all boxes of a node: a bit for each that it enters within `reach`, and where.
-HWY_INLINE std::uint32_t enters(const BoxRay& ray, const TreeNode& node, float reach,
+HWY_INLINE std::uint32_t enters(const NodeRay& ray, const TreeNode& node, float reach,
                                 float* t_begins) {
-  const BoxTag d;
+  const NodeTag d;
   std::uint32_t entered = 0;
   for (std::size_t i = 0; i < TreeNode::width; i += hn::Lanes(d)) {
-    const auto along = [&](std::size_t axis, bool is_far, BoxVec from, BoxVec inverse) HWY_ATTR {
+    const auto along = [&](std::size_t axis, bool is_far, NodeVec from, NodeVec inverse) HWY_ATTR {
       const auto& side = ray.backwards[axis] != is_far ? node.high[axis] : node.low[axis];
       return hn::Mul(hn::Sub(hn::LoadU(d, side.data() + i), from), inverse);
     };
-    const BoxVec t_begin =
+    const NodeVec t_begin =
         hn::Max(hn::Max(along(0, false, ray.near_from.x, ray.inverse.x),
                         along(1, false, ray.near_from.y, ray.inverse.y)),
                 hn::Max(along(2, false, ray.near_from.z, ray.inverse.z), hn::Zero(d)));
-    const BoxVec t_end = hn::Min(hn::Min(along(0, true, ray.far_from.x, ray.inverse.x),
-                                         along(1, true, ray.far_from.y, ray.inverse.y)),
-                                 along(2, true, ray.far_from.z, ray.inverse.z));
+    const NodeVec t_end = hn::Min(hn::Min(along(0, true, ray.far_from.x, ray.inverse.x),
+                                          along(1, true, ray.far_from.y, ray.inverse.y)),
+                                  along(2, true, ray.far_from.z, ray.inverse.z));
     hn::Store(t_begin, d, t_begins + i);
     const auto enter =
         hn::Le(t_begin, hn::Min(hn::Mul(t_end, hn::Set(d, generous<float>)), hn::Set(d, reach)));
@@ -135,11 +144,11 @@ HWY_INLINE std::uint32_t enters(const BoxRay& ray, const TreeNode& node, float r
 /// Takes one ray to the leaves that it may need, near ones first, until leaf(block) says that it is
 /// settled. `t_max` is read again, so a leaf may lower it.
 template <class Block, typename T, class Leaf>
-HWY_INLINE void walk_alone(const PacketTree<Block>& tree, const BoxRay& ray, const T& t_max,
+HWY_INLINE void walk_alone(const PacketTree<Block>& tree, const NodeRay& ray, const T& t_max,
                            const Leaf& leaf) {
-  TreeStack<float> stack;
+  TreeStack<UntriedChild> stack({TreeChild::node(0), 0});
   while (stack.size > 0) {
-    const auto entry = stack.pop();
+    const UntriedChild entry = stack.pop();
     const float reach = box_reach(t_max);
     if (entry.t > reach) continue;
     if (entry.child.is_leaf()) {
@@ -152,7 +161,7 @@ HWY_INLINE void walk_alone(const PacketTree<Block>& tree, const BoxRay& ray, con
     const std::size_t first = stack.size;
     for (; entered != 0; entered &= entered - 1) {
       const auto i = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(entered));
-      stack.push(node.children[i], t_begins[i], first);
+      stack.push({node.children[i], t_begins[i]}, first);
     }
   }
 }
@@ -179,29 +188,34 @@ HWY_INLINE M enters_child(D d, const TreeRays<V, Origin>& rays, const TreeNode& 
 }
 
 /// Takes a packet to the leaves that a lane of `active` may need, near ones first, until
-/// leaf(block) says that all is settled. `active` and `t_max` are read again, so a leaf may lower
-/// them.
+/// leaf(block, lanes) says that all is settled; these are the lanes that enter it. `active` and
+/// `t_max` are read again, so a leaf may lower them.
 template <class D, class V, class Origin, class M, class Block, typename T = hn::TFromD<D>,
           class Leaf>
 HWY_INLINE void walk_together(D d, const PacketTree<Block>& tree, const TreeRays<V, Origin>& rays,
                               const M& active, const V& t_max, const Leaf& leaf) {
   const V far_away = hn::Set(d, std::numeric_limits<T>::max());
-  TreeStack<T> stack;
+  const auto bits = [&](M mask) HWY_ATTR { return static_cast<std::uint32_t>(bits_of(d, mask)); };
+  TreeStack<UntriedByLanes<T>> stack({TreeChild::node(0), 0, bits(active)});
   while (stack.size > 0) {
     const auto entry = stack.pop();
-    if (hn::AllFalse(d, hn::And(active, hn::Le(hn::Set(d, entry.t), t_max)))) continue;
+    const M in_reach = hn::And(active, hn::Le(hn::Set(d, entry.t), t_max));
+    const std::uint32_t left = entry.lanes & bits(in_reach);
+    if (left == 0) continue;
+    const M rest = mask_of(d, left);
     if (entry.child.is_leaf()) {
-      if (leaf(tree.leaves[entry.child.index()])) return;
+      if (leaf(tree.leaves[entry.child.index()], rest)) return;
       continue;
     }
     const TreeNode& node = tree.nodes[entry.child.index()];
     const std::size_t first = stack.size;
     for (std::size_t i = 0; i < node.child_count; ++i) {
       V t_begin;
-      const M entered = hn::And(active, enters_child(d, rays, node, i, t_max, t_begin));
-      if (hn::AllFalse(d, entered)) continue;
+      const M entered = hn::And(rest, enters_child(d, rays, node, i, t_max, t_begin));
+      const std::uint32_t lanes = bits(entered);
+      if (lanes == 0) continue;
       const T t = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(entered, t_begin, far_away)));
-      stack.push(node.children[i], t, first);
+      stack.push({node.children[i], t, lanes}, first);
     }
   }
 }

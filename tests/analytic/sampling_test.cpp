@@ -236,7 +236,7 @@ TEST(Contract, of_accuracy_is_kept_where_rays_branch_often) {
   text["render"] = {{"samples", 1024}, {"max_depth", depth}};
   RenderProgress again;
   const Image exact = render(scene_of(text), Limits{}, pool, again).image;
-  EXPECT_LE(rmse(rendering.image, exact), 0.01);
+  EXPECT_LE(rms_difference(rendering.image, exact), 0.01);
 }
 
 /// With fewer samples than can be compared there is one estimate for one image, and no target that

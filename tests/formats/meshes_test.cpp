@@ -32,6 +32,18 @@ TEST(Meshes, torus_keeps_normals_colours_and_common_corners) {
   EXPECT_FALSE(obj.contains("colors"));
 }
 
+TEST(Meshes, numbers_of_an_obj_may_begin_with_their_point) {
+  const std::string text = "v 0 .5 0\nv 1 .5 -.5\nv 1 1 .25\nf 1 2 3\n";
+  const json corners = json::parse("[[0, 0.5, 0], [-1, 0.5, -0.5], [-1, 1, 0.25]]");
+  EXPECT_EQ(document(".obj", text).at("objects")[0].at("vertices"), corners);
+  const TemporaryFolder folder;
+  const std::string path = folder.write("bare.obj", text);
+  const auto file =
+      client::format_of(path)->open({client::source_of_file(path), path}, client::Wishes());
+  const client::Reading reading = file->next_frame().value();
+  EXPECT_EQ(reading.scene.objects.size(), 1U);
+}
+
 TEST(Meshes, stl_is_flat) {
   const json mesh = document_of_file("tetrahedron.stl").at("objects")[0];
   EXPECT_EQ(mesh.at("vertices").size(), 4U);

@@ -1,5 +1,7 @@
 #include "client/formats/meshes/import_meshes.h"
 
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -8,9 +10,11 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <functional>
+#include <memory>
 #include <unordered_map>
 
 #include "client/failure.h"
+#include "client/formats/meshes/obj_numbers.h"
 #include "client/formats/particles/columns.h"
 #include "client/formats/particles/neighbors.h"
 #include "client/formats/particles/screen_color.h"
@@ -20,6 +24,21 @@ namespace raytracer::client {
 namespace {
 
 constexpr std::array<const char*, 5> hints{"ply", "obj", "stl", "gltf", "glb"};
+
+/// Gives assimp the numbers of an OBJ as it knows them; the files that it names as they are.
+class ObjFiles : public Assimp::DefaultIOSystem {
+ public:
+  Assimp::IOStream* Open(const char* path, const char* mode) override {
+    const std::unique_ptr<Assimp::IOStream> file(DefaultIOSystem::Open(path, mode));
+    if (!file) return nullptr;
+    std::string text(file->FileSize(), '\0');
+    text.resize(file->Read(text.data(), 1, text.size()));
+    const std::string known = with_zeros_before_points(text);
+    auto bytes = std::make_unique<std::uint8_t[]>(known.size());
+    std::copy(known.begin(), known.end(), bytes.get());
+    return new Assimp::MemoryIOStream(bytes.release(), known.size(), true);
+  }
+};
 
 model::Triple triple(const aiVector3D& vector) {
   return {static_cast<double>(vector.x), static_cast<double>(vector.y),
@@ -232,6 +251,9 @@ class MeshImport {
 void raytracer_import_meshes(MeshFormat format, const std::string& path, std::string_view text,
                              Reading& reading) {
   Assimp::Importer importer;
+  std::string known;
+  if (format == MeshFormat::obj && text.empty()) importer.SetIOHandler(new ObjFiles);  // takes it
+  if (format == MeshFormat::obj) text = known = with_zeros_before_points(text);
   const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
   const aiScene* const scene =
       text.empty() && !path.empty()

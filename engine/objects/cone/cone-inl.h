@@ -201,11 +201,15 @@ HWY_INLINE M intersect_cones(D d, const Cones<V>& c, const RayOrigin<V>& from,
   const AlongCone<V> g = direction_along(c, direction);
   const AlongCone<V> f = place_along(c, from.point);
   const V power = hn::NegMulAdd(f.girth, f.girth, hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)));
-  const ConeChords<V, M> chords = chords_of(d, c, f, g, power);
   const M is_closed = hn::Gt(c.has_caps, hn::Zero(d));
-  M is_hit = hn::And(hn::AndNot(hn::Eq(from.id, c.id), enter_closed(d, chords, t)),
-                     hn::And(active, is_closed));
+  const M closed = hn::And(active, is_closed);
   const M open = hn::AndNot(is_closed, active);
+  M is_hit = hn::Lt(power, power);
+  t = hn::Zero(d);
+  if (HWY_LIKELY(!hn::AllFalse(d, closed))) {
+    const ConeChords<V, M> chords = chords_of(d, c, f, g, power);
+    is_hit = hn::And(hn::AndNot(hn::Eq(from.id, c.id), enter_closed(d, chords, t)), closed);
+  }
   if (HWY_UNLIKELY(!hn::AllFalse(d, open))) {
     V t_open;
     const M hits_open = hn::And(open, intersect_open(d, c, from, direction, f, g, power, t_open));

@@ -161,10 +161,15 @@ HWY_INLINE M intersect_cylinders(D d, const Cylinders<V>& c, const RayOrigin<V>&
   InAxes<V> f = in_axes(c, from.point);
   f.v = hn::Sub(f.v, c.distance);
   const V power = hn::Sub(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)), c.radius2);
-  const M hits_closed = enter_closed(d, spans_of(d, c, f, g, power), t);
   const M is_closed = hn::Gt(c.has_caps, hn::Zero(d));
-  M is_hit = hn::And(hn::AndNot(hn::Eq(from.id, c.id), hits_closed), hn::And(active, is_closed));
+  const M closed = hn::And(active, is_closed);
   const M open = hn::AndNot(is_closed, active);
+  M is_hit = hn::Lt(power, power);
+  t = hn::Zero(d);
+  if (HWY_LIKELY(!hn::AllFalse(d, closed))) {
+    const M hits_closed = enter_closed(d, spans_of(d, c, f, g, power), t);
+    is_hit = hn::And(hn::AndNot(hn::Eq(from.id, c.id), hits_closed), closed);
+  }
   if (HWY_UNLIKELY(!hn::AllFalse(d, open))) {
     V t_open;
     const M hits_open = hn::And(open, intersect_open(d, c, from, f, g, power, t_open));
