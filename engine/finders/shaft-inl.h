@@ -69,6 +69,15 @@ struct Shaft {
   }
 };
 
+/// The sides of boxes, which are singles.
+template <class D, typename T = hn::TFromD<D>>
+HWY_INLINE hn::Vec<D> load_bounds(D d, const float* values) {
+  if constexpr (sizeof(T) == sizeof(float))
+    return hn::LoadU(d, values);
+  else
+    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), values));
+}
+
 /// Takes a shaft to the leaves of a tree that it may touch, until leaf(index) says that it has seen
 /// enough.
 template <class D, class Block, typename T = hn::TFromD<D>, class Leaf>
