@@ -13,7 +13,7 @@ import { createGallery } from "./gallery.js";
 import { createHistory } from "./history.js";
 import { withElement, withoutElement, withValue } from "./json_edit.js";
 import { createLive } from "./live.js";
-import { newObject } from "./move_sphere.js";
+import { newElement } from "./move_sphere.js";
 import { createReader, long_text } from "./outline.js";
 import { showPicture } from "./picture.js";
 import { showPlan } from "./plan_panel.js";
@@ -76,8 +76,8 @@ const problemPanel = createProblemPanel({
 const chooseTab = createTabs(at("tabs"));
 const form = createSceneForm(at("panel-form"), {
   onEdit: (pointer, value) => revise(withValue(editor.text, pointer, value), pointer),
-  onAdd: (type) => revise(withElement(editor.text, "/objects", newObject(type, camera())), "add"),
-  onRemove: (index) => revise(withoutElement(editor.text, "/objects", index), "remove"),
+  onAdd: (list, type) => revise(withElement(editor.text, list, newElement(type, camera())), "add"),
+  onRemove: (list, index) => revise(withoutElement(editor.text, list, index), "remove"),
 });
 const history = createHistory(at("undo"), (text) => revise(text, null));
 const accuracy = createAccuracy(at("accuracy-box"), () => instead(rest));

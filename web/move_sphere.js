@@ -49,8 +49,9 @@ export function createSphereMover(outline) {
   };
 }
 
-/// An object where the camera looks, of a size to be seen.
-export function newObject(type, { origin, look_at }) {
+/// An object where the camera looks, of a size to be seen, or a sky beside the lights that are there.
+export function newElement(type, { origin, look_at }) {
+  if (type === "sky") return { type, intensity: 0.5 };
   const distance = length(subtract(look_at, origin));
   const step = distance / 100;
   const place = (height) => add(add(origin, scale(subtract(look_at, origin), 0.7)), [0, height, 0])

@@ -10,7 +10,7 @@ const kinds = {
 };
 
 /// `box` is filled anew by show(). `onEdit(pointer, value)` follows each change of a value;
-/// `onAdd(type)` and `onRemove(index)` the buttons of the objects.
+/// `onAdd(list, type)` and `onRemove(list, index)` the buttons of the lists at these pointers.
 export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
   let shape = "";   // of the document that the controls were made for
   let fields = [];  // {pointer, read(value)}
@@ -80,6 +80,12 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
     return select;
   }
 
+  function remover(name, list, index) {
+    const remove = button("×", () => onRemove(list, Number(index)));
+    remove.ariaLabel = remove.title = `Remove ${name}`;
+    return remove;
+  }
+
   const point = (label, pointer) => ["x", "y", "z"].map((axis, index) => labelled(axis, number(`${label}, ${axis}`, `${pointer}/${index}`)));
 
   function make(scene) {
@@ -91,15 +97,13 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
         if (object.type !== type || !points.every((key) => Array.isArray(object[key]))) continue;
         const pointer = `/objects/${index}`;
         const name = `${title} ${rows.length + 1}`;
-        const remove = button("×", () => onRemove(Number(index)));
-        remove.ariaLabel = remove.title = `Remove ${name}`;
         rows.push(row(name, materialOf(object), [
           ...points.flatMap((key) => point(points.length > 1 ? `${name}, ${key}` : name, `${pointer}/${key}`)),
           ...Object.entries(radii).map(([key, label]) =>
             labelled(label, number(`${name}, ${key.replace("_", " ")}`, `${pointer}/${key}`, { min: 0 }))),
-          ...flags.map((key) => labelled(key, checkbox(`${name}, ${key}`, `${pointer}/${key}`))), remove]));
+          ...flags.map((key) => labelled(key, checkbox(`${name}, ${key}`, `${pointer}/${key}`))), remover(name, "/objects", index)]));
       }
-      rows.push(button(`Add a ${type}`, () => onAdd(type)));
+      rows.push(button(`Add a ${type}`, () => onAdd("/objects", type)));
       groups.push(group(`${title}s`, rows));
     }
 
@@ -123,10 +127,12 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
       return row(name, [light?.type, where].filter(Boolean).join(", "), [
         colour(`${name}, colour`, `${pointer}/color`), ...(where ? point(`${name}, ${where}`, `${pointer}/${where}`) : []),
         labelled("intensity", number(`${name}, intensity`, `${pointer}/intensity`, { min: 0 })),
-        ...(where === "direction" ? [labelled("softness", number(`${name}, angle`, `${pointer}/angle`, { step: 0.01, min: 0, max: 3.14 }))] : []),
-        ...(where === "position" ? [labelled("softness", number(`${name}, radius`, `${pointer}/radius`, { min: 0 })), labelled("falloff", choice(`${name}, falloff`, `${pointer}/falloff`, ["inverse_square", "none"]))] : [])]);
+        ...(where === "direction" ? [labelled("softness", slider(`${name}, angle`, `${pointer}/angle`))] : []),
+        ...(where === "position" ? [labelled("softness", slider(`${name}, radius`, `${pointer}/radius`, widestRadius(light))), labelled("falloff", choice(`${name}, falloff`, `${pointer}/falloff`, ["inverse_square", "none"]))] : []),
+        ...(light?.type === "sky" ? [remover(name, "/lights", index)] : [])]);
     });
-    if (lights.length > 0) groups.push(group("Lights", lights));
+    if (!scene.lights.some((light) => light?.type === "sky")) lights.push(button("Add a sky", () => onAdd("/lights", "sky")));
+    groups.push(group("Lights", lights));
     groups.push(group("Surroundings", [
       row("Background", "", background("Background", "/background")),
       row("Ambient light", "", [labelled("", slider("Ambient light", "/ambient"))], "material")]));
@@ -146,6 +152,9 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
 
 const transparent = "transparent";
 const defaults = { color: [1, 1, 1], background: [0, 0, 0], ambient: 0.2, kd: 0.7, ks: 0.3, reflectivity: 0, transparency: 0, ior: 1.5, fresnel: false, intensity: 1, angle: 0, radius: 0 };
+
+/// Of a lamp, by how far it is from the middle of where most scenes are.
+const widestRadius = ({ position }) => Number((Array.isArray(position) && Math.hypot(...position) / 4 || 1).toPrecision(1));
 
 /// What decides which controls there are.
 function shapeOf({ objects, materials, lights }) {

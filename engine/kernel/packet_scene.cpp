@@ -43,14 +43,21 @@ void add_soft_light(const SoftLight& soft, std::vector<PackedLight>& lights,
                         static_cast<T>(std::min(soft.light.size, most)),
                         soft.per_set,
                         {},
+                        {},
                         {}};
+  const auto add_direction = [&](const Vec3& towards, bool is_opposite) {
+    lights.push_back({soft.light.kind, LightRays::parallel, towards, {}, false});
+    lights.back().is_opposite = is_opposite;
+    (is_opposite ? to.opposites : to.directions)
+        .push_back(packet_light<T>(lights.back(), lights.size() - 1));
+  };
   for (const Vec3& place : soft.places) {
-    if (soft.light.rays == LightRays::parallel) {
-      lights.push_back({soft.light.kind, LightRays::parallel, place, {}, false});
-      to.directions.push_back(packet_light<T>(lights.back(), lights.size() - 1));
-    } else {
+    if (soft.light.rays != LightRays::parallel) {
       to.places.push_back(narrowed<T>(place));
+      continue;
     }
+    add_direction(place, false);
+    if (soft.light.shape == LightShape::sky) add_direction(-place, true);
   }
   packed.soft_lights.push_back(std::move(to));
 }

@@ -49,6 +49,7 @@ struct PacketSoftLight {
   /// Its places, set after set, as SoftLight has them; where rays share directions, these.
   std::vector<Triple<T>> places;
   std::vector<PacketLight<T>> directions;
+  std::vector<PacketLight<T>> opposites;  ///< of a sky's directions
 };
 
 template <typename T>

@@ -31,8 +31,8 @@ Vec3 in_unit_disc(const SquarePlace& place) {
   return {radius * std::cos(angle), radius * std::sin(angle), 0};
 }
 
-Vec3 on_unit_sphere(const SquarePlace& place) {
-  const double z = 1 - 2 * place.u;
+Vec3 on_unit_hemisphere(const SquarePlace& place) {
+  const double z = 1 - place.u;
   const double radius = std::sqrt(1 - z * z);
   const double angle = 2 * std::numbers::pi * place.v;
   return {radius * std::cos(angle), radius * std::sin(angle), z};
@@ -50,11 +50,11 @@ Across across(const Vec3& axis) {
 
 SoftLight place_samples(const PackedLight& light, const LightSampling& sampling) {
   const bool is_sky = light.shape == LightShape::sky;
-  SoftLight soft{light, static_cast<std::size_t>(sampling.per_set) * (is_sky ? 2 : 1), {}};
+  SoftLight soft{light, static_cast<std::size_t>(sampling.per_set), {}};
   soft.places.reserve(soft.per_set * static_cast<std::size_t>(sampling.sets));
   const Across around = across(light.place);
   const auto add = [&](const SquarePlace& place) {
-    if (is_sky) return soft.places.push_back(on_unit_sphere(place));
+    if (is_sky) return soft.places.push_back(on_unit_hemisphere(place));
     const Vec3 disc = in_unit_disc(place);
     if (light.rays != LightRays::parallel) return soft.places.push_back(disc);
     soft.places.push_back(

@@ -15,11 +15,12 @@ namespace raytracer {
 /// How many places lights are sampled at.
 struct LightSampling {
   int sets = 1;
-  int per_set = 64;  ///< of a disc; of a sky, of which each point has half, twice as many
+  int per_set = 64;  ///< of a disc; of a sky axes, of which each point sees one end
 };
 
-/// A soft light and the places on it, set after set: of a disc of directions and of a sky unit
-/// vectors towards them; of a disc around a place their (x, y) in the unit disc.
+/// A soft light and the places on it, set after set: of a disc of directions unit vectors towards
+/// them; of a sky one for each axis, which stands for its opposite too; of a disc around a place
+/// their (x, y) in the unit disc.
 struct SoftLight {
   PackedLight light;
   std::size_t per_set = 0;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -93,18 +94,19 @@ double share_of_disc(const PackedScene& scene, const SoftLight& soft, const Arri
   return sum / static_cast<double>(soft.per_set);
 }
 
-/// How much of a sky reaches a point: the mean over the directions of a set, by the cosine.
+/// How much of a sky reaches a point: the mean over the ends above it of a set's axes, by the
+/// cosine.
 template <typename Finder>
 double share_of_sky(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,
                     const Vec3& normal, int light_set, const Finder& finder) {
   double sum = 0;
   double weights = 0;
   for (std::size_t i = 0; i < soft.per_set; ++i) {
-    const Vec3& towards = soft.places[static_cast<std::size_t>(light_set) * soft.per_set + i];
-    const double cosine = dot(normal, towards);
-    if (!(cosine > 0)) continue;
-    weights += cosine;
-    sum += cosine * share_along(scene, point, towards, soft.light.size, finder);
+    const Vec3& axis = soft.places[static_cast<std::size_t>(light_set) * soft.per_set + i];
+    const double cosine = dot(normal, axis);
+    const Vec3 towards = cosine < 0 ? -axis : axis;
+    weights += std::abs(cosine);
+    sum += std::abs(cosine) * share_along(scene, point, towards, soft.light.size, finder);
   }
   return weights > 0 ? sum / weights : 0;
 }

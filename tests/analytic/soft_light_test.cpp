@@ -75,6 +75,29 @@ TEST(SoftLight, half_planes_penumbra_is_the_discs_segment) {
   }
 }
 
+TEST(SoftLight, a_sun_as_wide_as_the_sky_lights_by_its_discs_segment) {
+  json sun = distant_json({0, 0, 1}, 0.8);
+  sun["angle"] = 3;
+  const double reach = 3 * std::tan(1.5);  // in the half plane
+  for (const double edge : {2.0, 20.0, 40.0})
+    EXPECT_NEAR(only_color(document(camera_json(), {wall(), half_plane(edge)}, {sun})).x,
+                0.8 * left_of_disc(edge / reach), 0.02)
+        << edge;
+}
+
+TEST(SoftLight, a_small_far_lamp_tends_to_a_point) {
+  for (const double radius : {1e-300, 1e-9, 1e-3}) {
+    for (const double edge : {2.2, 2.3}) {  // the light passes by 2.25
+      json lamp = lamp_json({6e3, 0, -8e3}, radius);
+      const Vec3 soft = only_color(document(camera_json(), {wall(), half_plane(edge)}, {lamp}));
+      lamp.erase("radius");
+      const Vec3 hard = only_color(document(camera_json(), {wall(), half_plane(edge)}, {lamp}));
+      EXPECT_NEAR(soft.x, hard.x, 1e-6);
+      EXPECT_EQ(hard.x > 0, edge > 2.25);
+    }
+  }
+}
+
 TEST(SoftLight, tends_to_hard_light) {
   for (const double size : {1e-300, 1e-12, 1e-6}) {
     for (const double edge : {0.1, -0.1}) {

@@ -87,6 +87,29 @@ TEST_F(Spheres, one_can_be_added_and_removed) {
   EXPECT_EQ(nlohmann::json::parse(text()), before);
 }
 
+TEST_F(Spheres, sky_can_be_added_and_removed_and_a_light_softened) {
+  const auto before = nlohmann::json::parse(text());
+  const std::string add_sky =
+      "[...document.querySelectorAll('#panel-form button')].find((each) => each.textContent === "
+      "'Add a sky')";
+  std::string former = picture();
+  browser().run(add_sky + ".click()");
+  await("done", former);
+  const auto with_sky = nlohmann::json::parse(text());
+  ASSERT_EQ(with_sky.at("lights").size(), before.at("lights").size() + 1);
+  EXPECT_EQ(with_sky.at("lights").back().at("type"), "sky");
+  EXPECT_EQ(value(add_sky + " === undefined"), true);
+  const auto name = "Light " + std::to_string(with_sky.at("lights").size());
+  former = picture();
+  browser().click("[aria-label='Remove " + name + "']");
+  await("done", former);
+  EXPECT_EQ(nlohmann::json::parse(text()), before);
+  former = picture();
+  browser().run(set_value("Light 1, angle", "0.2"));
+  await("done", former);
+  EXPECT_EQ(nlohmann::json::parse(text()).at("lights")[0].at("angle"), 0.2);
+}
+
 TEST_F(Spheres, member_that_is_missing_is_added) {
   const std::string former = picture();
   browser().run(set_value("sand, reflectivity", "0.5"));

@@ -94,25 +94,25 @@ HWY_INLINE void shade_packets(D d, const EyeRays<D>& eye, const Rays& rays, cons
 }
 
 /// The pixels of a block in such an order that those of a packet use the same set of places on soft
-/// lights and are near each other: in squares of 8 x 8, those that have the same place in each
-/// square of 2 x 2.
+/// lights and are near each other: all that have the same place in each square of 2 x 2 after one
+/// another, so that what they look up stays in the nearest caches, in squares of 4 x 4 of them.
 template <class D>
 struct PixelsByLightSet {
-  static constexpr int square = 8;
-  static constexpr int of_place = square * square / 4;
-  static_assert(of_place % PacketShape<D>::lanes == 0);
+  static constexpr int across = block_side / 2;
+  static constexpr int square = 4;
+  static_assert(square * square % PacketShape<D>::lanes == 0);
 
   int x;
   int y;
 
   explicit PixelsByLightSet(int i) {
-    const int in_square = i % (square * square);
-    const int place = in_square / of_place;
-    const int nth = in_square % of_place;
-    const int squares_before = i / (square * square);
-    constexpr int squares_across = block_side / square;
-    x = squares_before % squares_across * square + 2 * (nth % 4) + place % 2;
-    y = squares_before / squares_across * square + 2 * (nth / 4) + place / 2;
+    constexpr int of_place = across * across;
+    constexpr int squares_across = across / square;
+    const int place = i / of_place;
+    const int before = i % of_place / (square * square);  // squares
+    const int nth = i % (square * square);
+    x = 2 * (before % squares_across * square + nth % square) + place % 2;
+    y = 2 * (before / squares_across * square + nth / square) + place / 2;
   }
 };
 

@@ -1,6 +1,7 @@
 // What packets hit, and what hides lights from them: which finder takes which rays to each kind of
 // object, as the plan has chosen.
 
+#include <array>
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
@@ -107,6 +108,24 @@ HWY_INLINE M occluded_by_kind(D d, const Geometry<Kind, T>& geometry, const Pack
   return occluded_by(d, geometry, light, rays, lit);
 }
 
+/// The same before the end of an axis that each lane looks to.
+template <class D, class Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by_kind(D d, const Geometry<Kind, T>& geometry, const LightAxis<D>& axis,
+                              const ShadowRays<V>& rays, M lit) {
+  constexpr bool knows_axes = requires { occluded_by(d, geometry, axis, rays, lit); };
+  if constexpr (knows_axes)
+    if (geometry.finder(RayKind::to_distant_light) != Finder::tree)
+      return occluded_by(d, geometry, axis, rays, lit);
+  M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
+  const M there = hn::AndNot(axis.opposite_lanes, lit);
+  if (!hn::AllFalse(d, there)) dark = occluded_by_kind(d, geometry, axis.light, rays, there);
+  const M opposite = hn::And(axis.opposite_lanes, lit);
+  if (!hn::AllFalse(d, opposite))
+    dark = hn::Or(dark, occluded_by_kind(d, geometry, *axis.opposite, rays, opposite));
+  return dark;
+}
+
 /// Lanes of `lit` from which something of one kind stands nearer than `distance`.
 template <class D, class Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
@@ -137,10 +156,52 @@ HWY_INLINE M occluded_followed(D d, const PacketScene<T>& scene, const ShadowRay
   return dark;
 }
 
-/// Lanes of `lit` from which something of the kinds that `counts` chooses stands before the light.
-template <class D, class Counts = EveryKind, class V = hn::Vec<D>, class M = hn::Mask<D>,
-          typename T = hn::TFromD<D>>
-HWY_INLINE M occluded(D d, const PacketScene<T>& scene, const PacketLight<T>& light,
+/// What may stand between a packet's points and a light, of each kind that a tree finds.
+template <typename T>
+class LightCandidates {
+ public:
+  /// None if nobody asks for them.
+  HWY_NOINLINE LightCandidates(const PacketScene<T>& scene, const Shaft<T>& shaft,
+                               bool is_searched) {
+    if (!is_searched) return;
+    for_each_geometry(scene,
+                      [&]<class Kind>(const Geometry<Kind, T>& geometry) RAYTRACER_INLINE_ATTR {
+                        if constexpr (Kind::search == Search::bounded)
+                          if (geometry.finder(RayKind::followed) == Finder::tree)
+                            kinds_[kind_index<Kind>].find(EightTag<T>(), geometry.tree, shaft);
+                      });
+  }
+
+  /// As occluded_followed(), of rays inside the shaft.
+  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+  HWY_INLINE M occluded(D d, const PacketScene<T>& scene, const ShadowRays<V>& rays, M lit) const {
+    const V distance = hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>));
+    M dark = hn::AndNot(lit, lit);
+    for_each_geometry(
+        scene, [&]<class Kind>(const Geometry<Kind, T>& geometry) RAYTRACER_INLINE_ATTR {
+          const M rest = hn::AndNot(dark, lit);
+          if constexpr (Kind::search == Search::bounded) {
+            const ShaftCandidates& candidates = kinds_[kind_index<Kind>];
+            if (geometry.finder(RayKind::followed) == Finder::tree && candidates.is_complete) {
+              dark = hn::Or(dark, occluded_by_candidates(d, geometry.tree, candidates, rays.from,
+                                                         rays.towards, distance, rest));
+              return;
+            }
+          }
+          dark = hn::Or(dark, stands_nearer(d, geometry, rays.from, rays.towards, distance, rest));
+        });
+    return dark;
+  }
+
+ private:
+  std::array<ShaftCandidates, ObjectKinds::count> kinds_;
+};
+
+/// Lanes of `lit` from which something of the kinds that `counts` chooses stands before a light, or
+/// the end of an axis.
+template <class D, class Light, class Counts = EveryKind, class V = hn::Vec<D>,
+          class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded(D d, const PacketScene<T>& scene, const Light& light,
                       const ShadowRays<V>& rays, M lit, const Counts& counts = {}) {
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
   for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {

@@ -5,9 +5,12 @@ namespace raytracer::HWY_NAMESPACE {
 
 /// What stands before a light where no surface lets any through: that hides it.
 struct OpaqueSurfaces {
+  static constexpr bool hides_all = true;
+
   /// Lanes of `lit` that the light reaches.
-  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-  HWY_INLINE M reached(D d, const PacketScene<T>& scene, const PacketLight<T>& light,
+  template <class D, class Light, class V = hn::Vec<D>, class M = hn::Mask<D>,
+            typename T = hn::TFromD<D>>
+  HWY_INLINE M reached(D d, const PacketScene<T>& scene, const Light& light,
                        const ShadowRays<V>& rays, M lit) const {
     return hn::AndNot(occluded(d, scene, light, rays, lit), lit);
   }

@@ -29,20 +29,30 @@ template <class D, class Between, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 class SoftLightOnPacket {
  public:
-  /// `light_set`: of the places. All are referred to.
+  /// `active`: at least one; `light_set`: of the places. All are referred to.
   HWY_INLINE SoftLightOnPacket(D d, const PacketScene<T>& scene, const Surface<D>& surface,
-                               std::size_t light_set, Between& between)
-      : d_(d), scene_(scene), surface_(surface), light_set_(light_set), between_(between) {}
+                               M active, std::size_t light_set, Between& between)
+      : d_(d),
+        scene_(scene),
+        surface_(surface),
+        box_(box_around(d, surface.at.point, active)),
+        light_set_(light_set),
+        between_(between) {}
 
   /// The share of a disc that the lanes of `lit` have; 0 in others.
   HWY_INLINE V share_of_disc(const PacketSoftLight<T>& soft, const ArrivingLights<V>& middle,
                              M lit) const {
     V sum = hn::Zero(d_);
+    const M none = hn::AndNot(lit, lit);
     const std::size_t first = light_set_ * soft.per_set;
     if (!soft.directions.empty()) {
       for (std::size_t i = first; i < first + soft.per_set; ++i)
-        sum = hn::Add(sum, share_along(soft.directions[i], lit));
+        sum = hn::Add(sum, share_along(soft.directions[i], nullptr, none,
+                                       broadcast(d_, soft.directions[i].place), lit));
     } else {
+      const Shaft<T> shaft(box_, soft.light.place, soft.size);
+      const bool is_searched = Between::hides_all && scene_.shadows != Shadows::off;
+      const LightCandidates<T> candidates(scene_, shaft, is_searched);
       const AcrossPackets<V> around(d_, middle.towards);
       const V3<V> path = scale(middle.towards, middle.path);
       for (std::size_t i = first; i < first + soft.per_set; ++i) {
@@ -50,7 +60,11 @@ class SoftLightOnPacket {
         const V along = hn::Set(d_, soft.places[i].y * soft.size);
         const V3<V> to = mul_add(around.first, across, mul_add(around.second, along, path));
         const V distance = hn::Sqrt(dot(to, to));
-        sum = hn::Add(sum, share_along(unit(d_, to), distance, lit));
+        const V3<V> towards = unit(d_, to);
+        if constexpr (Between::hides_all)
+          sum = hn::Add(sum, share_along(towards, distance, lit, candidates));
+        else
+          sum = hn::Add(sum, share_along(towards, distance, lit));
       }
     }
     return hn::Mul(sum, hn::Set(d_, T(1) / static_cast<T>(soft.per_set)));
@@ -62,50 +76,68 @@ class SoftLightOnPacket {
     V sum = zero;
     V weights = zero;
     const std::size_t first = light_set_ * soft.per_set;
+    const bool is_shared = !soft.directions.empty();
     for (std::size_t i = first; i < first + soft.per_set; ++i) {
-      const bool is_shared = !soft.directions.empty();
-      const V3<V> towards = broadcast(d_, is_shared ? soft.directions[i].place : soft.places[i]);
-      const V cosine = dot(surface_.normal, towards);
-      const M lit = hn::And(active, hn::Gt(cosine, zero));
-      if (hn::AllFalse(d_, lit)) continue;
-      weights = hn::Add(weights, hn::IfThenElseZero(lit, cosine));
-      const V share = is_shared ? share_along(soft.directions[i], lit)
-                                : share_along(towards, hn::Set(d_, soft.size), lit);
-      sum = hn::MulAdd(cosine, share, sum);
+      const V3<V> axis = broadcast(d_, is_shared ? soft.directions[i].place : soft.places[i]);
+      const V cosine = dot(surface_.normal, axis);
+      const M opposite = hn::Lt(cosine, zero);
+      const V weight = hn::Abs(cosine);
+      weights = hn::Add(weights, weight);
+      V share;
+      if (is_shared) {
+        share = share_along(soft.directions[i], &soft.opposites[i], opposite, axis, active);
+      } else {
+        const V3<V> towards = select(opposite, negate(axis), axis);
+        share = share_along(towards, hn::Set(d_, soft.size), active);
+      }
+      sum = hn::MulAdd(weight, share, sum);
     }
-    return hn::IfThenElseZero(hn::Gt(weights, zero), hn::Div(sum, weights));
+    return hn::IfThenElseZero(hn::And(active, hn::Gt(weights, zero)), hn::Div(sum, weights));
   }
 
  private:
-  /// What of `lit` is above the surface.
-  HWY_INLINE M above(const V3<V>& towards, M lit) const {
-    return hn::And(lit, hn::Gt(dot(surface_.at.normal, towards), hn::Zero(d_)));
-  }
-  /// From a direction that rays share.
-  HWY_INLINE V share_along(const PacketLight<T>& direction, M lit) const {
+  /// From a direction that rays share, or in the lanes of `opposites` from its opposite.
+  HWY_INLINE V share_along(const PacketLight<T>& direction, const PacketLight<T>* opposite,
+                           M opposites, const V3<V>& axis, M lit) const {
     const V one = hn::Set(d_, T(1));
-    const V3<V> towards = broadcast(d_, direction.place);
-    lit = above(towards, lit);
+    const V slope = dot(surface_.at.normal, axis);
+    const V above = hn::IfThenElse(opposites, hn::Neg(slope), slope);
+    lit = hn::And(lit, hn::Gt(above, hn::Zero(d_)));
     if (scene_.shadows == Shadows::off) return hn::IfThenElseZero(lit, one);
     if (hn::AllFalse(d_, lit)) return hn::Zero(d_);
     const V far_away = hn::Set(d_, std::numeric_limits<T>::max());
-    const ShadowRays<V> rays{surface_.at, towards, far_away, dot(surface_.at.normal, towards)};
-    lit = between_.reached(d_, scene_, direction, rays, lit);
+    const V3<V> towards = select(opposites, negate(axis), axis);
+    const ShadowRays<V> rays{surface_.at, towards, far_away, above};
+    lit =
+        between_.reached(d_, scene_, LightAxis<D>{direction, opposite, opposites, box_}, rays, lit);
     return hn::IfThenElseZero(lit, between_.weakened(one));
   }
   /// From wherever each lane's ray goes.
   HWY_INLINE V share_along(const V3<V>& towards, V distance, M lit) const {
-    lit = above(towards, lit);
+    const V above = dot(surface_.at.normal, towards);
+    lit = hn::And(lit, hn::Gt(above, hn::Zero(d_)));
     if (scene_.shadows == Shadows::off) return hn::IfThenElseZero(lit, hn::Set(d_, T(1)));
     if (hn::AllFalse(d_, lit)) return hn::Zero(d_);
-    return between_.share_along(
-        d_, scene_, ShadowRays<V>{surface_.at, towards, distance, dot(surface_.at.normal, towards)},
-        lit);
+    return between_.share_along(d_, scene_, ShadowRays<V>{surface_.at, towards, distance, above},
+                                lit);
+  }
+
+  /// The same where candidates hide all that they stand before.
+  HWY_INLINE V share_along(const V3<V>& towards, V distance, M lit,
+                           const LightCandidates<T>& candidates) const {
+    const V above = dot(surface_.at.normal, towards);
+    lit = hn::And(lit, hn::Gt(above, hn::Zero(d_)));
+    if (scene_.shadows != Shadows::off)
+      lit = hn::AndNot(candidates.occluded(
+                           d_, scene_, ShadowRays<V>{surface_.at, towards, distance, above}, lit),
+                       lit);
+    return hn::IfThenElseZero(lit, hn::Set(d_, T(1)));
   }
 
   D d_;
   const PacketScene<T>& scene_;
   const Surface<D>& surface_;
+  PointBox<T> box_;
   std::size_t light_set_;
   Between& between_;
 };
@@ -118,7 +150,7 @@ HWY_NOINLINE V3<V> soft_light(D d, const PacketScene<T>& scene, const Surface<D>
                               const MaterialPacket<D>& material, V ambient, M active,
                               std::size_t light_set, Between& between) {
   const V zero = hn::Zero(d);
-  const SoftLightOnPacket<D, Between> light(d, scene, surface, light_set, between);
+  const SoftLightOnPacket<D, Between> light(d, scene, surface, active, light_set, between);
   V3<V> sum{zero, zero, zero};
   for (const PacketSoftLight<T>& soft : scene.soft_lights) {
     V had;

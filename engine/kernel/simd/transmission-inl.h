@@ -74,8 +74,9 @@ HWY_NOINLINE Hit<V> find_within(D d, const PacketScene<T>& scene, const RayOrigi
 }
 
 /// Lanes of `lit` from which something stands before the light.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE M occluded_by_chosen(D d, const PacketScene<T>& scene, const PacketLight<T>& light,
+template <class D, class Light, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_NOINLINE M occluded_by_chosen(D d, const PacketScene<T>& scene, const Light& light,
                                   const ShadowRays<V>& rays, M lit, ChosenKinds kinds) {
   return occluded(d, scene, light, rays, lit, kinds);
 }
@@ -122,9 +123,12 @@ HWY_NOINLINE V transmitted_share(D d, const PacketScene<T>& scene, const ShadowR
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 class LightThroughSurfaces {
  public:
+  static constexpr bool hides_all = false;
+
   HWY_INLINE LightThroughSurfaces(D d, V depth) : depth_(depth), share_(hn::Set(d, T(1))) {}
 
-  HWY_INLINE M reached(D d, const PacketScene<T>& scene, const PacketLight<T>& light,
+  template <class Light>
+  HWY_INLINE M reached(D d, const PacketScene<T>& scene, const Light& light,
                        const ShadowRays<V>& rays, M lit) {
     share_ = hn::Set(d, T(1));
     lit = hn::AndNot(occluded_by_chosen(d, scene, light, rays, lit, opaque_kinds), lit);

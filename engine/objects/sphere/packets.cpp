@@ -67,6 +67,7 @@ SphereLightView<T> PacketLayout<SphereKind, T>::light_view(std::span<const Packe
                                                            const Numbering& numbers,
                                                            WorkerPool& pool) {
   SphereLightView<T> view;
+  if (light.is_opposite) return view;  // the other end's serves both
   if (light.rays == LightRays::parallel) {
     const auto make = [&numbers](const PackedSphere& s, const LightAxes& axes) {
       return disc_of<T>(s, axes, numbers(s.id));

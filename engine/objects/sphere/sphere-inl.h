@@ -126,6 +126,12 @@ HWY_INLINE M intersect(D d, const Spheres<V>& spheres, const TreeRays<V, Origin>
   return intersect(d, spheres, rays.from, rays.direction, active, t);
 }
 
+/// What finders/shaft-inl.h may ask for: lanes whose spheres the shaft may touch.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE hn::Mask<D> may_touch(D d, const Spheres<V>& spheres, const Shaft<T>& shaft) {
+  return shaft.may_touch(d, spheres.center, hn::Sqrt(hn::Max(spheres.radius2, hn::Zero(d))));
+}
+
 /// The packet against one sphere.
 template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
@@ -172,19 +178,61 @@ struct DiscTest {
   enum Value : std::size_t { u, v, w, id, size };
 
   template <class D, class Get, class V = hn::Vec<D>>
-  HWY_INLINE hn::Mask<D> operator()(D, const Get& get, const V (&point)[size]) const {
-    const V du = hn::Sub(point[u], get(Caster::column_u));
-    const V dv = hn::Sub(point[v], get(Caster::column_v));
+  HWY_INLINE hn::Mask<D> operator()(D d, const Get& get, const V (&point)[size]) const {
+    return hn::And(hn::Lt(point[w], get(Caster::column_w)),
+                   stands_in_line(d, get, point[u], point[v], point[id]));
+  }
+
+  /// Whether discs other than `own_id` cover places.
+  template <class D, class Get, class V = hn::Vec<D>>
+  static HWY_INLINE hn::Mask<D> stands_in_line(D, const Get& get, V at_u, V at_v, V own_id) {
+    const V du = hn::Sub(at_u, get(Caster::column_u));
+    const V dv = hn::Sub(at_v, get(Caster::column_v));
     const V distance2 = hn::MulAdd(du, du, hn::Mul(dv, dv));
-    const auto before =
-        hn::And(hn::Lt(point[w], get(Caster::column_w)), hn::Ne(point[id], get(Caster::column_id)));
-    return hn::And(before, hn::Le(distance2, get(Caster::column_radius2)));
+    return hn::And(hn::Ne(own_id, get(Caster::column_id)),
+                   hn::Le(distance2, get(Caster::column_radius2)));
   }
 
   /// Whether this entry of a cell in order, and all behind it, are farther from the light.
   HWY_INLINE bool is_past(const T* cell, std::size_t count, std::size_t i,
                           const T (&point)[size]) const {
     return count > CasterGrid<Caster, T>::few && cell[Caster::column_w * count + i] <= point[w];
+  }
+};
+
+/// The same of points each of which looks to one end of an axis.
+template <typename T>
+struct AxisDiscTest {
+  using Caster = SphereDisc<T>;
+  enum Value : std::size_t { u, v, w, id, side, size };  // side: 1 where the light is, -1 opposite
+  const PlaneWindow<T>& window;                          ///< of all points
+  T above;  ///< towards the light only what is beyond this hides a point
+  T below;  ///< opposite, likewise
+
+  template <class D, class Get, class V = hn::Vec<D>>
+  HWY_INLINE hn::Mask<D> operator()(D d, const Get& get, const V (&point)[size]) const {
+    const V ahead = hn::Mul(hn::Sub(get(Caster::column_w), point[w]), point[side]);
+    return hn::And(hn::Gt(ahead, hn::Zero(d)),
+                   DiscTest<T>::stands_in_line(d, get, point[u], point[v], point[id]));
+  }
+  HWY_INLINE bool is_past(const T* cell, std::size_t count, std::size_t i,
+                          const T (&point)[size]) const {
+    return point[side] > 0 && count > CasterGrid<Caster, T>::few &&
+           cell[Caster::column_w * count + i] <= point[w];
+  }
+  /// Whether discs stand before any point of the window.
+  template <class D, class Get, class V = hn::Vec<D>>
+  HWY_INLINE hn::Mask<D> may_hide(D d, const Get& get) const {
+    const auto beside = [&](std::size_t column, T middle, T half) HWY_ATTR {
+      const V distance = hn::Abs(hn::Sub(get(column), hn::Set(d, middle)));
+      return hn::Max(hn::Sub(distance, hn::Set(d, half)), hn::Zero(d));
+    };
+    const V du = beside(Caster::column_u, window.u, window.half_u);
+    const V dv = beside(Caster::column_v, window.v, window.half_v);
+    const V at_w = get(Caster::column_w);
+    const auto is_ahead = hn::Or(hn::Gt(at_w, hn::Set(d, above)), hn::Lt(at_w, hn::Set(d, below)));
+    return hn::And(is_ahead,
+                   hn::Le(hn::MulAdd(du, du, hn::Mul(dv, dv)), get(Caster::column_radius2)));
   }
 };
 
@@ -239,6 +287,31 @@ HWY_INLINE M occluded_by(D d, const Geometry<SphereKind, T>& spheres, const Pack
   if (hn::AllFalse(d, lit)) return lit;
   const V cell = cube_cells(d, view.balls, sub(point, broadcast(d, light.place)), lit);
   return occluded_in_cells(d, view.balls, cell, test, values, lit);
+}
+
+/// Lanes of `lit` from which a sphere stands before the end of the axis that they look to.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by(D d, const Geometry<SphereKind, T>& spheres, const LightAxis<D>& axis,
+                         const ShadowRays<V>& rays, M lit) {
+  // Beyond so many cells, points are tried in their own ones.
+  constexpr int few_cells = 4;
+  const CasterGrid<SphereDisc<T>, T>& grid = spheres.lights[axis.light.index].discs;
+  const LightPlaces<V, M> at = places_on(d, grid.plane, rays.from.point);
+  const V one = hn::Set(d, T(1));
+  const V values[] = {at.u, at.v, at.w, rays.from.id,
+                      hn::IfThenElse(axis.opposite_lanes, hn::Neg(one), one)};
+  const PlaneWindow<T> window(grid.plane, axis.box);
+  constexpr T most = std::numeric_limits<T>::max();
+  const bool is_one_sided = hn::AllFalse(d, hn::And(lit, axis.opposite_lanes));
+  const bool is_opposite = hn::AllFalse(d, hn::AndNot(axis.opposite_lanes, lit));
+  const AxisDiscTest<T> test{window, is_opposite ? most : window.low_w,
+                             is_one_sided ? -most : window.high_w};
+  if (spheres.finder(RayKind::to_distant_light) == Finder::one_by_one)
+    return hn::And(lit, occluded_by_each(d, grid.casters, grid.begins[1], test, values));
+  if (window.cell_count() <= few_cells)
+    return occluded_in_window(d, grid, window, test, values, lit);
+  return occluded_in_cells(d, grid, cell_of(d, grid.plane, at), test, values,
+                           hn::And(lit, is_on_plane(d, grid.plane, at)));
 }
 
 /// Asks the memory for what occluded_by() will need for the points of `lanes`. Cells around point
