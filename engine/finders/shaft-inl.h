@@ -35,8 +35,8 @@ struct Shaft {
     const T size = std::abs(from.x) + std::abs(from.y) + std::abs(from.z);
     const T noise = 64 * std::numeric_limits<T>::epsilon() * (size + length + light_radius);
     radius = std::sqrt(half.x * half.x + half.y * half.y + half.z * half.z) + noise;
-    // The hull is a cone, unless one ball is all but inside the other; then it is within a cylinder
-    // around the larger one.
+    // The hull widens evenly, unless one ball is all but inside the other; then it is within what
+    // is everywhere as wide as the larger one.
     constexpr T steepest = T(0.9);
     growth = length > 0 ? (light_radius + noise - radius) / length : 1;
     if (!(std::abs(growth) < steepest)) {

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "engine/finders/light_plane.h"
-#include "engine/lights/packet_light.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -81,16 +80,6 @@ struct PlaneWindow {
   HWY_INLINE int cell_count() const {
     return std::max(0, x_end - x_begin) * std::max(0, y_end - y_begin);
   }
-};
-
-/// A direction that rays to a soft light share; of a sky's the lanes of a packet may look to either
-/// end.
-template <class D, typename T = hn::TFromD<D>>
-struct LightAxis {
-  const PacketLight<T>& light;
-  const PacketLight<T>* opposite;  ///< none of a disc
-  hn::Mask<D> opposite_lanes;      ///< those that look there
-  const PointBox<T>& box;          ///< of the packet's points
 };
 
 /// Lanes of `lit` that a caster of the window's cells hides. `test` compares casters with points,

@@ -16,6 +16,7 @@
 #include "engine/finders/tree-inl.h"
 #include "engine/finders/shaft-inl.h"
 #include "engine/lights/lights-inl.h"
+#include "engine/lights/light_axis-inl.h"
 #include "engine/materials/materials-inl.h"
 #include "engine/objects/items-inl.h"
 #include "engine/objects/objects-inl.h"
