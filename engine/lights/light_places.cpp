@@ -40,25 +40,16 @@ Vec3 on_unit_hemisphere(const SquarePlace& place) {
 
 }  // namespace
 
-Across across(const Vec3& axis) {
-  const double sign = std::copysign(1.0, axis.z);
-  const double a = -1 / (sign + axis.z);
-  const double b = axis.x * axis.y * a;
-  return {{1 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x},
-          {b, sign + axis.y * axis.y * a, -axis.y}};
-}
-
 SoftLight place_samples(const PackedLight& light, const LightSampling& sampling) {
   const bool is_sky = light.shape == LightShape::sky;
   SoftLight soft{light, static_cast<std::size_t>(sampling.per_set), {}};
   soft.places.reserve(soft.per_set * static_cast<std::size_t>(sampling.sets));
-  const Across around = across(light.place);
+  const OrthonormalBasis around = orthonormal_basis(light.place);
   const auto add = [&](const SquarePlace& place) {
     if (is_sky) return soft.places.push_back(on_unit_hemisphere(place));
     const Vec3 disc = in_unit_disc(place);
     if (light.rays != LightRays::parallel) return soft.places.push_back(disc);
-    soft.places.push_back(
-        unit(light.place + light.size * (disc.x * around.first + disc.y * around.second)));
+    soft.places.push_back(unit(light.place + light.size * (disc.x * around.u + disc.y * around.v)));
   };
   for (int set = 0; set < sampling.sets; ++set)
     for (std::size_t i = 0; i < soft.per_set; ++i) add(SquarePlace(i, soft.per_set, set));

@@ -29,14 +29,6 @@ struct SoftLight {
 
 SoftLight place_samples(const PackedLight& light, const LightSampling& sampling);
 
-/// Two unit vectors across a unit vector and each other (T. Duff et al., Building an Orthonormal
-/// Basis, Revisited, JCGT 2017).
-struct Across {
-  Vec3 first;
-  Vec3 second;
-};
-Across across(const Vec3& axis);
-
 /// The set that a sample of a pixel uses, of 1, 2 or a multiple of 4: each of a square of 2 x 2
 /// pixels another, as far as there are, and each of as many samples.
 int light_set_of(int x, int y, int sample, int sets);

@@ -79,7 +79,7 @@ template <typename Finder>
 double share_of_disc(const PackedScene& scene, const SoftLight& soft, const ArrivingLight& middle,
                      const SurfacePoint& point, int light_set, const Finder& finder) {
   const bool is_parallel = soft.light.rays == LightRays::parallel;
-  const Across around = across(middle.towards);
+  const OrthonormalBasis around = orthonormal_basis(middle.towards);
   double sum = 0;
   for (std::size_t i = 0; i < soft.per_set; ++i) {
     const Vec3& place = soft.places[static_cast<std::size_t>(light_set) * soft.per_set + i];
@@ -88,7 +88,7 @@ double share_of_disc(const PackedScene& scene, const SoftLight& soft, const Arri
       continue;
     }
     const Vec3 path = middle.distance * middle.towards +
-                      soft.light.size * (place.x * around.first + place.y * around.second);
+                      soft.light.size * (place.x * around.u + place.y * around.v);
     sum += share_along(scene, point, unit(path), length(path), finder);
   }
   return sum / static_cast<double>(soft.per_set);

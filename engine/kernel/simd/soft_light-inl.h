@@ -6,24 +6,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// Two unit vectors across each lane's, as across() in lights/light_places.h.
-template <class V>
-struct AcrossPackets {
-  V3<V> first;
-  V3<V> second;
-
-  template <class D>
-  HWY_INLINE AcrossPackets(D d, const V3<V>& axis) {
-    const V one = hn::Set(d, hn::TFromD<D>(1));
-    const V sign = hn::CopySign(one, axis.z);
-    const V a = hn::Div(hn::Neg(one), hn::Add(sign, axis.z));
-    const V b = hn::Mul(hn::Mul(axis.x, axis.y), a);
-    first = {hn::MulAdd(hn::Mul(sign, axis.x), hn::Mul(axis.x, a), one), hn::Mul(sign, b),
-             hn::Neg(hn::Mul(sign, axis.x))};
-    second = {b, hn::MulAdd(hn::Mul(axis.y, axis.y), a, sign), hn::Neg(axis.y)};
-  }
-};
-
 /// How soft lights reach a packet's points.
 template <class D, class Between, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
@@ -53,12 +35,12 @@ class SoftLightOnPacket {
       const Shaft<T> shaft(box_, soft.light.place, soft.size);
       const bool is_searched = Between::hides_all && scene_.shadows != Shadows::off;
       const LightCandidates<T> candidates(scene_, shaft, is_searched);
-      const AcrossPackets<V> around(d_, middle.towards);
+      const BasisPacket<V> around = basis_across(d_, middle.towards);
       const V3<V> path = scale(middle.towards, middle.path);
       for (std::size_t i = first; i < first + soft.per_set; ++i) {
         const V across = hn::Set(d_, soft.places[i].x * soft.size);
         const V along = hn::Set(d_, soft.places[i].y * soft.size);
-        const V3<V> to = mul_add(around.first, across, mul_add(around.second, along, path));
+        const V3<V> to = mul_add(around.u, across, mul_add(around.v, along, path));
         const V distance = hn::Sqrt(dot(to, to));
         const V3<V> towards = unit(d_, to);
         if constexpr (Between::hides_all)
