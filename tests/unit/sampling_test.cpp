@@ -183,14 +183,14 @@ TEST(NeighbourError, counts_what_is_beside_a_tile) {
 
 TEST(SubpixelObjects, are_those_smaller_than_a_pixel_until_samples_must_meet_them) {
   const double pixel = 2 * std::tan(0.25) / 32 * 100;  // at that distance
-  const auto missable_among = [&](const std::vector<json>& spheres) {
+  const auto subpixel_among = [&](const std::vector<json>& spheres) {
     const Scene scene = scene_of(document(camera_json(32, 32, 0.5, {0, 0, 0}, {0, 0, 1}), spheres,
                                           {distant_json({0, 0, 1})}));
     return SubpixelObjects(pack_scene(scene, nullptr), 3);
   };
   // To the right of the middle and above it, in the middle of a pixel; a large one elsewhere.
   const SubpixelObjects one =
-      missable_among({sphere_json({2.5 * pixel, 2.5 * pixel, 100}, 0.2 * pixel),
+      subpixel_among({sphere_json({2.5 * pixel, 2.5 * pixel, 100}, 0.2 * pixel),
                       sphere_json({-6 * pixel, -6 * pixel, 100}, 3 * pixel)});
   constexpr std::size_t its_pixel = 13 * 32 + 18;
   EXPECT_GT(one.error2(its_pixel, 1), one.error2(its_pixel, 16));
@@ -200,7 +200,7 @@ TEST(SubpixelObjects, are_those_smaller_than_a_pixel_until_samples_must_meet_the
     EXPECT_EQ(one.error2(i, 1) > 0, i == its_pixel) << i;
 
   const SubpixelObjects on_a_side =
-      missable_among({sphere_json({3 * pixel, 2.5 * pixel, 100}, 0.2 * pixel)});
+      subpixel_among({sphere_json({3 * pixel, 2.5 * pixel, 100}, 0.2 * pixel)});
   EXPECT_NEAR(on_a_side.error2(its_pixel, 1) / on_a_side.error2(its_pixel + 1, 1), 1, 0.05);
   EXPECT_LT(on_a_side.error2(its_pixel, 1), one.error2(its_pixel, 1) / 3);
 }
