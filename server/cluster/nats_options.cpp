@@ -37,6 +37,15 @@ bool is_nats_url(std::string_view url) {
   return false;
 }
 
+/// As a message shows it: without user and password, which logs must not have.
+std::string without_credentials(std::string_view url) {
+  const std::size_t at = url.rfind('@');
+  if (at == url.npos) return std::string(url);
+  const std::size_t scheme = url.find("://");
+  const std::size_t begin = scheme < at ? scheme + 3 : 0;
+  return fmt::format("{}...{}", url.substr(0, begin), url.substr(at));
+}
+
 /// Nothing if the variable names none.
 const char* named_file(const char* variable) {
   const char* const file = std::getenv(variable);
@@ -70,10 +79,11 @@ OptionsPointer nats_options(const std::string& url) {
   for (const std::string_view part : parts_of(url, ','))
     if (!is_nats_url(part))
       throw std::invalid_argument(fmt::format(
-          "--nats \"{}\" is no URL of NATS, such as nats://127.0.0.1:4222 or tls://host", part));
+          "--nats \"{}\" is no URL of NATS, such as nats://127.0.0.1:4222 or tls://host",
+          without_credentials(part)));
   if (natsOptions_SetURL(made, url.c_str()) != NATS_OK)
-    throw std::invalid_argument(
-        fmt::format("--nats \"{}\" cannot be used: {}", url, nats_GetLastError(nullptr)));
+    throw std::invalid_argument(fmt::format("--nats \"{}\" cannot be used: {}",
+                                            without_credentials(url), nats_GetLastError(nullptr)));
   set_credentials(made);
   if (url.find("tls://") != std::string::npos) natsOptions_SetSecure(made, true);
   natsOptions_SetName(made, "raytracer");

@@ -40,6 +40,14 @@ TEST(ClusterFlags, wrong_ones_are_refused_with_their_names) {
   }
 }
 
+TEST(ClusterFlags, refused_url_is_shown_without_its_password) {
+  Process process(
+      {RAYTRACER_SERVER_PATH, {"--port", "0", "--nats", "nats://somebody:secret@127.0.0.1:99999"}});
+  EXPECT_EQ(process.wait(std::chrono::seconds(5)), 1);
+  EXPECT_NE(process.err().find("nats://...@127.0.0.1:99999"), std::string::npos) << process.err();
+  EXPECT_EQ(process.err().find("secret"), std::string::npos) << process.err();
+}
+
 TEST(ClusterFlags, wrong_file_of_credentials_is_refused_with_its_variable) {
   for (const char* const variable : {"NATS_CREDS", "NATS_CA", "NATS_CERT"}) {
     Process process({RAYTRACER_SERVER_PATH,
