@@ -131,7 +131,7 @@ TEST_F(Render, shortest_time_contract_is_a_coarse_picture_with_its_error) {
   ASSERT_EQ(answer.status, 200) << answer.body;
   EXPECT_EQ(answer.get_header_value("Render-Stop"), "budget");
   const double samples = std::stod(answer.get_header_value("Render-Samples"));
-  EXPECT_GE(samples, 1.0 / 16);
+  EXPECT_GE(samples, 1.0 / 1024);  // a subtile in each square of 128 x 128
   EXPECT_LT(samples, 1);
   ASSERT_TRUE(answer.has_header("Render-Error"));
   EXPECT_GT(std::stod(answer.get_header_value("Render-Error")), 0.01);
