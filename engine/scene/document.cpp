@@ -78,9 +78,8 @@ class Inspection {
     const element_type type = value.type();
     if (type != element_type::ARRAY || depth == deepest_nesting) return is_plain_number(type);
     const JsonArray array = value.get_array().value_unsafe();
-    return std::all_of(array.begin(), array.end(), [](const JsonValue& element) {
-      return is_plain_number(element.type());
-    });
+    return std::all_of(array.begin(), array.end(),
+                       [](const JsonValue& element) { return is_plain_number(element.type()); });
   }
 
   void visit_elements(const JsonArray& array, const Path& path, int depth) {
