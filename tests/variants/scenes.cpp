@@ -58,13 +58,6 @@ Scene small(Scene scene) {
   return scene;
 }
 
-/// Where a ray goes through one sphere and meets another, and no farther: in a heap of glass each
-/// of its steps may be two, and each asks for many places on a light.
-Scene shallow(Scene scene) {
-  scene.render.max_depth = 3;
-  return small(scene);
-}
-
 }  // namespace
 
 Scene prepared(const std::string& text) {
@@ -151,10 +144,10 @@ std::vector<NamedScene> scenes() {
         std::pair(lamp, matt), std::pair(lamp, glass), std::pair(sky + "," + sun, glass)})
     scenes.push_back(
         {"soft light " + light + " on " + material,
-         shallow(with_objects(random_spheres(60, 0.6, material) + "," + random_cylinders(4, matt) +
-                                  "," + random_cones(4, matt) + "," + smooth_sheet(4, matt) + "," +
-                                  floor,
-                              light))});
+         small(with_objects(random_spheres(60, 0.6, material) + "," + random_cylinders(4, matt) +
+                                "," + random_cones(4, matt) + "," + smooth_sheet(4, matt) + "," +
+                                floor,
+                            light))});
   scenes.push_back(
       {"square under a sky", small(with_objects(square + "xz\"}," + floor, sky + "," + sun))});
   scenes.push_back({"sheet seen along its corners", straight_sheet()});
