@@ -64,12 +64,17 @@ Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& 
     const double needed = std::ceil(error_of_one_place / *settings.target_rmse);
     sampling.per_set = static_cast<int>(
         std::clamp(needed, static_cast<double>(least_places), static_cast<double>(most_places)));
+    if (needed > most_places)
+      return {sampling, because("the most that are taken of each soft light: what {} places leave "
+                                "out may exceed the target, and is in no estimate",
+                                most_places)};
     return {sampling, because("what {} places of each soft light leave out is less than the target",
                               sampling.per_set)};
   }
   if (settings.budget_ms) {
     sampling.per_set = for_budget(*settings.budget_ms, scene);
-    return {sampling, because("as many as leave half of the budget to samples of pixels")};
+    return {sampling, because("{} to {} places, by what half of the budget allows", least_in_budget,
+                              2 * least_places)};
   }
   const auto primitives = static_cast<double>(features.primitive_count() * features.soft_lights);
   const bool is_seen_or_not = features.has_ambient && scene.shadows == Shadows::black;
