@@ -1,8 +1,13 @@
 #include "engine/parallel/processors.h"
 
+#include <algorithm>
+
 #ifdef __linux__
 #include <sched.h>
+#include <sys/resource.h>
 #include <unistd.h>
+#elif defined(__APPLE__)
+#include <pthread/qos.h>
 #endif
 
 namespace raytracer {
@@ -23,11 +28,25 @@ void leave_processors(const std::vector<int>& busy) {
   sched_setaffinity(0, sizeof allowed, &allowed);
 }
 
+// A tenth of the weight of others for a thread of Linux, whose threads have their own (nice(2),
+// "C library/kernel differences"); anybody may lower it.
+void run_in_background() {
+  constexpr int lower = 10;
+  constexpr int lowest = 19;
+  setpriority(PRIO_PROCESS, 0, std::min(getpriority(PRIO_PROCESS, 0) + lower, lowest));
+}
+
 #else
 
 int current_processor() { return -1; }
 
 void leave_processors(const std::vector<int>& /*busy*/) {}
+
+#ifdef __APPLE__
+void run_in_background() { pthread_set_qos_class_self_np(QOS_CLASS_UTILITY, 0); }
+#else
+void run_in_background() {}
+#endif
 
 #endif
 

@@ -50,12 +50,16 @@ struct WorkerPool::Batch {
   }
 };
 
-WorkerPool::WorkerPool(std::size_t thread_count)
-    : thread_count_(std::max<std::size_t>(thread_count, 1)) {
+WorkerPool::WorkerPool(std::size_t thread_count, Priority priority)
+    : thread_count_(std::max<std::size_t>(thread_count, 1)), priority_(priority) {
   busy_processors_.reserve(thread_count_);  // nothing is allocated where a task begins
   threads_.reserve(thread_count_);
   try {
-    while (threads_.size() < thread_count_) threads_.emplace_back([this] { work(); });
+    while (threads_.size() < thread_count_)
+      threads_.emplace_back([this] {
+        if (priority_ == Priority::background) run_in_background();
+        work();
+      });
   } catch (...) {  // the system grants no more threads
     close();
     throw;
@@ -81,7 +85,8 @@ void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)>& 
   batch->had_s = virtual_time_s_;
   batches_.push_back(batch);
   ++arrivals_;
-  while (batches_.size() == 1 && batches_.front() == batch && has_turn())
+  while (priority_ == Priority::usual && batches_.size() == 1 && batches_.front() == batch &&
+         has_turn())
     run_next_task(lock, batch);
   if (needs_another()) work_arrived_.notify_one();
   if (!batch->has_ended()) {

@@ -9,7 +9,8 @@
 // at most for those that run when it arrives.
 //
 // A caller whose batch is the only one works on it too, in the place of one of the threads: to wake
-// one up takes as long as a small picture.
+// one up takes as long as a small picture. Not in the background: the caller's priority is the
+// usual.
 #pragma once
 
 #include <atomic>
@@ -25,11 +26,16 @@
 
 namespace raytracer {
 
+enum class Priority {
+  usual,
+  background,  ///< whatever else runs on this machine comes first
+};
+
 /// A fixed number of threads; every member function may be called from any thread.
 class WorkerPool {
  public:
   /// Starts `thread_count` (at least 1) threads.
-  explicit WorkerPool(std::size_t thread_count);
+  explicit WorkerPool(std::size_t thread_count, Priority priority = Priority::usual);
   /// Not while run() is under way.
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
@@ -67,6 +73,7 @@ class WorkerPool {
   void spread_out(std::unique_lock<std::mutex>& lock, std::vector<int>& busy) const;
 
   const std::size_t thread_count_;
+  const Priority priority_;
   std::mutex mutex_;
   std::condition_variable work_arrived_;
   std::vector<std::shared_ptr<Batch>> batches_;  ///< those with tasks not yet begun

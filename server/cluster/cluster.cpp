@@ -33,6 +33,9 @@ StoreLimits limits_of(const Config& config) {
       std::chrono::seconds(config.cluster.keep_s), config.cluster.max_stored};
 }
 
+/// A front that answers small renders beside large jobs; a worker does nothing else.
+bool works_in_background(const ClusterConfig& config) { return config.works && !config.is_worker; }
+
 }  // namespace
 
 Cluster::Cluster(const Parts& parts)
@@ -41,7 +44,10 @@ Cluster::Cluster(const Parts& parts)
       nats_(parts.config.cluster.nats_url),
       store_(nats_, limits_of(parts.config)),
       news_(store_, !parts.config.cluster.is_worker),
-      scenes_(store_, parts.scenes, parts.pool, parts.metrics, parts.config.max_kept),
+      background_(works_in_background(parts.config.cluster)
+                      ? std::make_optional<WorkerPool>(parts.config.threads, Priority::background)
+                      : std::nullopt),
+      scenes_(store_, parts.scenes, task_pool(), parts.metrics, parts.config.max_kept),
       jobs_({.self = self_,
              .store = store_,
              .news = news_,
@@ -59,7 +65,7 @@ Cluster::Cluster(const Parts& parts)
                  }}),
       signs_(store_, [this] { return describe_self(); }) {
   if (parts.config.cluster.works)
-    runner_.emplace(self_, store_, news_, scenes_, parts.pool, parts.config.limits, parts.metrics,
+    runner_.emplace(self_, store_, news_, scenes_, task_pool(), parts.config.limits, parts.metrics,
                     parts.log);
 }
 

@@ -93,12 +93,15 @@ class Cluster {
   std::optional<TaskCut> foresee(const PreparedScene& scene, bool is_8_bit,
                                  const RenderProgress& progress) const;
   Member describe_self() const;
+  /// That traces what tasks are of.
+  WorkerPool& task_pool() { return background_ ? *background_ : parts_.pool; }
 
   const Parts parts_;
   const Identity self_;
   NatsConnection nats_;
   ClusterStore store_;
   News news_;
+  std::optional<WorkerPool> background_;  ///< of a front that works: its own renders come first
   PreparedScenes scenes_;
   std::optional<TaskRunner> runner_;
   SharedJobs jobs_;

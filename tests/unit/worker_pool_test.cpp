@@ -7,6 +7,10 @@
 #include <chrono>
 #include <stdexcept>
 
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
 namespace raytracer::test {
 namespace {
 
@@ -161,6 +165,27 @@ TEST(WorkerPool, caller_of_the_only_batch_works_on_it_too) {
         },
         stop);
   EXPECT_GT(own, 0U);
+}
+
+TEST(WorkerPool, in_the_background_leaves_its_callers_priority_alone) {
+  WorkerPool pool(2, Priority::background);
+  std::atomic<int> calls{0};
+  const std::thread::id caller = std::this_thread::get_id();
+#ifdef __linux__
+  const int usual = getpriority(PRIO_PROCESS, 0);
+#endif
+  for (int batch = 0; batch < 100; ++batch)
+    pool.run(4, [&](std::size_t) {
+      ++calls;
+      EXPECT_NE(std::this_thread::get_id(), caller);
+#ifdef __linux__
+      EXPECT_EQ(getpriority(PRIO_PROCESS, 0), std::min(usual + 10, 19));
+#endif
+    });
+  EXPECT_EQ(calls, 400);
+#ifdef __linux__
+  EXPECT_EQ(getpriority(PRIO_PROCESS, 0), usual);
+#endif
 }
 
 TEST(WorkerPool, begins_no_task_once_stop_is_set) {
