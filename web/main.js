@@ -203,7 +203,7 @@ async function revise(text, what) {
 }
 
 async function load(signal) {
-  const asked = await readFragment(location.hash);
+  const asked = await readFragment(location.hash || location.search);  // /?scene=glass, typed by hand, counts too
   const name = asked.text === null ? asked.name ?? first_scene : "";
   enter("loading", `Loading ${name || "the scene of the link"}`);
   choose(name);

@@ -13,9 +13,14 @@
 namespace raytracer {
 namespace {
 
+// Chosen: the last tile leaves the other threads idle for a sixteenth of the time at most.
 constexpr double tiles_per_thread = 16;
+// Chosen: some 0.5 to 2 ms of one thread, by 9 ns a ray on the shipped scene `demo`, 30 on
+// `square-500`.
 constexpr double most_rays = 3 << 14;
+// Chosen: a third of that.
 constexpr double few_rays = 1 << 14;
+// In pixels. Chosen: a lock is nothing beside 4,096 rays.
 constexpr int largest = 64;
 
 double rays_per_pixel(int samples, std::size_t light_rays) {

@@ -13,17 +13,20 @@
 namespace raytracer {
 namespace {
 
+// Chosen: about three to a power of ten, where pictures look different.
 constexpr std::array targets{0.03, 0.01, 0.003, 0.001, 0.0005};
 
+// Chosen: a factor of four in time is a distance that one sees on the curve.
 constexpr int growth = 4;                            // of the samples from point to point
 constexpr int reference_lead = 8;                    // times the samples of any point, at least
 constexpr int most_samples_of_another_picture = 16;  // more do not bring back what is left out
 
+// Chosen.
 constexpr double share_of_first_pictures = 0.85;  // of the allowance; then they are repeated
 constexpr std::size_t most_repetitions = 5;
 constexpr double short_ms = 100;  // of a picture that is repeated
 
-// Of the progress: by the reference, and by the first picture of each point.
+// Of the progress: by the reference, and by the first picture of each point. Chosen.
 constexpr double reference_progress = 0.5;
 constexpr double first_progress = 0.8;
 

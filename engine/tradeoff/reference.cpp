@@ -9,6 +9,7 @@
 namespace raytracer {
 namespace {
 
+// Chosen.
 constexpr int usual_growth = 4;
 constexpr int usual_count = 4;  // of images after the first
 constexpr double share_of_allowance = 0.6;

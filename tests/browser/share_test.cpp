@@ -64,6 +64,12 @@ TEST_F(Share, link_to_a_shipped_scene_names_it) {
   EXPECT_EQ(copied_by("#share"), server().url() + "/#scene=mesh");
 }
 
+TEST_F(Share, query_typed_by_hand_is_read_as_a_link) {
+  open("/?scene=mesh&samples=4");
+  const std::string link = copied_by("#share");
+  EXPECT_TRUE(link.ends_with("#scene=mesh&samples=4")) << link;
+}
+
 TEST_F(Share, damaged_link_is_said_to_be_and_the_demo_shown) {
   for (const char* const damaged : {"AAAA", "xx", "%25%25", "q1bKSM1NVLJSMDQ"}) {
     open("/#document=" + std::string(damaged));
