@@ -23,6 +23,9 @@ PacketMaterials<T> make_materials(const PackedScene& scene, const Features& feat
   return materials;
 }
 
+/// Rays that may still follow are counted down in singles, which know every integer up to here.
+constexpr int most_counted = 1 << 24;
+
 /// So many views are made side by side, and not each by all threads.
 constexpr std::size_t many_lights = 32;
 
@@ -179,9 +182,8 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
   packed.background = narrowed<T>(scene.background);
   packed.shadows = scene.shadows;
   packed.materials = make_materials<T>(scene, features);
-  packed.reflects = features.reflects;
   packed.transmits = features.transmits;
-  packed.max_depth = features.max_depth;
+  packed.max_depth = std::min(features.max_depth, most_counted);
   return packed;
 }
 

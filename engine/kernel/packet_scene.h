@@ -70,9 +70,8 @@ struct PacketScene {
   PacketMaterials<T> materials;
   Triple<T> background;
   Shadows shadows;
-  bool reflects;   ///< whether any ray follows another
   bool transmits;  ///< some surface lets rays through
-  int max_depth;   ///< of rays that follow another
+  int max_depth;   ///< of rays that follow another; 0 if none does
   ExactScene exact;
 };
 

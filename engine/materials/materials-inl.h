@@ -1,5 +1,5 @@
 // How materials answer light and bend rays, for packets. Where the rays go that they send on is in
-// kernel/simd/followed_rays-inl.h and branching_rays-inl.h.
+// kernel/simd/trace_followed-inl.h.
 
 #include "engine/materials/blinn_phong/blinn_phong-inl.h"
 #include "engine/materials/glass/glass-inl.h"

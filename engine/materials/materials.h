@@ -2,9 +2,9 @@
 // file.
 //
 // One that answers light has its definition and its packets in its folder; one that sends rays on
-// does so where rays are followed: reference/radiance.h, kernel/simd/followed_rays-inl.h and, where
-// rays branch, branching_rays-inl.h; plan/magnification.cpp knows what their paths magnify. What
-// packets read of all of them is in material_row.h.
+// does so where rays are followed: reference/radiance.h and kernel/simd/trace_followed-inl.h;
+// plan/magnification.cpp knows what their paths magnify. What packets read of all of them is in
+// material_row.h.
 #pragma once
 
 #include <compare>

@@ -38,19 +38,13 @@ class EyeRays {
 
   /// The colours of what they hit, not yet clamped. `pixel` has their places in the block, for
   /// `followed`, which keeps the rays that follow; `light_set` is of places on soft lights.
+  template <class Followed>
   HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Hit<V>& hit, hn::Mask<D> active,
-                         V pixel, std::size_t light_set, FollowedRays<T>& followed) const {
-    const Packet<V> packet{origin(d), direction, hn::Set(d, T(1)), pixel, eye_error(d), light_set};
-    return shade_packet(d, scene_, packet, hit, active, scene_.reflects, followed,
-                        static_cast<V*>(nullptr));
-  }
-
-  /// The same where surfaces let rays through.
-  HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Hit<V>& hit, hn::Mask<D> active,
-                         V pixel, std::size_t light_set, RayStack<T>& followed) const {
-    const Packet<V> packet{origin(d), direction, hn::Set(d, T(1)), pixel, eye_error(d), light_set};
-    const InnerPacket<V> outside{packet, hn::Zero(d), hn::Set(d, static_cast<T>(scene_.max_depth))};
-    return shade_packet(d, scene_, outside, hit, active, followed, static_cast<V*>(nullptr));
+                         V pixel, std::size_t light_set, Followed& followed) const {
+    const V followers = hn::Set(d, static_cast<T>(scene_.max_depth));
+    const Packet<V> packet{origin(d), direction,   hn::Set(d, T(1)), pixel,
+                           followers, hn::Zero(d), eye_error(d),     light_set};
+    return shade_packet(d, scene_, packet, hit, active, followed, static_cast<V*>(nullptr));
   }
 
   HWY_INLINE RayOrigin<V> origin(D d) const {

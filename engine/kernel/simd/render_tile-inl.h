@@ -231,7 +231,8 @@ HWY_INLINE V3<V> resolved_background(D d, const PacketScene<T>& scene, std::size
 template <typename T>
 void render_block(const PacketScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
                   const Block& whole, const SolidRow& background, const Canvas& canvas,
-                  const TileErrors& errors, BlockSpread<T>& spread, BeyondRange& beyond) {
+                  const TileErrors& errors, RayQueues<T>& queues, BlockSpread<T>& spread,
+                  BeyondRange& beyond) {
   using D = hn::ScalableTag<T>;
   const D d;
   using V = hn::Vec<D>;
@@ -261,7 +262,7 @@ void render_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
     trace_packets(d, rays.eye,
                   SamplePackets<D>(rays, candidates, block, pattern.points[sample],
                                    sample % static_cast<std::size_t>(scene.light_sets)),
-                  fetches, colours, cover != nullptr ? cover->sample : nullptr);
+                  fetches, queues, colours, cover != nullptr ? cover->sample : nullptr);
     Highest<D> highest(d);
     for (int packet = 0; packet < Shape::packets; ++packet) {
       if (!PacketPlace<D>(packet).is_in(block)) continue;
@@ -308,6 +309,7 @@ TracedTile render_blocks(const PacketScene<T>& scene, const SamplePattern& patte
   TracedTile traced{HWY_TARGET, {}};
   const hn::ScalableTag<T> d;
   const SolidRow background(d, resolved_background(d, scene, pattern.points.size(), transfer));
+  RayQueues<T> queues(scene);
   BlockSpread<T> spread;
   const TileErrors told = pattern.has_half_buffers() ? errors : TileErrors{};
   for (int y = tile.y_begin; y < tile.y_end; y += tile.block_step)
@@ -315,7 +317,7 @@ TracedTile render_blocks(const PacketScene<T>& scene, const SamplePattern& patte
       render_block(scene, pattern, transfer,
                    {x, y, std::min(block_side, tile.x_end - x),
                     std::min(block_side, tile.y_end - y), tile.subtiles},
-                   background, canvas, told, spread, traced.beyond);
+                   background, canvas, told, queues, spread, traced.beyond);
   return traced;
 }
 

@@ -107,12 +107,12 @@ HWY_INLINE void add_cover(D d, const T* hits, const SampleLanes<T>& samples, std
 template <class D, class Packets, typename T = hn::TFromD<D>>
 HWY_INLINE void sample_pixel(D d, const EyeRays<D>& eye, const Packets& packets,
                              const SampleLanes<T>& samples, bool is_begin, bool has_cover,
-                             std::size_t pixel, PixelSums<T>& sums) {
+                             std::size_t pixel, RayQueues<T>& queues, PixelSums<T>& sums) {
   using V = hn::Vec<D>;
   const std::size_t lanes = hn::Lanes(d);
   SampleColours<T> colours;
   alignas(64) T hits[block_pixels];
-  trace_packets(d, eye, packets, false, colours, has_cover ? hits : nullptr);
+  trace_packets(d, eye, packets, false, queues, colours, has_cover ? hits : nullptr);
   if (has_cover) add_cover(d, hits, samples, pixel, sums);
 
   if (is_begin) {
@@ -166,6 +166,7 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
     });
   NarrowedEntries found;
   const bool has_cover = pixels.channels == 4;
+  RayQueues<T> queues(scene);
   PixelSums<T> sums;
   std::fill_n(sums.is_number, block_pixels, true);
   for (std::size_t begin = 0; begin < pattern.points.size(); begin += block_pixels) {
@@ -180,7 +181,7 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
       const auto sample = [&](auto& own) HWY_ATTR {
         const PixelPackets<D, std::decay_t<decltype(own)>> packets(eye, samples, x_left, y_low,
                                                                    own);
-        sample_pixel(d, eye, packets, samples, begin == 0, has_cover, i, sums);
+        sample_pixel(d, eye, packets, samples, begin == 0, has_cover, i, queues, sums);
       };
       if (narrows) {
         PixelCandidates<T> narrowed(subtile, cone_around(d, eye, x_left, y_low), found);

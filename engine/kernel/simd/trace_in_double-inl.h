@@ -18,7 +18,7 @@ HWY_INLINE void trace_samples(const PacketScene<double>& scene, const DoubtfulSa
   const V zero = hn::Zero(d);
   const RayOrigin<V> origin = eye.origin(d);
   const V far_away = hn::Set(d, std::numeric_limits<double>::max());
-  Followed followed;
+  Followed followed(scene.max_depth > 0);
   followed.light_set = followed_light_set;
   alignas(64) double channels[4][hn::MaxLanes(d)];
   for (std::size_t i = 0; i < samples.count; i += hn::Lanes(d)) {
@@ -41,17 +41,18 @@ HWY_INLINE void trace_samples(const PacketScene<double>& scene, const DoubtfulSa
       if (cover != nullptr) cover[at] = static_cast<float>(channels[3][lane]);
     }
   }
-  trace_followed(scene, followed, colours);
+  if (scene.max_depth > 0) trace_followed(scene, followed, colours);
 }
 
 void trace_in_double(const PacketScene<double>& scene, const DoubtfulSamples& samples,
                      std::size_t light_set, std::size_t followed_light_set,
                      SampleColours<double>& colours, float* cover) {
   if (scene.transmits)
-    trace_samples<RayStack<double>>(scene, samples, light_set, followed_light_set, colours, cover);
+    trace_samples<FollowedRays<double, true>>(scene, samples, light_set, followed_light_set,
+                                              colours, cover);
   else
-    trace_samples<FollowedRays<double>>(scene, samples, light_set, followed_light_set, colours,
-                                        cover);
+    trace_samples<FollowedRays<double, false>>(scene, samples, light_set, followed_light_set,
+                                               colours, cover);
 }
 
 }  // namespace raytracer::HWY_NAMESPACE
