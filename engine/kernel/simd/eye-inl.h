@@ -173,20 +173,13 @@ HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Rays& rays, const H
   shade_packets(d, eye, rays, hits, fetches, followed, colours);
 }
 
-/// The same, and what the rays that follow see, which are kept in `followed`.
+/// The same, and what the rays that follow see.
 template <class D, class Rays, class Followed, typename T = hn::TFromD<D>>
-HWY_INLINE void shade_and_follow(D d, const EyeRays<D>& eye, const Rays& rays, const Hits<T>& hits,
-                                 bool fetches, Followed& followed, SampleColours<T>& colours) {
+HWY_NOINLINE void shade_and_follow(D d, const EyeRays<D>& eye, const Rays& rays,
+                                   const Hits<T>& hits, bool fetches, Followed& followed,
+                                   SampleColours<T>& colours) {
   shade_hits(d, eye, rays, hits, fetches, followed, colours);
   if (eye.scene().max_depth > 0) trace_followed(eye.scene(), followed, colours);
-}
-
-/// The same where they branch.
-template <class D, class Rays, typename T = hn::TFromD<D>>
-HWY_NOINLINE void shade_and_branch(D d, const EyeRays<D>& eye, const Rays& rays,
-                                   const Hits<T>& hits, bool fetches, RayQueues<T>& queues,
-                                   SampleColours<T>& colours) {
-  shade_and_follow(d, eye, rays, hits, fetches, queues.branching, colours);
 }
 
 /// The colours that packets of rays from the eye see, not yet clamped; at most as many as a block
@@ -228,7 +221,7 @@ HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool
   const bool may_doubt = may_be_inexact<T> && scene.exact.scene;
   if (may_doubt) std::fill_n(colours.doubt, block_pixels, T(0));
   if (HWY_UNLIKELY(scene.transmits))
-    shade_and_branch(d, eye, rays, hits, fetches, queues, colours);
+    shade_and_follow(d, eye, rays, hits, fetches, queues.branching, colours);
   else
     shade_and_follow(d, eye, rays, hits, fetches, queues.single, colours);
   if constexpr (may_be_inexact<T>)

@@ -46,10 +46,9 @@ HWY_INLINE auto compressing_order(D d, M mask) {
 template <typename T, bool branch>
 class RayBatch {
  public:
-  /// The shipped glass takes 1.2 times as long with 64, 1.05 with 256. Where none branch, a block's
-  /// never fill a batch.
-  static constexpr std::size_t most = 1024;
-  static_assert(most >= block_pixels);
+  /// The shipped glass takes 1.2 times as long with 64, 1.05 with 256. Where none branch, no more
+  /// follow than came: columns that lie close together save the processor's tables of pages.
+  static constexpr std::size_t most = branch ? 1024 : block_pixels;
 
   std::size_t count() const { return count_; }
   void clear() { count_ = 0; }
@@ -98,11 +97,11 @@ class RayBatch {
             light_set};
   }
 
-  /// Adds others, for which there must be room.
-  void append(const RayBatch& others) {
+  /// Moves others here, for which there must be room.
+  void append(RayBatch& others) {
     for (std::size_t i = 0; i < column_count; ++i)
       if (is_kept(i)) std::copy_n(others.columns_[i], others.count_, columns_[i] + count_);
-    count_ += others.count_;
+    count_ += std::exchange(others.count_, 0);
   }
 
  private:
@@ -117,10 +116,10 @@ class RayBatch {
   alignas(64) T columns_[column_count][most + 64 / sizeof(T)];
 };
 
-/// The queue of rays to be followed. They are taken in batches, the latest first, so that no more
-/// wait than a few for each that has followed. Of what follows a batch, rays that go on through
-/// surfaces come before those that are mirrored: what has come the same way stays together, and a
-/// pixel's colours add up in an order that does not depend on the width of packets.
+/// The queue of rays to be followed. They are taken in batches, the latest first, so that few wait
+/// however many there are in all. Of what follows a batch, rays that go on through surfaces come
+/// before those that are mirrored: what has come the same way stays together, and unless a batch is
+/// full a pixel's colours add up in an order that does not depend on the width of packets.
 template <typename T, bool branch>
 class FollowedRays {
  public:
@@ -129,38 +128,27 @@ class FollowedRays {
 
   /// Without memory if it is not needed.
   explicit FollowedRays(bool is_needed) {
-    if (!is_needed) return;
-    taken_ = make_batch();
-    mirrored_ = make_batch();
-    if (branch) through_ = make_batch();
+    if (is_needed)
+      for (auto* const batch : {&taken_, &next_, &mirrored_}) batch->reset(new Batch);
   }
 
-  /// Adds the lanes of `mask`, at least one, that mirrors send on.
+  /// Adds the lanes of `mask`, at least one, that mirrors send on or that go through surfaces.
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-  HWY_INLINE void add_mirrored(D d, const Packet<V>& rays, M mask) {
-    add(d, rays, mask, mirrored_);
-  }
-  /// The same of those that go on through surfaces.
-  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-  HWY_INLINE void add_through(D d, const Packet<V>& rays, M mask) {
-    add(d, rays, mask, through_);
+  HWY_INLINE void add(D d, const Packet<V>& rays, M mask, bool is_mirrored) {
+    std::unique_ptr<Batch>& batch = branch && is_mirrored ? mirrored_ : next_;
+    if (branch && !batch->has_room_for(hn::Lanes(d))) put_aside(batch);
+    batch->add(d, rays, mask);
   }
 
   /// Takes a batch, and returns how many rays it has: 0 once none is left.
   std::size_t take() {
-    taken_->clear();
     if constexpr (branch) {
-      if (through_->has_room_for(mirrored_->count())) {
-        through_->append(*mirrored_);
-        mirrored_->clear();
-        std::swap(through_, mirrored_);
-      } else {
-        put_aside(through_);
-      }
+      if (!next_->has_room_for(mirrored_->count())) put_aside(next_);
+      next_->append(*mirrored_);
     }
-    if (mirrored_->count() > 0 || aside_.empty()) {
-      std::swap(taken_, mirrored_);
-    } else {
+    taken_->clear();
+    std::swap(taken_, next_);
+    if (taken_->count() == 0 && !aside_.empty()) {
       taken_ = std::move(aside_.back());
       aside_.pop_back();
     }
@@ -176,22 +164,14 @@ class FollowedRays {
  private:
   using Batch = RayBatch<T, branch>;
 
-  static std::unique_ptr<Batch> make_batch() { return std::unique_ptr<Batch>(new Batch); }
-
   HWY_NOINLINE void put_aside(std::unique_ptr<Batch>& batch) {
     aside_.push_back(std::move(batch));
-    batch = make_batch();
-  }
-
-  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-  HWY_INLINE void add(D d, const Packet<V>& rays, M mask, std::unique_ptr<Batch>& batch) {
-    if (branch && !batch->has_room_for(hn::Lanes(d))) put_aside(batch);
-    batch->add(d, rays, mask);
+    batch.reset(new Batch);
   }
 
   std::unique_ptr<Batch> taken_;
-  std::unique_ptr<Batch> mirrored_;
-  std::unique_ptr<Batch> through_;
+  std::unique_ptr<Batch> next_;
+  std::unique_ptr<Batch> mirrored_;            ///< that come after the next, where rays branch
   std::vector<std::unique_ptr<Batch>> aside_;  ///< full ones, the latest last
 };
 

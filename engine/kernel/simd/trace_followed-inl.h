@@ -77,7 +77,7 @@ HWY_NOINLINE void refract(D d, const PacketScene<T>& scene, const Surface<D>& su
   on.solids = depth_beyond(d, scene, surface, clear, packet.solids);
   on.followers = hn::Sub(packet.followers, one);
   const M counts = hn::And(clear, hn::Ge(on.weight, hn::Set(d, least_weight<Followed, T>)));
-  if (!hn::AllFalse(d, counts)) followed.add_through(d, on, counts);
+  if (!hn::AllFalse(d, counts)) followed.add(d, on, counts, false);
 }
 
 /// What a packet's rays meet.
@@ -139,43 +139,31 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
   if (hn::AllFalse(d, mirrors)) return colour;
   const V3<V> direction = mirrored(d, scene, surface, packet.direction);
   const V followers = hn::Sub(packet.followers, hn::Set(d, T(1)));
-  followed.add_mirrored(
+  followed.add(
       d, Packet<V>{surface.at, direction, weight, packet.pixel, followers, packet.solids, error},
-      mirrors);
+      mirrors, true);
   return colour;
-}
-
-/// Adds by how much a packet's colours may be off to their pixels' doubts.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void add_doubts(D d, V doubt, const Packet<V>& packet, M active,
-                           SampleColours<T>& colours) {
-  alignas(64) T pixels[hn::MaxLanes(D())];
-  alignas(64) T doubts[hn::MaxLanes(D())];
-  hn::Store(packet.pixel, d, pixels);
-  hn::Store(doubt, d, doubts);
-  const std::size_t count = count_true(d, active);
-  for (std::size_t lane = 0; lane < count; ++lane)
-    colours.doubt[static_cast<std::size_t>(pixels[lane])] += doubts[lane];
 }
 
 /// Adds the colours that a packet's rays see to their pixels, and by how much they may be off.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE void add_to_pixels(D d, const PacketScene<T>& scene, const V3<V>& colour, V doubt,
                               const Packet<V>& packet, M active, SampleColours<T>& colours) {
-  if constexpr (may_be_inexact<T>)
-    if (scene.exact.scene) add_doubts(d, doubt, packet, active, colours);
   alignas(64) T pixels[hn::MaxLanes(D())];
-  alignas(64) T weighted[3][hn::MaxLanes(D())];
+  alignas(64) T weighted[4][hn::MaxLanes(D())];
   hn::Store(packet.pixel, d, pixels);
   hn::Store(hn::Mul(colour.x, packet.weight), d, weighted[0]);
   hn::Store(hn::Mul(colour.y, packet.weight), d, weighted[1]);
   hn::Store(hn::Mul(colour.z, packet.weight), d, weighted[2]);
+  hn::Store(doubt, d, weighted[3]);
+  const bool may_doubt = may_be_inexact<T> && scene.exact.scene;
   const std::size_t count = count_true(d, active);
   for (std::size_t lane = 0; lane < count; ++lane) {
     const auto pixel = static_cast<std::size_t>(pixels[lane]);
     colours.red[pixel] += weighted[0][lane];
     colours.green[pixel] += weighted[1][lane];
     colours.blue[pixel] += weighted[2][lane];
+    if (may_doubt) colours.doubt[pixel] += weighted[3][lane];
   }
 }
 
