@@ -155,17 +155,17 @@ class Bands {
 /// Sorts `item_count` items into bins, row by row, as these say, from several threads:
 ///
 ///   place(item) -> Placed<Entry>
-///   entry_in(Entry, its cells, column, row) -> Entry, as it is in that bin
+///   entries_of(Entry, its cells) -> what gives its entry in a bin: (column, row) -> Entry
 ///   arrange(span of a bin's entries, in the items' order): puts them into order
 ///
 /// Calls resize(entry_count) once, then from several threads write(first, entries) for all entries
 /// of each bin that has some, of which `first` come in bins before it.
 /// Returns where each bin's entries begin, and the end of the last.
-template <typename Entry, typename Place, typename EntryIn, typename Arrange, typename Resize,
+template <typename Entry, typename Place, typename EntriesOf, typename Arrange, typename Resize,
           typename Write>
 std::vector<std::uint32_t> sort_into_bins(std::size_t item_count, const BinGrid& grid,
                                           WorkerPool& pool, const Place& place,
-                                          const EntryIn& entry_in, const Arrange& arrange,
+                                          const EntriesOf& entries_of, const Arrange& arrange,
                                           const Resize& resize, const Write& write) {
   constexpr std::size_t few_bins = 1024;  // their counts are in the first cache
   const std::size_t chunk_count = item_count < few_items ? 1 : pool.thread_count();
@@ -202,20 +202,19 @@ std::vector<std::uint32_t> sort_into_bins(std::size_t item_count, const BinGrid&
   bin_begins[grid.bin_count()] = static_cast<std::uint32_t>(entry_count);
   resize(entry_count);
   const auto sort_band = [&](std::size_t band) {
-    const auto for_each_entry = [&](const auto& visit) {
+    const auto for_each_record = [&](const auto& visit) {
       for (const auto& chunk : chunks)
         chunk.for_each(band, [&](const Placed<Entry>& record) {
-          const CellRectangle bins = bands.part_in(grid.bins_of(record.cells), band);
-          for (int row = bins.y_begin; row < bins.y_end; ++row)
-            for (int column = bins.x_begin; column < bins.x_end; ++column)
-              visit(record, column, row);
+          visit(record, bands.part_in(grid.bins_of(record.cells), band));
         });
     };
     const std::size_t first_bin = grid.index(0, bands.row_begin(band));
     const std::size_t last_bin = grid.index(0, bands.row_end(band));
     std::vector<std::uint32_t> next(last_bin - first_bin + 1, 0);
-    for_each_entry([&](const Placed<Entry>&, int column, int row) {
-      ++next[grid.index(column, row) - first_bin + 1];
+    for_each_record([&](const Placed<Entry>&, const CellRectangle& bins) {
+      for (int row = bins.y_begin; row < bins.y_end; ++row)
+        for (int column = bins.x_begin; column < bins.x_end; ++column)
+          ++next[grid.index(column, row) - first_bin + 1];
     });
     for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
     const auto band_begin = static_cast<std::uint32_t>(band_begins[band]);
@@ -223,9 +222,11 @@ std::vector<std::uint32_t> sort_into_bins(std::size_t item_count, const BinGrid&
       bin_begins[bin] = band_begin + next[bin - first_bin];
 
     LargeArray<Entry> entries(next.back());
-    for_each_entry([&](const Placed<Entry>& record, int column, int row) {
-      entries[next[grid.index(column, row) - first_bin]++] =
-          entry_in(record.entry, record.cells, column, row);
+    for_each_record([&](const Placed<Entry>& record, const CellRectangle& bins) {
+      const auto entry_in = entries_of(record.entry, record.cells);
+      for (int row = bins.y_begin; row < bins.y_end; ++row)
+        for (int column = bins.x_begin; column < bins.x_end; ++column)
+          entries[next[grid.index(column, row) - first_bin]++] = entry_in(column, row);
     });
     // Now next[i] is the end of the band's bin i.
     std::uint32_t begin = 0;

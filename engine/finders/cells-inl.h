@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "engine/finders/cell_lists.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
@@ -123,6 +125,37 @@ HWY_NOINLINE M occluded_in_cells(D d, const Grid& grid, V cell_of_lane, const Te
   };
   for_each_cell(d, grid.begins, cell_of_lane, lit, test_together, test_alone);
   return hn::And(lit, hn::Or(dark, mask_of(d, dark_alone)));
+}
+
+/// Lanes of `lit` that something that their cell lists hides from the light: hides(primitive,
+/// lanes, hidden) says whether it hides any of lanes, and which. `w` is how near to the light their
+/// points are, as the entries' tops count it.
+template <class D, class Hides, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_NOINLINE M occluded_in_lists(D d, const CellLists<T>& lists, V cell_of_lane, V w, M lit,
+                                 const Hides& hides) {
+  HWY_ALIGN T cells[hn::MaxLanes(D())];
+  hn::Store(cell_of_lane, d, cells);
+  const V highest = hn::Set(d, std::numeric_limits<T>::max());
+  M dark = hn::Lt(w, w);
+  while (!hn::AllFalse(d, lit)) {
+    // All lanes in the first one's cell.
+    const T cell = cells[hn::FindFirstTrue(d, lit)];
+    M rest = hn::And(lit, hn::Eq(cell_of_lane, hn::Set(d, cell)));
+    lit = hn::AndNot(rest, lit);
+    const T least_w = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(rest, w, highest)));
+    const auto index = static_cast<std::size_t>(cell);
+    for (std::size_t i = lists.begins[index]; i < lists.begins[index + 1]; ++i) {
+      const ListedCaster<T>& entry = lists.entries[i];
+      if (entry.top <= least_w) break;  // this one and all behind it are farther from the light
+      M hidden = rest;
+      if (!hides(entry.primitive, rest, hidden)) continue;
+      dark = hn::Or(dark, hidden);
+      rest = hn::AndNot(hidden, rest);
+      if (hn::AllFalse(d, rest)) break;
+    }
+  }
+  return dark;
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

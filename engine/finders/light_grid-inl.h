@@ -1,8 +1,5 @@
 // A packet's shadow rays to a distant light, by the grid on the plane across it.
 
-#include <cstddef>
-#include <limits>
-
 #include "engine/finders/light_grid.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -46,29 +43,14 @@ HWY_INLINE M is_on_plane(D d, const LightPlane<T>& plane, const LightPlaces<V, M
                  is_within(cell_along(d, plane, at.v, plane.v_low), plane.rows));
 }
 
-/// Lanes of `lit` before whose points something that their cell lists stands. `occluded(cell, at,
-/// least_w, lanes)` says which of lanes in one cell are dark, `least_w` being how near to the light
-/// the farthest of them is.
-template <class D, class Occluded, class V = hn::Vec<D>, class M = hn::Mask<D>,
+/// Lanes of `lit` that something that their cell of the grid lists hides from the light, as
+/// occluded_in_lists() has it.
+template <class D, class Hides, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
-HWY_NOINLINE M occluded_in_lists(D d, const ListGrid<T>& grid, const V3<V>& points, M lit,
-                                 const Occluded& occluded) {
-  const LightPlaces<V, M> at = places_on(d, grid.plane, points);
-  M rest = hn::And(lit, is_on_plane(d, grid.plane, at));
-  M dark = hn::Lt(at.u, at.u);
-  const V cell = cell_of(d, grid.plane, at);
-  alignas(64) T cells[hn::MaxLanes(D())];
-  hn::Store(cell, d, cells);
-  const V highest = hn::Set(d, std::numeric_limits<T>::max());
-  while (!hn::AllFalse(d, rest)) {
-    // All lanes in the first one's cell.
-    const auto first = static_cast<std::size_t>(hn::FindFirstTrue(d, rest));
-    const M here = hn::And(rest, hn::Eq(cell, hn::Set(d, cells[first])));
-    const T least_w = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(here, at.w, highest)));
-    dark = hn::Or(dark, occluded(static_cast<std::size_t>(cells[first]), at, least_w, here));
-    rest = hn::AndNot(here, rest);
-  }
-  return dark;
+HWY_INLINE M occluded_by_listed(D d, const ListGrid<T>& grid, const LightPlaces<V, M>& at, M lit,
+                                const Hides& hides) {
+  return occluded_in_lists(d, grid.cells, cell_of(d, grid.plane, at), at.w,
+                           hn::And(lit, is_on_plane(d, grid.plane, at)), hides);
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

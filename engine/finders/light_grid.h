@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
+#include "engine/finders/cell_lists.h"
 #include "engine/finders/columns.h"
 #include "engine/finders/light_plane.h"
-#include "engine/memory/page_allocator.h"
 
 namespace raytracer {
 
@@ -43,14 +43,16 @@ CasterGrid<Caster, T> build_caster_grid(const Vec3& towards, std::span<const Pri
     return Placed<Caster>{planned.cells(shadow_extent(primitives[i], axes)),
                           make(primitives[i], axes)};
   };
-  const auto entry_in = [](const Caster& caster, const CellRectangle&, int, int) { return caster; };
+  const auto entries_of = [](const Caster& caster, const CellRectangle&) {
+    return [&caster](int, int) { return caster; };
+  };
   const auto arrange = [](std::span<Caster> cell) {
     if (cell.size() > CasterGrid<Caster, T>::few)
       std::sort(cell.begin(), cell.end(),
                 [](const Caster& a, const Caster& b) { return a.w > b.w; });
   };
   grid.begins = sort_into_bins<Caster>(
-      primitives.size(), BinGrid{grid.plane.columns, grid.plane.rows, 0}, pool, place, entry_in,
+      primitives.size(), BinGrid{grid.plane.columns, grid.plane.rows, 0}, pool, place, entries_of,
       arrange, [&](std::size_t count) { grid.casters.resize(count); },
       [&](std::size_t first, std::span<const Caster> cell) {
         grid.casters.write(first, cell, Caster::members);
@@ -58,19 +60,11 @@ CasterGrid<Caster, T> build_caster_grid(const Vec3& towards, std::span<const Pri
   return grid;
 }
 
-/// A primitive that a cell names.
-template <typename T>
-struct ListedCaster {
-  T top;  ///< how far it reaches towards the light
-  std::uint32_t primitive;
-};
-
 /// Cells of lists.
 template <typename T>
 struct ListGrid {
   LightPlane<T> plane;
-  std::vector<std::uint32_t> begins;  ///< of each cell, row by row, and the end of the last
-  LargeArray<ListedCaster<T>> entries;
+  CellLists<T> cells;
 };
 
 /// `touches(primitive, u, v, half)` says whether one may cover something of the square around (u,
@@ -84,35 +78,27 @@ ListGrid<T> build_list_grid(const Vec3& towards, std::span<const Primitive> prim
   constexpr CellWidths widths{
       .per_primitive = 4, .of_area = 0.577, .of_side = 1.0 / 3, .most_across = 8192};
   const auto planned = plan_light_plane<T>(towards, primitives, widths, pool);
-  ListGrid<T> grid{planned.plane, {}, {}};
   const auto place = [&primitives, planned](std::size_t i) {
     const ShadowExtent extent = shadow_extent(primitives[i], planned.axes);
     return Placed<Entry>{
         planned.cells(extent),
         {static_cast<T>(extent.top) + planned.plane.noise, static_cast<std::uint32_t>(i)}};
   };
-  const auto entry_in = [&](Entry entry, const CellRectangle& cells, int column, int row) {
-    if (cells.x_end - cells.x_begin <= 2 || cells.y_end - cells.y_begin <= 2) return entry;
-    const double u = planned.u_low + (column + 0.5) * planned.cell;
-    const double v = planned.v_low + (row + 0.5) * planned.cell;
-    // Out of a cell that it does not touch: behind all others, where none looks for it.
-    if (!touches(entry.primitive, static_cast<T>(u), static_cast<T>(v),
-                 static_cast<T>(0.501 * planned.cell + planned.margin)))
-      entry.top = std::numeric_limits<T>::lowest();
-    return entry;
+  const auto entries_of = [&](const Entry& whole, const CellRectangle& cells) {
+    const bool is_small = cells.x_end - cells.x_begin <= 2 || cells.y_end - cells.y_begin <= 2;
+    return [&, is_small](int column, int row) {
+      Entry entry = whole;
+      const double u = planned.u_low + (column + 0.5) * planned.cell;
+      const double v = planned.v_low + (row + 0.5) * planned.cell;
+      if (!is_small && !touches(entry.primitive, static_cast<T>(u), static_cast<T>(v),
+                                static_cast<T>(0.501 * planned.cell + planned.margin)))
+        entry.top = Entry::nowhere;
+      return entry;
+    };
   };
-  const auto arrange = [](std::span<Entry> cell) {
-    std::sort(cell.begin(), cell.end(),
-              [](const Entry& a, const Entry& b) { return a.top > b.top; });
-  };
-  grid.begins = sort_into_bins<Entry>(
-      primitives.size(), BinGrid{grid.plane.columns, grid.plane.rows, 0}, pool, place, entry_in,
-      arrange, [&](std::size_t count) { grid.entries.resize(count); },
-      [&](std::size_t first, std::span<const Entry> cell) {
-        std::copy(cell.begin(), cell.end(),
-                  grid.entries.begin() + static_cast<std::ptrdiff_t>(first));
-      });
-  return grid;
+  return {planned.plane,
+          list_in_cells<T>(primitives.size(), BinGrid{planned.plane.columns, planned.plane.rows, 0},
+                           pool, place, entries_of)};
 }
 
 }  // namespace raytracer

@@ -1,38 +1,84 @@
-// A packet's shadow rays to a point light, by the cube of grids around the light.
+// A packet's shadow rays to a point light, by the cells of the cube around the light.
+
+#include "engine/finders/point_grid.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// The cells in which the directions `out` from the light leave its cube, for the lanes of `lit`,
-/// at least one. Takes those out of `lit` that leave it where nothing is seen through it.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>,
-          class Grid>
-HWY_INLINE V cube_cells(D d, const Grid& grid, const V3<V>& out, M& lit) {
+/// The cells of the light's cube in which the points are seen, for the lanes of `lit`, at least
+/// one. Takes those out of `lit` that are seen where nothing else is.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V cells_around(D d, const LightCube<T>& cube, const Triple<T>& light, const V3<V>& point,
+                          M& lit) {
   const V zero = hn::Zero(d);
+  const V3<V> out = sub(point, broadcast(d, light));
   const V3<V> size{hn::Abs(out.x), hn::Abs(out.y), hn::Abs(out.z)};
   const M is_x = hn::And(hn::Ge(size.x, size.y), hn::Ge(size.x, size.z));
   const M is_y = hn::Ge(size.y, size.z);
   const auto pick = [&](V x, V y, V z)
                         HWY_ATTR { return hn::IfThenElse(is_x, x, hn::IfThenElse(is_y, y, z)); };
   const V along = pick(out.x, out.y, out.z);
-  const V scale = hn::Div(hn::Set(d, T(1)), hn::Abs(along));
+  const V cells_per_unit = hn::Div(hn::Set(d, cube.cells_per_unit), hn::Abs(along));
   const V axis = pick(zero, hn::Set(d, T(2)), hn::Set(d, T(4)));
   const V face = hn::IfThenElse(hn::Lt(along, zero), hn::Add(axis, hn::Set(d, T(1))), axis);
-  using Window = FaceWindow<T>;
-  const Rows<D, Window> window(d, grid.windows.data(), face, lit);
-  const auto place = [&](V across, V low, V cells_per_unit) HWY_ATTR {
-    return hn::Floor(hn::Mul(hn::MulSub(across, scale, low), cells_per_unit));
+  using Face = CubeFace<T>;
+  const Rows<D, Face> begin(d, cube.faces.data(), face, lit);
+  V3<V> at = out;
+  V w = along;
+  if (HWY_UNLIKELY(cube.is_far)) {
+    at = point;
+    w = pick(point.x, point.y, point.z);
+  }
+  const auto cell = [&](V across, T Face::*slope, T Face::*start) HWY_ATTR {
+    const V beyond = hn::Sub(hn::NegMulAdd(begin(d, slope), w, across), begin(d, start));
+    return hn::Floor(hn::Mul(beyond, cells_per_unit));
   };
-  const V column = place(pick(out.y, out.z, out.x), window(d, &Window::u_low),
-                         window(d, &Window::columns_per_unit));
-  const V row = place(pick(out.z, out.x, out.y), window(d, &Window::v_low),
-                      window(d, &Window::rows_per_unit));
-  const V side = hn::Set(d, static_cast<T>(grid.side));
+  const V column = cell(pick(at.y, at.z, at.x), &Face::u_slope, &Face::u_start);
+  const V row = cell(pick(at.z, at.x, at.y), &Face::v_slope, &Face::v_start);
+  const V side = hn::Set(d, static_cast<T>(cube.side));
   const V least = hn::Min(column, row);
   const V most = hn::Max(column, row);
   lit = hn::And(lit, hn::And(hn::Ge(least, zero), hn::Lt(most, side)));
   return hn::MulAdd(hn::MulAdd(face, side, row), side, column);
 }
+
+/// Lanes of `lit` that something that their cell around the light lists hides from it, as
+/// occluded_in_lists() has it.
+template <class D, class Hides, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by_listed(D d, const PointLists<T>& lists, const Triple<T>& light,
+                                const ShadowRays<V>& rays, M lit, const Hides& hides) {
+  if (hn::AllFalse(d, lit)) return lit;
+  const V cell = cells_around(d, lists.cube, light, rays.from.point, lit);
+  return occluded_in_lists(d, lists.cells, cell, hn::Neg(rays.path), lit, hides);
+}
+
+/// Rays from a point light to where shadow rays to it begin.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+struct LampRays {
+  V3<V> direction;
+  V path;
+  V incidence;  ///< as ShadowRays has it
+  V noise;      ///< what their ends may be off by
+
+  HWY_INLINE LampRays(D d, const ShadowRays<V>& rays)
+      : direction(negate(rays.towards)), path(rays.path), incidence(rays.incidence) {
+    const V3<V>& point = rays.from.point;
+    const V size = hn::Add(hn::Add(hn::Abs(point.x), hn::Abs(point.y)), hn::Abs(point.z));
+    noise = hn::Mul(hn::Set(d, 8 * std::numeric_limits<T>::epsilon()), hn::Add(size, path));
+  }
+
+  /// Lanes that are within a convex solid somewhere between their ends, if they enter and leave it
+  /// there. None but the light is inside of one.
+  HWY_INLINE hn::Mask<D> pass(D d, V enter, V leave) const {
+    return hn::And(hn::Gt(leave, hn::Zero(d)), hn::Lt(hn::Add(enter, leave), hn::Add(path, path)));
+  }
+  /// Lanes that meet a surface at t before the one that they end on, of whose tangent plane that is
+  /// well before.
+  HWY_INLINE hn::Mask<D> meet(D d, V t) const {
+    return hn::And(hn::Gt(t, hn::Zero(d)), hn::Gt(hn::Mul(hn::Sub(path, t), incidence), noise));
+  }
+};
 
 }  // namespace raytracer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -158,20 +159,32 @@ ScreenBins build_screen_bins(const View& view, std::span<const Primitive> primit
     // Rounded down: by more than the rounding of the distance and of the cast.
     return {subtiles, {{static_cast<float>(std::max(nearest * (1 - 1e-6), 0.0)), number(i)}, 0}};
   };
-  const auto entry_in = [&](BinnedEntry binned, const CellRectangle& subtiles, int column,
-                            int row) {
-    if constexpr (HasScreenDepth<Primitive>)
-      binned.entry.nearest *= per_depth[bins.blocks.index(column, row)];
-    binned.subtiles = subtile_mask(subtiles, column, row);
-    if constexpr (HasScreenOutline<Primitive>)
-      if (subtiles.x_end - subtiles.x_begin > subtiles_across &&
-          subtiles.y_end - subtiles.y_begin > subtiles_across)
-        binned.subtiles = subtiles_reached(screen_outline(view, primitives[binned.entry.primitive]),
-                                           block_pixels(column, row), binned.subtiles);
-    return binned;
+  const auto entries_of = [&](const BinnedEntry& whole, const CellRectangle& subtiles) {
+    const auto entry_in = [&](int column, int row) {
+      BinnedEntry binned = whole;
+      if constexpr (HasScreenDepth<Primitive>)
+        binned.entry.nearest *= per_depth[bins.blocks.index(column, row)];
+      binned.subtiles = subtile_mask(subtiles, column, row);
+      return binned;
+    };
+    if constexpr (HasScreenOutline<Primitive>) {
+      const bool is_large = subtiles.x_end - subtiles.x_begin > subtiles_across &&
+                            subtiles.y_end - subtiles.y_begin > subtiles_across;
+      using Outline = decltype(screen_outline(view, primitives[0]));
+      std::optional<Outline> outline;
+      if (is_large) outline = screen_outline(view, primitives[whole.entry.primitive]);
+      return [entry_in, outline](int column, int row) {
+        BinnedEntry binned = entry_in(column, row);
+        if (outline)
+          binned.subtiles = subtiles_reached(*outline, block_pixels(column, row), binned.subtiles);
+        return binned;
+      };
+    } else {
+      return entry_in;
+    }
   };
   bins.begins = sort_into_bins<BinnedEntry>(
-      primitives.size(), bins.blocks, pool, place, entry_in, &sort_by_distance,
+      primitives.size(), bins.blocks, pool, place, entries_of, &sort_by_distance,
       [&](std::size_t count) {
         bins.entries.resize(count);
         bins.subtiles.resize(count + padding);

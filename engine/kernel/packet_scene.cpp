@@ -26,9 +26,6 @@ PacketMaterials<T> make_materials(const PackedScene& scene, const Features& feat
 /// Rays that may still follow are counted down in singles, which know every integer up to here.
 constexpr int most_counted = 1 << 24;
 
-/// So many views are made side by side, and not each by all threads.
-constexpr std::size_t many_lights = 32;
-
 template <typename T>
 PacketLight<T> packet_light(const PackedLight& light, std::size_t index) {
   return {light.kind,  light.rays, narrowed<T>(light.place), saturated<T>(light.emission),
@@ -128,17 +125,17 @@ void make_geometry(const PackedScene& scene, const std::vector<PackedLight>& lig
   const auto view_of = [&](const PackedLight& light, WorkerPool& of) {
     return Layout::light_view(primitives, light, finders, scene.numbers, of);
   };
-  if (lights.size() < many_lights) {
-    geometry.lights.reserve(lights.size());
-    for (const PackedLight& light : lights) geometry.lights.push_back(view_of(light, pool));
-    return;
-  }
+  // Where it is worth it a view for each thread at a time, and those that are left by all together.
   geometry.lights.resize(lights.size());
-  pool.run(pool.thread_count(), [&](std::size_t thread) {
-    WorkerPool alone(1);
-    for (std::size_t i = thread; i < lights.size(); i += pool.thread_count())
-      geometry.lights[i] = view_of(lights[i], alone);
+  const std::size_t threads = pool.thread_count();
+  const bool are_many = lights.size() * primitives.size() >= few_items;
+  const std::size_t alone = are_many ? lights.size() - lights.size() % threads : 0;
+  pool.run(std::min(alone, threads), [&](std::size_t thread) {
+    WorkerPool own(1);
+    for (std::size_t i = thread; i < alone; i += threads)
+      geometry.lights[i] = view_of(lights[i], own);
   });
+  for (std::size_t i = alone; i < lights.size(); ++i) geometry.lights[i] = view_of(lights[i], pool);
 }
 
 /// Whether distant lights' grids are larger than what a processor's caches keep of them. Where they

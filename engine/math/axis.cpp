@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace raytracer {
 namespace {
@@ -54,6 +55,18 @@ PlacedAxis place_axis(const Vec3& from, const Vec3& to, const Frame& frame) {
   const double low = -(first + second) * unit_of_w;
   const double high = ((std::ldexp(1.0, exponent) - first) - second) * unit_of_w;
   return {{foot.high, unit(w.high), low, std::max(low, high)}, foot.low};
+}
+
+double AxisSegment::without_noise(double difference, double size) {
+  constexpr double noise = 4096 * std::numeric_limits<double>::epsilon();
+  return std::abs(difference) > noise * size ? difference : 0;
+}
+
+AxisSegment AxisSegment::seen_from(const Vec3& place) const {
+  const Vec3 path = foot - place;
+  const double along = dot(path, axis);
+  return {path - along * axis, axis, without_noise(low + along, std::abs(along)),
+          without_noise(high + along, std::abs(along))};
 }
 
 AxisBasis::AxisBasis(const AxisSegment& s) : is_turned(s.high < 0) {

@@ -20,6 +20,12 @@ struct AxisSegment {
   double high;  ///< of `to`
 
   Vec3 end(bool is_to) const { return foot + (is_to ? high : low) * axis; }
+
+  /// The same relative to `place`, as an eye there has it, but rounded: of one in the plane of an
+  /// end that end is exactly at the foot.
+  AxisSegment seen_from(const Vec3& place) const;
+  /// A difference of two values of that size, of which what may be their rounding is none.
+  static double without_noise(double difference, double size);
 };
 
 /// The same as it was computed, and what doubles leave of the foot.

@@ -113,9 +113,12 @@ class ScreenSides {
 
 /// The sides of a triangle, which part what it may cover from what it does not.
 inline ScreenSides<3> triangle_sides(const View& view, const std::array<Vec3, 3>& corners) {
-  const double sign = dot(cross(corners[0], corners[1]), corners[2]) < 0 ? -1 : 1;
+  // By the sides themselves: corners that are far away differ by little.
+  const auto& [a, b, c] = corners;
+  const double sign = dot(cross(b - a, c - a), a) < 0 ? -1 : 1;
   std::array<Vec3, 3> inward;
-  for (std::size_t i = 0; i < 3; ++i) inward[i] = sign * cross(corners[i], corners[(i + 1) % 3]);
+  for (std::size_t i = 0; i < 3; ++i)
+    inward[i] = sign * cross(corners[i], corners[(i + 1) % 3] - corners[i]);
   return {view, inward};
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 
-#include "engine/finders/light_grid.h"
 #include "engine/packets/primitive_row.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -36,32 +35,16 @@ HWY_INLINE void set_item_normals(D d, const PrimitiveRows<T>& rows, const Items&
   });
 }
 
-/// Lanes of `lit` that one of so many items hides from a light: hides(index, lanes).
+/// Lanes of `lit` that one of so many items hides from a light: hides(index, lanes, hidden) says
+/// whether it hides any of lanes, and which.
 template <class D, class Hides, class M = hn::Mask<D>>
 HWY_INLINE M occluded_by_items(D d, std::size_t count, M lit, const Hides& hides) {
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
-  for (std::size_t i = 0; i < count; ++i) dark = hn::Or(dark, hides(i, lit));
+  for (std::size_t i = 0; i < count; ++i) {
+    M hidden = lit;
+    if (hides(i, lit, hidden)) dark = hn::Or(dark, hidden);
+  }
   return dark;
-}
-
-/// The same of those that a distant light's grid lists.
-template <class D, class Hides, class V = hn::Vec<D>, class M = hn::Mask<D>,
-          typename T = hn::TFromD<D>>
-HWY_INLINE M occluded_by_listed(D d, const ListGrid<T>& grid, const V3<V>& points, M lit,
-                                const Hides& hides) {
-  const auto in_cell = [&](std::size_t cell, const LightPlaces<V, M>&, T least_w, M rest) HWY_ATTR {
-    M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
-    for (std::size_t i = grid.begins[cell]; i < grid.begins[cell + 1]; ++i) {
-      const ListedCaster<T>& entry = grid.entries[i];
-      if (entry.top <= least_w) break;  // this one and all behind it are farther from the light
-      const M hidden = hides(entry.primitive, rest);
-      dark = hn::Or(dark, hidden);
-      rest = hn::AndNot(hidden, rest);
-      if (hn::AllFalse(d, rest)) break;
-    }
-    return dark;
-  };
-  return occluded_in_lists(d, grid, points, lit, in_cell);
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

@@ -59,8 +59,9 @@ concept HasTraits = requires {
   Kind::Documents::count;                                   // Types<X, Xs>: what a document may say
   { Kind::noun } -> std::convertible_to<std::string_view>;  // what messages call it
   { Kind::search } -> std::convertible_to<Search>;          // how it can be found
-  // Whether a point light's grid may hold it.
-  { Kind::has_point_grid } -> std::convertible_to<bool>;
+  // Whether hard shadows are off by what rounds the points that they fall on, and by no more
+  // however far away what casts them is.
+  { Kind::has_exact_shadows } -> std::convertible_to<bool>;
   { Kind::tolerance_px } -> std::convertible_to<double>;  // what single may displace of its edges
 };
 
@@ -86,14 +87,18 @@ concept HasStatistics = requires(const typename Kind::Primitive& p, const Viewpo
   { placement_of(p) } -> std::same_as<std::optional<Placement>>;
 };
 
-/// Of a kind that is bounded: up to how many are tried one by one, the pixels that one may cover,
-/// and a lower bound of its distance from the eye.
+/// Of a kind that is bounded: up to how many are tried one by one, the pixels that one may cover, a
+/// lower bound of its distance from the eye, and the same primitive relative to a place that is not
+/// the eye's: as a light there sees it. For how many pixels of the image for each primitive it is
+/// worth it to build cells around a point light.
 template <class Kind>
 concept HasBoundedSearch = requires(const typename Kind::Primitive& p,
                                     const Projection& projection) {
   { Kind::few } -> std::convertible_to<FewPrimitives>;
+  { Kind::pixels_for_cells } -> std::convertible_to<double>;
   { footprint(projection, p) } -> std::same_as<PixelRectangle>;
   { nearest_distance(p) } -> std::same_as<double>;
+  { seen_from(p, Vec3{}) } -> std::same_as<typename Kind::Primitive>;
 };
 
 /// Of a kind that finds its own parts: the pixels that it may cover; the longest way between one of

@@ -18,7 +18,8 @@ double most_blocks(std::size_t primitives) { return 1e6 + 8 * static_cast<double
 
 /// Of a bounded kind.
 template <class Kind>
-FinderRow choose_structures(std::size_t count, double blocks, std::size_t directions) {
+FinderRow choose_structures(std::size_t count, double blocks, std::size_t directions,
+                            double pixels) {
   const bool are_few = count <= Kind::few.to_lights;
   FinderRow row;
   const auto set = [&](RayKind rays, Finder finder) {
@@ -29,9 +30,9 @@ FinderRow choose_structures(std::size_t count, double blocks, std::size_t direct
   set(RayKind::to_distant_light, are_few ? Finder::one_by_one
                                  : fit   ? Finder::light_grid
                                          : Finder::tree);
-  set(RayKind::to_point_light, are_few                ? Finder::one_by_one
-                               : Kind::has_point_grid ? Finder::point_grid
-                                                      : Finder::tree);
+  set(RayKind::to_point_light, are_few                                      ? Finder::one_by_one
+                               : is_sought_from_points<Kind>(count, pixels) ? Finder::tree
+                                                                            : Finder::point_grid);
   set(RayKind::followed, count <= Kind::few.followed ? Finder::one_by_one : Finder::tree);
   return row;
 }
@@ -94,7 +95,8 @@ FinderTable choose_finders(const Features& features, const SceneStatistics& stat
     if constexpr (Kind::search == Search::own) row = with_each(Finder::lattice_walk);
     if constexpr (Kind::search == Search::bounded) {
       if (kernel == Kernel::packets)
-        row = choose_structures<Kind>(count, statistics.kinds[kind_index<Kind>].blocks, directions);
+        row = choose_structures<Kind>(count, statistics.kinds[kind_index<Kind>].blocks, directions,
+                                      statistics.pixels);
       else if (bounded > few_for_single_rays)
         row = with_each(Finder::tree);
     }

@@ -59,10 +59,10 @@ double growth_along_path(const SceneStatistics& statistics, double nearest) {
 
 /// Whether the scene has shadows under point lights of kinds whose shadow rays start at the shaded
 /// points: edges near the light are magnified far from it.
-bool has_spreading_shadows(const Features& features) {
+bool has_spreading_shadows(const Features& features, const SceneStatistics& statistics) {
   bool has = false;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
-    if (is_sought_from_points<Kind> && features.primitives[kind_index<Kind>] > 0)
+    if (is_sought_from_points<Kind>(features.primitives[kind_index<Kind>], statistics.pixels))
       has = features.casts_shadows && features.light_count(LightRays::converging) > 0;
   });
   return has;
@@ -71,7 +71,7 @@ bool has_spreading_shadows(const Features& features) {
 /// By how much an error grows in them. Double suffices unless the light is within a millionth of
 /// the scene of them.
 double growth_by_spread(const Features& features, const SceneStatistics& statistics) {
-  return has_spreading_shadows(features) ? statistics.shadow_spread : 1;
+  return has_spreading_shadows(features, statistics) ? statistics.shadow_spread : 1;
 }
 
 /// Of the kinds that the scene has.
@@ -130,7 +130,7 @@ double nearest_in_single(const Features& features, const SceneStatistics& statis
 double lamp_reach_in_single(const LampDistances& lamp, const Features& features,
                             const SceneStatistics& statistics) {
   const double direction_error_px = kappa * single_rounding / statistics.pixel_angle;
-  return has_spreading_shadows(features)
+  return has_spreading_shadows(features, statistics)
              ? lamp.nearest * least_tolerance_px(features) / direction_error_px
              : infinity;
 }

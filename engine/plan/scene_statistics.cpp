@@ -66,7 +66,7 @@ double add_converging_light(const PackedScene& packed, const PackedLight& light,
   to.light_clearance = std::min(to.light_clearance, all.clearance / to.farthest);
   double sought_from_points = infinity;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
-    if constexpr (is_sought_from_points<Kind>)
+    if (is_sought_from_points<Kind>(of_kind<Kind>(packed.primitives).size(), to.pixels))
       sought_from_points = std::min(sought_from_points, kinds[kind_index<Kind>].clearance);
   });
   const double reach = std::max(all.farthest, to.farthest + to.all.visible_reach);
@@ -75,12 +75,15 @@ double add_converging_light(const PackedScene& packed, const PackedLight& light,
   return all.clearance;
 }
 
-/// The longest way from a point to an occluder that can matter.
+/// The longest way from a point to an occluder that can matter. Shadows of soft lights are sought
+/// from the points, and exact of nothing.
 double shadow_path(const PackedScene& packed, const SceneStatistics& statistics) {
   double longest = 0;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     if constexpr (Kind::search != Search::own)
-      longest = std::max(longest, statistics.kinds[kind_index<Kind>].farthest);
+      if (!Kind::has_exact_shadows || !packed.soft_lights.empty() ||
+          is_sought_from_points<Kind>(of_kind<Kind>(packed.primitives).size(), statistics.pixels))
+        longest = std::max(longest, statistics.kinds[kind_index<Kind>].farthest);
   });
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     if constexpr (Kind::search == Search::own) {
@@ -139,6 +142,7 @@ SceneStatistics gather_statistics(const Scene& scene, const PackedScene& packed,
   add_smooth_surfaces(packed, statistics.all);
   statistics.nearest = std::max(statistics.all.nearest, 0.0);
   statistics.lost = packed.lost;
+  statistics.pixels = static_cast<double>(packed.view.width) * packed.view.height;
   statistics.pixel_angle = eye.pixel_angle;
   statistics.farthest = statistics.all.farthest;
   for (const Light& light : scene.lights) {

@@ -30,8 +30,9 @@ struct SceneStatistics {
   std::array<GeometryStatistics, ObjectKinds::count> kinds;  ///< of each kind of object
   GeometryStatistics all;                                    ///< of all together
   double nearest = infinity;                                 ///< surface; 0 inside an object
-  double farthest = 0;     ///< point of anything bounded, point lights included
-  double shadow_path = 0;  ///< no occluder stands farther than this from what it shadows
+  double farthest = 0;  ///< point of anything bounded, point lights included
+  /// No occluder whose shadow is the less exact for it stands farther from what it shadows.
+  double shadow_path = 0;
   /// How many times as far from a point light the farthest thing in view may be as the nearest
   /// thing whose shadows are looked for from the points: so much wider a shadow can be than its
   /// occluder.
@@ -48,6 +49,7 @@ struct SceneStatistics {
   double lowest_light = 1;
   double lost = 0;         ///< primitives that the frame cannot carry
   double brightest = 0;    ///< i of a light where it is nearest to a surface, any channel
+  double pixels = 0;       ///< of the image
   double pixel_angle = 0;  ///< radians, at the image's centre
   std::vector<GrazingLight> grazing;  ///< ten at most
 };
@@ -81,10 +83,14 @@ double magnification(const PackedScene& packed, const Features& features, double
 /// Limits: kinds of which each primitive has a placement_of(), 10,000 primitives at most.
 double least_gap(const PackedScene& packed);
 
-/// Whether a kind's shadows under a point light are looked for from the points, and not from the
-/// light.
+/// Whether a kind's shadows under a point light are looked for from the points, of which an image
+/// of so many pixels shows some, and not from the light.
 template <class Kind>
-constexpr bool is_sought_from_points = Kind::search == Search::own ||
-                                       (Kind::search == Search::bounded && !Kind::has_point_grid);
+bool is_sought_from_points(std::size_t count, double pixels) {
+  if constexpr (Kind::search == Search::bounded)
+    return count > Kind::few.to_lights &&
+           pixels < Kind::pixels_for_cells * static_cast<double>(count);
+  return Kind::search == Search::own && count > 0;
+}
 
 }  // namespace raytracer

@@ -94,6 +94,50 @@ TEST(Plan, finds_many_spheres_by_what_their_rays_share) {
   EXPECT_EQ(finder_for(plan, "1,000 spheres", "followed"), "tree of boxes");
 }
 
+TEST(Plan, finds_by_cells_around_a_point_light_whatever_is_bounded) {
+  const Spheres spheres = many_spheres(1000);
+  Cylinders cylinders;
+  cylinders.from = spheres.centers;
+  cylinders.radii = {0.1};
+  Cones cones;
+  cones.from = spheres.centers;
+  cones.radii_from = {0.1};
+  cones.radii_to = {0};
+  Mesh mesh;
+  for (const Vec3& center : spheres.centers) {
+    cylinders.to.push_back(center + Vec3{0, 1, 0});
+    cones.to.push_back(center + Vec3{1, 0, 0});
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const Vec3& corner : {Vec3{0, 0, 0}, Vec3{0.1, 0, 0}, Vec3{0, 0.1, 0}})
+      mesh.vertices.push_back(center + corner);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  Scene scene = scene_with({{spheres, 0}, {cylinders, 0}, {cones, 0}, {mesh, 0}});
+  scene.lights = {{PointLight{{0, 20, 0}}}};
+  const nlohmann::json plan = explained(scene);
+  for (const char* const objects : {"1,000 spheres", "1,000 cylinders", "1,000 cones", "1,000 tri"})
+    EXPECT_EQ(finder_for(plan, objects, "to the point lights"), "point grids") << objects;
+  scene.camera.width = 64;
+  scene.camera.height = 48;
+  EXPECT_EQ(finder_for(explained(scene), "1,000 spheres", "to the point lights"), "point grids");
+  for (const char* const objects : {"1,000 cylinders", "1,000 cones", "1,000 tri"})
+    EXPECT_EQ(finder_for(explained(scene), objects, "to the point lights"), "tree of boxes")
+        << objects << " in an image too small for cells to be worth building";
+}
+
+TEST(Plan, mixes_for_shadows_from_afar_of_what_is_round_but_not_of_triangles) {
+  const auto precision_with = [](Object far_away) {
+    Scene scene = scene_with({{Sphere{{0, 2, -48}, 0.1}, 0}, std::move(far_away)});
+    scene.lights = {{PointLight{{0, 500, 0}}}};
+    return make_plan(scene, machine).precision.value;
+  };
+  Mesh mesh;
+  mesh.vertices = {{-500, 0, 500}, {500, 0, 500}, {0, 500, 500}};
+  mesh.triangles = {{0, 1, 2}};
+  EXPECT_EQ(precision_with({mesh, 0}), Precision::single_precision);
+  EXPECT_EQ(precision_with({Cone{{0, 0, 500}, {0, 500, 500}, 500, 0}, 0}), Precision::mixed);
+}
+
 TEST(Plan, follows_rays_through_glass_but_that_of_squares) {
   Scene scene = scene_with({{many_spheres(5), 1}});
   EXPECT_EQ(explained(scene)["kernel"]["choice"], "packets of rays");

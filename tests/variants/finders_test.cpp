@@ -13,13 +13,11 @@ namespace raytracer::test {
 namespace {
 
 /// In the midst of them, beside them, along an axis, and so far away that all are in one direction.
-TEST(Finders, find_shadows_of_spheres_wherever_the_lamp_is) {
-  const std::string matt = R"({"shininess": 20})";
+void expect_shadows_wherever_the_lamp_is(const std::string& objects) {
   for (const char* const place : {"[0, 0, 0]", "[0.5, 3, -6]", "[9, 0, 0]", "[0, -40, 0]",
-                                  "[300, 500, -400]", "[-2e5, 1e5, -3e5]"}) {
+                                  "[300, 500, -400]", "[-2e5, 1e5, -3e5]", "[2e8, 2e8, -2e8]"}) {
     const Scene scene = with_objects(
-        random_spheres(900, 0.3, matt) +
-            R"(, {"type": "plane", "point": [0, -5, 0], "normal": [0, 1, 0]})",
+        objects + R"(, {"type": "plane", "point": [0, -5, 0], "normal": [0, 1, 0]})",
         fmt::format(R"({{"type": "point", "position": {}, "intensity": 0.8, "falloff": "none"}})",
                     place));
     const Image expected = reference_image(scene);
@@ -30,6 +28,25 @@ TEST(Finders, find_shadows_of_spheres_wherever_the_lamp_is) {
           << place << " on " << set.name;
     }
   }
+}
+
+constexpr const char* matt = R"({"shininess": 20})";
+
+TEST(Finders, find_shadows_of_spheres_wherever_the_lamp_is) {
+  expect_shadows_wherever_the_lamp_is(random_spheres(900, 0.3, matt));
+}
+
+TEST(Finders, find_shadows_of_cylinders_wherever_the_lamp_is) {
+  expect_shadows_wherever_the_lamp_is(random_cylinders(300, matt));
+}
+
+TEST(Finders, find_shadows_of_cones_wherever_the_lamp_is) {
+  expect_shadows_wherever_the_lamp_is(random_cones(300, matt));
+}
+
+TEST(Finders, find_shadows_of_triangles_wherever_the_lamp_is) {
+  expect_shadows_wherever_the_lamp_is(rough_sheet(24, matt));
+  expect_shadows_wherever_the_lamp_is(random_triangles(60, matt));
 }
 
 template <class Kind>
@@ -48,7 +65,10 @@ void expect_alike_by_every_finder() {
           FinderRow& row = plan.finders[kind_index<Kind>];
           row.fill(otherwise);
           set(row, RayKind::from_eye, by_bins ? Finder::screen_bins : Finder::tree);
-          if (by_grids) set(row, RayKind::to_distant_light, Finder::light_grid);
+          if (by_grids) {
+            set(row, RayKind::to_distant_light, Finder::light_grid);
+            set(row, RayKind::to_point_light, Finder::point_grid);
+          }
           EXPECT_EQ(count_wrong(image_by(plan, scene), expected), 0)
               << named.name << (by_bins ? ", bins" : "") << (by_grids ? ", grids" : "");
         }

@@ -286,22 +286,53 @@ HWY_INLINE void prefetch_candidate(const PrimitiveRows<T>&, const Geometry<ConeK
   hwy::Prefetch(&cones.items[index]);
 }
 
+/// Lanes from which a cone hides a point light; it is relative to that.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M hides_point_light(D d, const ConeItem<T>& item, const LampRays<D>& lamp, V own_id) {
+  const Cones<V> c = in_all_lanes(d, item);
+  const V zero = hn::Zero(d);
+  const ConeChords<V, M> chords =
+      chords_of(d, c, AlongCone<V>{zero, hn::Neg(c.distance), zero, c.girth},
+                direction_along(c, lamp.direction), hn::Set(d, item.eye_c));
+  if (item.has_caps > 0)
+    return hn::And(hn::And(chords.is_there, hn::Ne(own_id, c.id)),
+                   lamp.pass(d, chords.enter, chords.leave));
+  const M enters = hn::AndNot(chords.enters_disc, lamp.meet(d, chords.enter));
+  const M leaves = hn::AndNot(chords.leaves_disc, lamp.meet(d, chords.leave));
+  return hn::And(chords.is_there, hn::Or(enters, leaves));
+}
+
 /// Lanes of `lit` from which a cone stands before the light.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M occluded_by(D d, const Geometry<ConeKind, T>& cones, const PacketLight<T>& light,
-                         const ShadowRays<V>& rays, M lit) {
-  // Met before the light, which may be inside; one in whose surface it lies does not hide it.
-  const V distance = hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>));
-  const auto hides = [&](std::size_t i, M rest) HWY_ATTR {
-    V t;
-    const M is_hit =
-        intersect_cones(d, in_all_lanes(d, cones.items[i]), rays.from, rays.towards, rest, t);
-    return hn::And(is_hit, hn::Lt(t, distance));
+HWY_NOINLINE M occluded_by(D d, const Geometry<ConeKind, T>& cones, const PacketLight<T>& light,
+                           const ShadowRays<V>& rays, M lit) {
+  const ConeLightView<T>& view = cones.lights[light.index];
+  const auto occluded = [&](const auto& hides) HWY_ATTR {
+    if (light.rays == LightRays::parallel) {
+      if (cones.finder(RayKind::to_distant_light) == Finder::light_grid)
+        return occluded_by_listed(d, view.grid, places_on(d, view.grid.plane, rays.from.point), lit,
+                                  hides);
+    } else if (cones.finder(RayKind::to_point_light) == Finder::point_grid) {
+      return occluded_by_listed(d, view.lamp.lists, light.place, rays, lit, hides);
+    }
+    return occluded_by_items(d, cones.items.size(), lit, hides);
   };
-  if (light.rays == LightRays::parallel &&
-      cones.finder(RayKind::to_distant_light) == Finder::light_grid)
-    return occluded_by_listed(d, cones.lights[light.index].grid, rays.from.point, lit, hides);
-  return occluded_by_items(d, cones.items.size(), lit, hides);
+  if (view.lamp.seen.empty()) {
+    // Met before the light, which may be inside; one in whose surface it lies does not hide it.
+    const V distance = hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>));
+    return occluded([&](std::size_t i, M rest, M& hidden) RAYTRACER_INLINE_ATTR {
+      V t;
+      const M is_hit =
+          intersect_cones(d, in_all_lanes(d, cones.items[i]), rays.from, rays.towards, rest, t);
+      hidden = hn::And(is_hit, hn::Lt(t, distance));
+      return !hn::AllFalse(d, hidden);
+    });
+  }
+  const LampRays<D> lamp(d, rays);
+  return occluded([&](std::size_t i, M rest, M& hidden) RAYTRACER_INLINE_ATTR {
+    hidden = hn::And(rest, hides_point_light(d, view.lamp.seen[i], lamp, rays.from.id));
+    return !hn::AllFalse(d, hidden);
+  });
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

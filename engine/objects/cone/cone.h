@@ -107,7 +107,8 @@ struct ConeKind {
   static constexpr Search search = Search::bounded;
   // Random cones under two lights, packets of 16.
   static constexpr FewPrimitives few{.to_lights = 12, .followed = 24};
-  static constexpr bool has_point_grid = false;
+  static constexpr double pixels_for_cells = 12;
+  static constexpr bool has_exact_shadows = false;
   static constexpr double tolerance_px = 1.0 / 64;
 };
 
@@ -129,6 +130,8 @@ void for_each_extent(const Cones& c, const Include& include) {
 
 void pack(const Cone& cone, Packing<PackedCone>& to);
 void pack(const Cones& cones, Packing<PackedCone>& to);
+
+PackedCone seen_from(const PackedCone& cone, const Vec3& place);
 
 Box bounds(const PackedCone& cone);
 

@@ -89,6 +89,16 @@ void pack(const Cones& c, Packing<PackedCone>& to) {
   to.add_all(c.from.size(), make, is_too_small, is_too_small);
 }
 
+PackedCone seen_from(const PackedCone& c, const Vec3& place) {
+  PackedCone seen = c;
+  static_cast<AxisSegment&>(seen) = c.seen_from(place);
+  seen.girth_at_foot = c.girth(dot(place - c.foot, c.axis));
+  const double distance = c.cosine * length(seen.foot);
+  seen.eye_c = AxisSegment::without_noise(
+      (distance - seen.girth_at_foot) * (distance + seen.girth_at_foot), distance * distance);
+  return seen;
+}
+
 Box bounds(const PackedCone& c) {
   Box box;
   for (const bool is_to : {false, true})

@@ -72,11 +72,13 @@ void PacketLayout<ConeKind, T>::fill(const PackedCone& cone, std::int32_t number
 template <typename T>
 ConeLightView<T> PacketLayout<ConeKind, T>::light_view(std::span<const PackedCone> cones,
                                                        const PackedLight& light,
-                                                       const FinderRow& finders, const Numbering&,
-                                                       WorkerPool& pool) {
-  if (light.rays != LightRays::parallel || cones.empty() ||
-      finder_of(finders, RayKind::to_distant_light) != Finder::light_grid)
-    return {};
+                                                       const FinderRow& finders,
+                                                       const Numbering& numbers, WorkerPool& pool) {
+  if (light.rays == LightRays::converging) {
+    const Finder finder = finder_of(finders, RayKind::to_point_light);
+    return {{}, lamp_view<PacketLayout, T>(cones, light.place, finder, numbers, pool)};
+  }
+  if (finder_of(finders, RayKind::to_distant_light) != Finder::light_grid) return {};
   const LightAxes axes = light_axes(light.place);
   // Beside the axis' line as the light sees it nothing is farther than the larger radius.
   const auto touches = [&](std::uint32_t i, T u, T v, T half) {
@@ -89,7 +91,7 @@ ConeLightView<T> PacketLayout<ConeKind, T>::light_view(std::span<const PackedCon
     const double away = std::abs(ku * u + kv * v - dot(c.foot, k));
     return away <= c.largest_radius() + half * (std::abs(ku) + std::abs(kv) + 1e-3);
   };
-  return {build_list_grid<T>(light.place, cones, touches, pool)};
+  return {build_list_grid<T>(light.place, cones, touches, pool), {}};
 }
 
 template struct PacketLayout<ConeKind, float>;

@@ -9,6 +9,7 @@
 #include "engine/lights/light_kind.h"
 #include "engine/memory/page_allocator.h"
 #include "engine/objects/cone/cone.h"
+#include "engine/objects/lamp_view.h"
 #include "engine/objects/numbering.h"
 #include "engine/objects/packet_kind.h"
 
@@ -45,7 +46,8 @@ struct alignas(64) ConeBlock {
 
 template <typename T>
 struct ConeLightView {
-  ListGrid<T> grid;  ///< of a distant light, where there are many
+  ListGrid<T> grid;               ///< of a distant light, where there are many
+  LampView<ConeItem<T>, T> lamp;  ///< of a point light
 };
 
 /// The planes through the eye that touch the endless cone; all of the image where there are none.

@@ -299,33 +299,65 @@ HWY_INLINE M hides_distant_light(D d, const CylinderShadow<T>& c, const V3<V>& p
                  hn::And(hn::Le(enter, leave), hn::Gt(hn::Add(enter, leave), zero)));
 }
 
-/// Lanes of `lit` from which one cylinder stands before the light.
+/// Lanes from which a cylinder hides a point light; it is relative to that.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M occluded_by_one(D d, const CylinderItem<T>& item, const CylinderShadow<T>* shadow,
-                             const ShadowRays<V>& rays, M lit) {
-  if (shadow != nullptr && item.has_caps > 0)
-    return hn::And(hn::AndNot(hn::Eq(rays.from.id, hn::Set(d, item.id)), lit),
-                   hides_distant_light(d, *shadow, rays.from.point));
-  V t;
-  const M is_hit = intersect_cylinders(d, in_all_lanes(d, item), rays.from, rays.towards, lit, t);
-  // Met before the light, which may be inside; one in whose surface it lies does not hide it.
-  const V distance = hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>));
-  return hn::And(is_hit, hn::Lt(t, distance));
+HWY_INLINE M hides_point_light(D d, const CylinderItem<T>& item, const LampRays<D>& lamp,
+                               V own_id) {
+  const Cylinders<V> c = in_all_lanes(d, item);
+  const V zero = hn::Zero(d);
+  const CylinderSpans<V, M> spans = spans_of(d, c, InAxes<V>{zero, hn::Neg(c.distance), zero},
+                                             in_axes(c, lamp.direction), hn::Set(d, item.eye_c));
+  if (item.has_caps > 0) {
+    const V enter = hn::Max(spans.enter_side, spans.enter_ends);
+    const V leave = hn::Min(spans.leave_side, spans.leave_ends);
+    const M other = hn::And(spans.crosses, hn::Ne(own_id, c.id));
+    return hn::And(hn::And(other, hn::Le(enter, leave)), lamp.pass(d, enter, leave));
+  }
+  const auto is_met = [&](V at) HWY_ATTR {
+    const M between = hn::And(hn::Ge(at, spans.enter_ends), hn::Le(at, spans.leave_ends));
+    return hn::And(between, lamp.meet(d, at));
+  };
+  return hn::And(spans.crosses, hn::Or(is_met(spans.enter_side), is_met(spans.leave_side)));
 }
 
 /// Lanes of `lit` from which a cylinder stands before the light.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M occluded_by(D d, const Geometry<CylinderKind, T>& cylinders,
-                         const PacketLight<T>& light, const ShadowRays<V>& rays, M lit) {
+HWY_NOINLINE M occluded_by(D d, const Geometry<CylinderKind, T>& cylinders,
+                           const PacketLight<T>& light, const ShadowRays<V>& rays, M lit) {
   const CylinderLightView<T>& view = cylinders.lights[light.index];
-  const bool is_parallel = light.rays == LightRays::parallel;
-  const auto hides = [&](std::size_t i, M rest) HWY_ATTR {
-    return occluded_by_one(d, cylinders.items[i], is_parallel ? &view.shadows[i] : nullptr, rays,
-                           rest);
+  const V own_id = rays.from.id;
+  const auto from_point = [&](std::size_t i, M rest, M& hidden) RAYTRACER_INLINE_ATTR {
+    V t;
+    const M is_hit = intersect_cylinders(d, in_all_lanes(d, cylinders.items[i]), rays.from,
+                                         rays.towards, rest, t);
+    // Met before the light, which may be inside; one in whose surface it lies does not hide it.
+    hidden = hn::And(is_hit, hn::Lt(t, hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>))));
+    return !hn::AllFalse(d, hidden);
   };
-  if (!is_parallel || cylinders.finder(RayKind::to_distant_light) == Finder::one_by_one)
-    return occluded_by_items(d, cylinders.items.size(), lit, hides);
-  return occluded_by_listed(d, view.grid, rays.from.point, lit, hides);
+  if (light.rays == LightRays::parallel) {
+    const auto hides = [&](std::size_t i, M rest, M& hidden) RAYTRACER_INLINE_ATTR {
+      const CylinderItem<T>& item = cylinders.items[i];
+      if (!(item.has_caps > 0)) return from_point(i, rest, hidden);
+      hidden = hn::And(hn::AndNot(hn::Eq(own_id, hn::Set(d, item.id)), rest),
+                       hides_distant_light(d, view.shadows[i], rays.from.point));
+      return !hn::AllFalse(d, hidden);
+    };
+    if (cylinders.finder(RayKind::to_distant_light) == Finder::one_by_one)
+      return occluded_by_items(d, cylinders.items.size(), lit, hides);
+    return occluded_by_listed(d, view.grid, places_on(d, view.grid.plane, rays.from.point), lit,
+                              hides);
+  }
+  const auto occluded = [&](const auto& hides) HWY_ATTR {
+    if (cylinders.finder(RayKind::to_point_light) == Finder::one_by_one)
+      return occluded_by_items(d, cylinders.items.size(), lit, hides);
+    return occluded_by_listed(d, view.lamp.lists, light.place, rays, lit, hides);
+  };
+  if (view.lamp.seen.empty()) return occluded(from_point);
+  const LampRays<D> lamp(d, rays);
+  return occluded([&](std::size_t i, M rest, M& hidden) RAYTRACER_INLINE_ATTR {
+    hidden = hn::And(rest, hides_point_light(d, view.lamp.seen[i], lamp, own_id));
+    return !hn::AllFalse(d, hidden);
+  });
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

@@ -84,7 +84,8 @@ struct CylinderKind {
   static constexpr Search search = Search::bounded;
   // Random cylinders under two lights, packets of 16.
   static constexpr FewPrimitives few{.to_lights = 12, .followed = 24};
-  static constexpr bool has_point_grid = false;
+  static constexpr double pixels_for_cells = 12;
+  static constexpr bool has_exact_shadows = false;
   static constexpr double tolerance_px = 1.0 / 64;
 };
 
@@ -106,6 +107,8 @@ void for_each_extent(const Cylinders& c, const Include& include) {
 
 void pack(const Cylinder& cylinder, Packing<PackedCylinder>& to);
 void pack(const Cylinders& cylinders, Packing<PackedCylinder>& to);
+
+PackedCylinder seen_from(const PackedCylinder& cylinder, const Vec3& place);
 
 Box bounds(const PackedCylinder& cylinder);
 

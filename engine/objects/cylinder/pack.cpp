@@ -53,6 +53,15 @@ void pack(const Cylinders& c, Packing<PackedCylinder>& to) {
   to.add_all(c.from.size(), make, is_too_small, is_too_small);
 }
 
+PackedCylinder seen_from(const PackedCylinder& c, const Vec3& place) {
+  PackedCylinder seen = c;
+  static_cast<AxisSegment&>(seen) = c.seen_from(place);
+  const double distance = length(seen.foot);
+  seen.eye_c = AxisSegment::without_noise((distance - c.radius) * (distance + c.radius),
+                                          c.radius * c.radius);
+  return seen;
+}
+
 Box bounds(const PackedCylinder& c) {
   Box box;
   for (const bool is_to : {false, true})

@@ -97,9 +97,13 @@ void PacketLayout<CylinderKind, T>::fill(const PackedCylinder& cylinder, std::in
 template <typename T>
 CylinderLightView<T> PacketLayout<CylinderKind, T>::light_view(
     std::span<const PackedCylinder> cylinders, const PackedLight& light, const FinderRow& finders,
-    const Numbering&, WorkerPool& pool) {
+    const Numbering& numbers, WorkerPool& pool) {
   CylinderLightView<T> view;
-  if (light.rays != LightRays::parallel || cylinders.empty()) return view;
+  if (light.rays == LightRays::converging) {
+    const Finder finder = finder_of(finders, RayKind::to_point_light);
+    view.lamp = lamp_view<PacketLayout, T>(cylinders, light.place, finder, numbers, pool);
+    return view;
+  }
   view.shadows.resize(cylinders.size());
   for_each_range(cylinders.size(), pool, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

@@ -9,6 +9,7 @@
 #include "engine/lights/light_kind.h"
 #include "engine/memory/page_allocator.h"
 #include "engine/objects/cylinder/cylinder.h"
+#include "engine/objects/lamp_view.h"
 #include "engine/objects/numbering.h"
 #include "engine/objects/packet_kind.h"
 
@@ -59,6 +60,7 @@ template <typename T>
 struct CylinderLightView {
   ListGrid<T> grid;                       ///< of a distant light, where there are many
   LargeArray<CylinderShadow<T>> shadows;  ///< of a distant light
+  LampView<CylinderItem<T>, T> lamp;      ///< of a point light
 };
 
 /// The planes through the eye that touch the endless cylinder; all of the image from within it.

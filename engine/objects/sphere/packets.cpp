@@ -9,16 +9,6 @@
 namespace raytracer {
 namespace {
 
-/// Whether a light is so far from the eye that its distance would swallow what the spheres' places
-/// differ by. Of such a light none is beyond or around it.
-bool is_far_light(const Vec3& light, std::span<const PackedSphere> spheres) {
-  constexpr double far = 4;
-  double reach = 0;
-  for (const PackedSphere& sphere : spheres)
-    reach = std::max(reach, length(sphere.center) + sphere.radius);
-  return length(light) > far * reach;
-}
-
 /// In double up to the last step. A sphere in whose surface the light lies is a little smaller, by
 /// what T rounds: it does not hide the light from outside.
 template <typename T>
@@ -82,12 +72,13 @@ SphereLightView<T> PacketLayout<SphereKind, T>::light_view(std::span<const Packe
     }
     return view;
   }
-  view.is_far = is_far_light(light.place, spheres);
+  const double reach = reach_of(spheres, pool);
+  view.is_far = is_far_light(light.place, reach);
   const auto make = [&, is_far = view.is_far](const PackedSphere& s) {
     return ball_seen_from<T>(light.place, is_far, s, numbers(s.id));
   };
   if (finder_of(finders, RayKind::to_point_light) == Finder::point_grid)
-    view.balls = build_point_grid<SphereBall<T>, T>(light.place, spheres, make, pool);
+    view.balls = build_point_grid<SphereBall<T>, T>(light.place, spheres, reach, make, pool);
   else if (finder_of(finders, RayKind::to_point_light) == Finder::one_by_one)
     fill_one_cell(spheres, make, view.balls);
   return view;

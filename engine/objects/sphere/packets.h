@@ -85,8 +85,6 @@ struct SphereLightView {
   std::size_t bytes() const { return sizeof(T) * discs.casters.values.size(); }
 };
 
-inline Ball bounding_ball(const PackedSphere& s) { return {s.center, s.radius}; }
-
 inline ShadowExtent shadow_extent(const PackedSphere& s, const LightAxes& axes) {
   const double u = dot(s.center, axes[0]);
   const double v = dot(s.center, axes[1]);

@@ -63,7 +63,8 @@ struct SphereKind {
   // light 0.45 ms to 0.46 with 24 spheres, 0.51 to 0.49 with 32, 0.76 to 0.60 with 64. The same as
   // mirrors: trying each against a tree 3.18 ms to 3.31 with 128 spheres.
   static constexpr FewPrimitives few{.to_lights = 28, .followed = 128};
-  static constexpr bool has_point_grid = true;
+  static constexpr double pixels_for_cells = 0;
+  static constexpr bool has_exact_shadows = false;
   /// What rounding may displace its edges by, in pixels.
   static constexpr double tolerance_px = 1.0 / 64;
 };
@@ -82,6 +83,10 @@ void for_each_extent(const Spheres& s, const Include& include) {
 
 void pack(const Sphere& sphere, Packing<PackedSphere>& to);
 void pack(const Spheres& spheres, Packing<PackedSphere>& to);
+
+inline PackedSphere seen_from(const PackedSphere& s, const Vec3& place) {
+  return {s.center - place, s.radius, s.id};
+}
 
 inline Box bounds(const PackedSphere& s) {
   const Vec3 r{s.radius, s.radius, s.radius};

@@ -2,6 +2,7 @@
 #include "engine/objects/triangle/packets.h"
 
 #include <cmath>
+#include <limits>
 
 #include "engine/parallel/chunks.h"
 
@@ -59,6 +60,35 @@ bool reaches(const TriangleOutline<T>& lines, T u, T v, T half) {
   return true;
 }
 
+/// The planes through a light and a triangle's sides: of one that two triangles share the opposite
+/// for the other, to the bit. Nothing is inside if the light is in the triangle's own plane.
+template <typename T>
+TriangleShadow<T> shadow_of(const Vec3& light, const PackedTriangle& t) {
+  constexpr double noise = 4096 * std::numeric_limits<double>::epsilon();
+  const PackedTriangle seen = seen_from(t, light);
+  const double height = dot(t.normal, seen.vertices[0]);
+  const Vec3 away = height < 0 ? -t.normal : t.normal;
+  TriangleShadow<T> shadow;
+  if (!(std::abs(height) > noise * length(seen.vertices[0]))) {
+    shadow.normals.fill({});
+    shadow.offsets.fill(T(1));
+    return shadow;
+  }
+  // By the sides themselves: corners that are far away differ by little.
+  const auto& [a, b, c] = seen.vertices;
+  const double sign = dot(cross(b - a, c - a), a) < 0 ? -1 : 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    const Vec3 normal = sign * unit(cross(seen.vertices[i] + seen.vertices[next],
+                                          seen.vertices[next] - seen.vertices[i]));
+    shadow.normals[i] = narrowed<T>(normal);
+    shadow.offsets[i] = static_cast<T>(0.5 * dot(normal, t.vertices[i] + t.vertices[next]));
+  }
+  shadow.normals[3] = narrowed<T>(away);
+  shadow.offsets[3] = static_cast<T>(dot(away, t.vertices[0]));
+  return shadow;
+}
+
 /// In double up to the last step: corners near each other as seen from the eye give a side's plane
 /// all its digits.
 template <typename T>
@@ -104,14 +134,27 @@ TriangleLightView<T> PacketLayout<TriangleKind, T>::light_view(
     std::span<const PackedTriangle> triangles, const PackedLight& light, const FinderRow& finders,
     const Numbering&, WorkerPool& pool) {
   TriangleLightView<T> view;
-  if (light.rays != LightRays::parallel || triangles.empty() ||
-      finder_of(finders, RayKind::to_distant_light) != Finder::light_grid)
+  if (light.rays == LightRays::converging) {
+    const Finder finder = finder_of(finders, RayKind::to_point_light);
+    if (finder == Finder::tree) return view;
+    view.shadows.resize(triangles.size());
+    for_each_range(triangles.size(), pool, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        view.shadows[i] = shadow_of<T>(light.place, triangles[i]);
+    });
+    if (finder == Finder::point_grid)
+      view.lists = build_point_lists<T>(light.place, triangles, reach_of(triangles, pool), pool);
     return view;
+  }
+  const Finder finder = finder_of(finders, RayKind::to_distant_light);
+  if (finder == Finder::tree) return view;
   const LightAxes axes = light_axes(light.place);
   view.outlines.resize(triangles.size());
   for_each_range(triangles.size(), pool, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) view.outlines[i] = outline<T>(axes, triangles[i]);
   });
+  view.grid.plane.axes = in_precision<T>(axes);
+  if (finder != Finder::light_grid) return view;
   const auto touches = [&view](std::uint32_t triangle, T u, T v, T half) {
     return reaches(view.outlines[triangle], u, v, half);
   };

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "engine/finders/light_grid.h"
+#include "engine/finders/point_grid.h"
 #include "engine/lights/light_kind.h"
 #include "engine/memory/page_allocator.h"
 #include "engine/objects/numbering.h"
@@ -38,6 +39,15 @@ struct TriangleOutline {
   std::array<T, 3> u_slopes, v_slopes, offsets;
 };
 
+/// What of space a triangle hides from a point light: between the planes through the light and its
+/// sides, and beyond its own, which is the last. A point's distance from a plane is normal . point
+/// - offset, positive where it may be hidden.
+template <typename T>
+struct TriangleShadow {
+  std::array<Triple<T>, 4> normals;
+  std::array<T, 4> offsets;
+};
+
 /// Up to eight triangles. Those that are not there have nothing that meets them.
 template <typename T>
 struct alignas(64) TriangleBlock {
@@ -58,7 +68,9 @@ struct TriangleEyeView {
 template <typename T>
 struct TriangleLightView {
   ListGrid<T> grid;                         ///< of a distant light
-  LargeArray<TriangleOutline<T>> outlines;  ///< by triangle
+  LargeArray<TriangleOutline<T>> outlines;  ///< likewise, by triangle
+  PointLists<T> lists;                      ///< of a point light
+  LargeArray<TriangleShadow<T>> shadows;    ///< likewise, by triangle
 };
 
 /// Of the part of a triangle that the image can show: a lower bound of its depth.
@@ -86,8 +98,12 @@ struct PacketLayout<TriangleKind, T> : DefaultLayout {
   using LightView = TriangleLightView<T>;
 
   static bool needs_items(const FinderRow& finders) {
-    return finder_of(finders, RayKind::from_eye) == Finder::screen_bins ||
-           finder_of(finders, RayKind::to_distant_light) == Finder::light_grid;
+    const auto are_tried = [&](RayKind rays) {
+      const Finder finder = finder_of(finders, rays);
+      return finder != Finder::none && finder != Finder::tree;
+    };
+    return are_tried(RayKind::from_eye) || are_tried(RayKind::to_distant_light) ||
+           are_tried(RayKind::to_point_light);
   }
 
   static PrimitiveRow<T> row(const PackedTriangle& t, std::size_t /*item*/) {

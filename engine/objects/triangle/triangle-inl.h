@@ -142,49 +142,81 @@ HWY_INLINE void intersect_item(D d, const Geometry<TriangleKind, T>&, const Tria
   take(hit, is_nearer(hit, t, triangles.id, is_hit), t, triangles.id);
 }
 
-/// Lanes of `rest`, all in one cell of the grid, before which one of the cell's triangles stands.
-/// `u` and `v` are the lanes' places on the grid, `least_w` is how near to the light the farthest
-/// of them is.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M occluded_in_cell(D d, const Geometry<TriangleKind, T>& triangles,
-                              const TriangleLightView<T>& view, std::size_t cell,
-                              const ShadowRays<V>& rays, V u, V v, T least_w, M rest) {
-  const ListGrid<T>& grid = view.grid;
-  const V outside = hn::Set(d, -grid.plane.noise);
-  M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
-  for (std::size_t i = grid.begins[cell]; i < grid.begins[cell + 1]; ++i) {
-    const ListedCaster<T>& entry = grid.entries[i];
-    if (entry.top <= least_w) break;  // this one and all behind it are farther from the light
-    const TriangleOutline<T>& outline = view.outlines[entry.primitive];
-    const auto side = [&](std::size_t k) HWY_ATTR {
-      return hn::MulAdd(
-          hn::Set(d, outline.u_slopes[k]), u,
-          hn::MulAdd(hn::Set(d, outline.v_slopes[k]), v, hn::Set(d, outline.offsets[k])));
-    };
-    const M covers = hn::And(rest, hn::Ge(hn::Min(hn::Min(side(0), side(1)), side(2)), outside));
-    if (hn::AllFalse(d, covers)) continue;
-    const TriangleItem<T>& triangle = triangles.items[entry.primitive];
-    V t;
-    M hit = hn::And(covers, intersect_plane(d, triangle.plane, rays.from, rays.towards, t));
-    if (hn::AllFalse(d, hit)) continue;
-    hit = hn::And(hit, rises_above(d, in_all_lanes(d, triangle), rays.from));
-    dark = hn::Or(dark, hit);
-    rest = hn::AndNot(hit, rest);
-    if (hn::AllFalse(d, rest)) break;
-  }
-  return dark;
+/// What the points' distances from planes and lines near them may be off by: shadows are a little
+/// generous, so that no light comes between two triangles.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V distance_noise(D d, const V3<V>& point) {
+  const V size = hn::Add(hn::Add(hn::Abs(point.x), hn::Abs(point.y)), hn::Abs(point.z));
+  return hn::Mul(hn::Set(d, 8 * std::numeric_limits<T>::epsilon()), size);
 }
 
-/// Lanes of `lit` from which a triangle stands before its distant light, by the light's grid.
+/// Whether a triangle stands before its distant light for lanes of `lit`, and for which; the points
+/// are `at` these places on its plane.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M occluded_by(D d, const Geometry<TriangleKind, T>& triangles,
-                         const PacketLight<T>& light, const ShadowRays<V>& rays, M lit) {
+HWY_INLINE bool hides_distant_light(D d, const TriangleItem<T>& triangle,
+                                    const TriangleOutline<T>& outline, const LightPlaces<V, M>& at,
+                                    const ShadowRays<V>& rays, V noise, M lit, M& hidden) {
+  const auto side = [&](std::size_t i) HWY_ATTR {
+    return hn::MulAdd(
+        hn::Set(d, outline.u_slopes[i]), at.u,
+        hn::MulAdd(hn::Set(d, outline.v_slopes[i]), at.v, hn::Set(d, outline.offsets[i])));
+  };
+  const V least = hn::Min(hn::Min(side(0), side(1)), side(2));
+  const M covers = hn::And(lit, hn::Ge(least, hn::Neg(noise)));
+  if (hn::AllFalse(d, covers)) return false;
+  V t;
+  const M hit = hn::And(covers, intersect_plane(d, triangle.plane, rays.from, rays.towards, t));
+  if (hn::AllFalse(d, hit)) return false;
+  hidden = hn::And(hit, rises_above(d, in_all_lanes(d, triangle), rays.from));
+  return !hn::AllFalse(d, hidden);
+}
+
+/// The same before a point light. A triangle's own plane is asked first: points on a surface are
+/// beyond few of those of their neighbours.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE bool hides_point_light(D d, const TriangleItem<T>& triangle,
+                                  const TriangleShadow<T>& shadow, const ShadowRays<V>& rays,
+                                  V noise, M lit, M& hidden) {
+  const V3<V>& point = rays.from.point;
+  const auto along = [&](std::size_t i)
+                         HWY_ATTR { return dot(broadcast(d, shadow.normals[i]), point); };
+  const V height = hn::Set(d, shadow.offsets[3]);
+  const V at = along(3);
+  const V on_plane = hn::Mul(hn::Set(d, plane_noise<T>), hn::Add(hn::Abs(height), hn::Abs(at)));
+  const M beyond = hn::And(lit, hn::Gt(hn::Sub(at, height), on_plane));
+  if (hn::AllFalse(d, beyond)) return false;
+  const auto side = [&](std::size_t i)
+                        HWY_ATTR { return hn::Sub(along(i), hn::Set(d, shadow.offsets[i])); };
+  const V least = hn::Min(hn::Min(side(0), side(1)), side(2));
+  const M hit = hn::And(beyond, hn::Ge(least, hn::Neg(noise)));
+  if (hn::AllFalse(d, hit)) return false;
+  const M other = hn::Ne(rays.from.id, hn::Set(d, triangle.plane.id));
+  hidden = hn::And(hn::And(hit, other), rises_above(d, in_all_lanes(d, triangle), rays.from));
+  return !hn::AllFalse(d, hidden);
+}
+
+/// Lanes of `lit` from which a triangle stands before the light.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_NOINLINE M occluded_by(D d, const Geometry<TriangleKind, T>& triangles,
+                           const PacketLight<T>& light, const ShadowRays<V>& rays, M lit) {
   const TriangleLightView<T>& view = triangles.lights[light.index];
-  return occluded_in_lists(
-      d, view.grid, rays.from.point, lit,
-      [&](std::size_t cell, const LightPlaces<V, M>& at, T least_w, M rest) HWY_ATTR {
-        return occluded_in_cell(d, triangles, view, cell, rays, at.u, at.v, least_w, rest);
-      });
+  const V noise = distance_noise(d, rays.from.point);
+  if (light.rays == LightRays::parallel) {
+    const LightPlaces<V, M> at = places_on(d, view.grid.plane, rays.from.point);
+    const auto hides = [&](std::size_t i, M rest, M& hidden) RAYTRACER_INLINE_ATTR {
+      return hides_distant_light(d, triangles.items[i], view.outlines[i], at, rays, noise, rest,
+                                 hidden);
+    };
+    if (triangles.finder(RayKind::to_distant_light) == Finder::one_by_one)
+      return occluded_by_items(d, triangles.items.size(), lit, hides);
+    return occluded_by_listed(d, view.grid, at, lit, hides);
+  }
+  const auto hides = [&](std::size_t i, M rest, M& hidden) RAYTRACER_INLINE_ATTR {
+    return hides_point_light(d, triangles.items[i], view.shadows[i], rays, noise, rest, hidden);
+  };
+  if (triangles.finder(RayKind::to_point_light) == Finder::one_by_one)
+    return occluded_by_items(d, triangles.items.size(), lit, hides);
+  return occluded_by_listed(d, view.lists, light.place, rays, lit, hides);
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

@@ -61,8 +61,12 @@ struct TriangleKind {
 
   static constexpr std::string_view noun = "triangle";
   static constexpr Search search = Search::bounded;
-  static constexpr FewPrimitives few{.to_lights = 0, .followed = 0};
-  static constexpr bool has_point_grid = false;
+  static constexpr FewPrimitives few{.to_lights = 4, .followed = 0};
+  // 27,648 triangles of toothed wheels under five lights, built and traced, cells against a tree:
+  // with 12.7 pixels for each 142 ms to 144, with 0.7 45 to 19.
+  static constexpr double pixels_for_cells = 12;
+  /// Planes through the light and its sides part what it hides: they are as exact as the point.
+  static constexpr bool has_exact_shadows = true;
   /// At edges that two share more is left to rounding than at a silhouette.
   static constexpr double tolerance_px = 1.0 / 256;
 };
@@ -82,6 +86,10 @@ CornerValues corner_values(const Mesh& mesh);
 void pack(const Mesh& mesh, Packing<PackedTriangle>& to);
 
 inline const std::array<Vec3, 3>& corners_of(const PackedTriangle& t) { return t.vertices; }
+
+inline PackedTriangle seen_from(const PackedTriangle& t, const Vec3& place) {
+  return {{t.vertices[0] - place, t.vertices[1] - place, t.vertices[2] - place}, t.normal, t.id};
+}
 
 inline Box bounds(const PackedTriangle& triangle) {
   Box box;
