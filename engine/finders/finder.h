@@ -14,10 +14,11 @@ namespace raytracer {
 enum class RayKind : std::uint8_t {
   from_eye,
   to_distant_light,  ///< all parallel
+  to_soft_light,     ///< all parallel, to one of the directions of a disc or of a sky
   to_point_light,    ///< all end at one point
   followed,          ///< reflected or refracted, or to a disc: they share nothing
 };
-inline constexpr std::size_t ray_kind_count = 4;
+inline constexpr std::size_t ray_kind_count = 5;
 
 /// How rays find primitives.
 enum class Finder : std::uint8_t {
@@ -25,6 +26,7 @@ enum class Finder : std::uint8_t {
   one_by_one,   ///< each primitive is tried
   screen_bins,  ///< a list for each block of pixels
   light_grid,   ///< a list for each cell of a plane across a light's direction
+  light_sweep,  ///< the points in the cells of such a plane, over which each primitive passes
   point_grid,   ///< a list for each cell of a cube around a point light
   tree,         ///< boxes in boxes
   lattice_walk  ///< the kind's own: from cell to cell of a regular pattern

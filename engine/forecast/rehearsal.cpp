@@ -177,6 +177,53 @@ Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_cou
   return rehearsal;
 }
 
+/// Notes what samples change.
+void compare(const TileValues& with_one, const TileValues& with_few, const TileValues& with_many,
+             std::size_t channels, TileReport& report) {
+  report.one_error2 = squared_difference(with_one, with_many);
+  report.few_error2 = squared_difference(with_few, with_many);
+  report.value_count = with_many.size();
+  report.refinement = refinement_sum(with_one, with_many, channels);
+}
+
+/// Where points look for what hides soft lights all together: all tiles at once.
+Rehearsal rehearse_swept(const Scene& scene, const Tracer& tracer, const std::vector<Tile>& tiles,
+                         std::size_t tile_count, WorkerPool& pool, const RenderProgress& progress) {
+  Image image(scene.camera.width, scene.camera.height, channel_count(scene));
+  avoid_huge_pages(image.values);
+  const auto trace = [&](int samples, std::vector<TileValues>& values) {
+    SweptTiles swept = trace_swept(tracer, sample_pattern(samples), scene.render.transfer, tiles,
+                                   &image, pool, progress.stop);
+    for (std::size_t i = 0; i < tiles.size(); ++i) values[i] = values_of(tiles[i], image);
+    return swept;
+  };
+  std::vector<TileValues> with_one(tiles.size());
+  std::vector<TileValues> with_few(tiles.size());
+  std::vector<TileValues> with_many(tiles.size());
+  for (const Tile& tile : tiles) touch(tile, &image);
+  const SweepCost cost = measure_sweeps(tracer, tiles);
+  const SweptTiles one = trace(1, with_one);
+  trace(few_samples, with_few);
+  const SweptTiles many = trace(many_samples, with_many);
+  if (progress.stop) return {};
+  std::vector<TileReport> reports(tiles.size());
+  // What the points took of the sweeps, shared evenly.
+  const auto of_points = [&](const SweptTiles& swept, int samples) {
+    SweepCost once = cost;
+    once.pixels = 1;
+    once.pixels_at_once = samples;
+    return std::max(swept.sweeps_ms - once.ms(samples), 0.0) / static_cast<double>(tiles.size());
+  };
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    reports[i].one_ms = one.tile_ms[i] + of_points(one, 1);
+    reports[i].many_ms = many.tile_ms[i] + of_points(many, many_samples);
+    compare(with_one[i], with_few[i], with_many[i], image.length_of(1), reports[i]);
+  }
+  Rehearsal rehearsal = summarize(reports, tile_count, image.channels);
+  rehearsal.sweeps = cost;
+  return rehearsal;
+}
+
 }  // namespace
 
 double Rehearsal::error_of(double samples) const {
@@ -191,6 +238,11 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
   const auto columns = static_cast<std::size_t>((scene.camera.width + side - 1) / side);
   const std::vector<TimedTile> tiles =
       spread_tiles(all, columns, std::min(all.size(), Model::most_tiles));
+  if (is_swept(tracer)) {
+    std::vector<Tile> swept;
+    for (const TimedTile& timed : tiles) swept.push_back(timed.tile);
+    return rehearse_swept(scene, tracer, swept, all.size(), pool, progress);
+  }
   const SamplePattern one = sample_pattern(1);
   const SamplePattern few = sample_pattern(few_samples);
   const SamplePattern many = sample_pattern(many_samples);
@@ -240,10 +292,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
         const TileValues with_few = values_of(tile, image);
         report.many_ms = trace_ms(many, tile, &image);
         const TileValues with_many = values_of(tile, image);
-        report.one_error2 = squared_difference(with_one, with_many);
-        report.few_error2 = squared_difference(with_few, with_many);
-        report.value_count = with_many.size();
-        report.refinement = refinement_sum(with_one, with_many, image.length_of(1));
+        compare(with_one, with_few, with_many, image.length_of(1), report);
       },
       progress.stop);
   return summarize(reports, all.size(), image.channels);

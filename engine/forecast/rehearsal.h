@@ -12,6 +12,7 @@
 
 #include <cstddef>
 
+#include "engine/forecast/swept_tiles.h"
 #include "engine/parallel/worker_pool.h"
 #include "engine/render/progress.h"
 #include "engine/render/tracer.h"
@@ -32,16 +33,19 @@ struct Rehearsal {
   /// everywhere, for the same error.
   double refined_share = 1;
   double refined_sample_ms = 0;  ///< of a tile's pixels, each one sample, where it is refined
+  SweepCost sweeps{};            ///< beside all tiles'
 
   /// Milliseconds of one thread for all tiles with `samples` per pixel.
   double image_ms(double samples) const {
-    return static_cast<double>(tile_count) * (tile_ms + (samples - 1) * sample_ms);
+    return static_cast<double>(tile_count) * (tile_ms + (samples - 1) * sample_ms) +
+           sweeps.ms(samples);
   }
   double error_of(double samples) const;
 };
 
-/// Takes some `pass_limit_ms` for each of its two passes, and at least one tile; ends soon after
-/// `progress.stop`, and then its figures mean nothing.
+/// Takes some `pass_limit_ms` for each of its two passes, and at least one tile; where soft light
+/// is swept, as long as three passes' sweeps. Ends soon after `progress.stop`, and then its figures
+/// mean nothing.
 Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
                    const RenderProgress& progress, double pass_limit_ms);
 

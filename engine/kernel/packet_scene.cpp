@@ -29,7 +29,7 @@ constexpr int most_counted = 1 << 24;
 template <typename T>
 PacketLight<T> packet_light(const PackedLight& light, std::size_t index) {
   return {light.kind,  light.rays, narrowed<T>(light.place), saturated<T>(light.emission),
-          light.fades, index};
+          light.fades, index,      light.is_direction};
 }
 
 /// Adds a soft light; where rays to it share directions, each is one of the `lights` that
@@ -42,15 +42,18 @@ void add_soft_light(const SoftLight& soft, std::vector<PackedLight>& lights,
                         soft.light.shape,
                         static_cast<T>(std::min(soft.light.size, most)),
                         soft.per_set,
+                        packed.told_places,
                         {},
                         {},
                         {}};
   const auto add_direction = [&](const Vec3& towards, bool is_opposite) {
     lights.push_back({soft.light.kind, LightRays::parallel, towards, {}, false});
+    lights.back().is_direction = true;
     lights.back().is_opposite = is_opposite;
     (is_opposite ? to.opposites : to.directions)
         .push_back(packet_light<T>(lights.back(), lights.size() - 1));
   };
+  if (soft.light.rays == LightRays::parallel) packed.told_places += soft.per_set;
   for (const Vec3& place : soft.places) {
     if (soft.light.rays != LightRays::parallel) {
       to.places.push_back(narrowed<T>(place));
@@ -122,6 +125,8 @@ void make_geometry(const PackedScene& scene, const std::vector<PackedLight>& lig
   }
   if constexpr (HasEyeView<Layout, typename Kind::Primitive>)
     geometry.eye = Layout::eye_view(primitives, finders, pool);
+  if constexpr (Kind::has_light_sweep)
+    if (has(Finder::light_sweep)) geometry.swept = Layout::swept(primitives, scene.numbers, pool);
   const auto view_of = [&](const PackedLight& light, WorkerPool& of) {
     return Layout::light_view(primitives, light, finders, scene.numbers, of);
   };
@@ -176,6 +181,10 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
                            std::get<kind_index<Kind>>(packed.geometry.kinds), packed);
   });
   packed.fetches_light_cells = exceed_caches(packed.geometry);
+  packed.geometry.for_each([&](const auto& geometry) {
+    if (geometry.finder(RayKind::to_soft_light) == Finder::light_sweep)
+      packed.sweeps_soft_light = true;
+  });
   packed.background = narrowed<T>(scene.background);
   packed.shadows = scene.shadows;
   packed.materials = make_materials<T>(scene, features);

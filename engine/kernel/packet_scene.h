@@ -44,8 +44,9 @@ template <typename T>
 struct PacketSoftLight {
   PacketLight<T> light;  ///< its middle; of a sky only the emission counts
   LightShape shape;
-  T size;               ///< as PackedLight has it
-  std::size_t per_set;  ///< of its places
+  T size;                  ///< as PackedLight has it
+  std::size_t per_set;     ///< of its places
+  std::size_t first_told;  ///< of these, in ledgers
   /// Its places, set after set, as SoftLight has them; where rays share directions, these.
   std::vector<Triple<T>> places;
   std::vector<PacketLight<T>> directions;
@@ -65,13 +66,15 @@ struct PacketScene {
   std::vector<PacketLight<T>> lights;  ///< that are points
   std::vector<PacketSoftLight<T>> soft_lights;
   int light_sets;                    ///< of places on these
+  std::size_t told_places;           ///< of a set, that ledgers tell of
   PrimitiveRows<T> primitives;       ///< by their numbers
   LargeArray<CornerRow<T>> corners;  ///< of primitives whose corners tell normals or colours
   PacketMaterials<T> materials;
   Triple<T> background;
   Shadows shadows;
-  bool transmits;  ///< some surface lets rays through
-  int max_depth;   ///< of rays that follow another; 0 if none does
+  bool transmits;          ///< some surface lets rays through
+  int max_depth;           ///< of rays that follow another; 0 if none does
+  bool sweeps_soft_light;  ///< some of what hides its directions is found by sweeps
   ExactScene exact;
 };
 

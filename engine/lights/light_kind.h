@@ -42,7 +42,9 @@ struct PackedLight {
   /// Of a disc of directions the tangent of half its angle, of one around a place its radius; of a
   /// sky how far away what hides it may be.
   double size = 0;
-  /// Of a direction of a sky: the light before it in its set shines from the other end of its axis.
+  /// One of the directions that rays to a soft light share.
+  bool is_direction = false;
+  /// Of such a direction of a sky: the light before it shines from the other end of its axis.
   bool is_opposite = false;
 
   bool is_soft() const { return shape != LightShape::point; }

@@ -16,6 +16,7 @@ struct PacketLight {
   Triple<T> emission;  ///< saturated, so that sums stay finite
   bool fades;          ///< with the distance's square
   std::size_t index;   ///< among the lights
+  bool is_direction;   ///< one of those that rays to a soft light share
 };
 
 }  // namespace raytracer

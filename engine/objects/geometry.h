@@ -25,6 +25,7 @@ struct Geometry {
   ScreenMask mask;                                 ///< likewise, of a kind that finds its own parts
   PacketTree<typename Layout::Block> tree;         ///< empty where nothing needs it
   typename Layout::EyeView eye{};                  ///< as the eye sees them
+  typename Layout::Swept swept{};                  ///< as they pass over the points of a sweep
   std::vector<typename Layout::LightView> lights;  ///< as each light sees them
 
   Finder finder(RayKind rays) const { return finder_of(finders, rays); }

@@ -62,6 +62,8 @@ concept HasTraits = requires {
   // Whether hard shadows are off by what rounds the points that they fall on, and by no more
   // however far away what casts them is.
   { Kind::has_exact_shadows } -> std::convertible_to<bool>;
+  // Whether it can pass over the points of a sweep.
+  { Kind::has_light_sweep } -> std::convertible_to<bool>;
   { Kind::tolerance_px } -> std::convertible_to<double>;  // what single may displace of its edges
 };
 

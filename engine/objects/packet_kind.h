@@ -29,6 +29,7 @@ struct NoLayout {
 struct DefaultLayout {
   using Block = NoLayout;    ///< eight in columns, a leaf of a tree
   using EyeView = NoLayout;  ///< what the eye knows beforehand of all of them
+  using Swept = NoLayout;    ///< what passes over the points of a sweep
   /// Whether screen bins name primitives by their numbers; else by their places among the items.
   static constexpr bool bins_name_rows = false;
   /// Whether any rays look at items.
@@ -38,6 +39,14 @@ struct DefaultLayout {
 /// Specialized by each kind of object.
 template <class Kind, typename T>
 struct PacketLayout;
+
+/// By what rays to a light, packed or of packets, find what is in their way.
+template <class Light>
+RayKind ray_kind_of(const Light& light) {
+  if (light.rays == LightRays::parallel)
+    return light.is_direction ? RayKind::to_soft_light : RayKind::to_distant_light;
+  return light.rays == LightRays::converging ? RayKind::to_point_light : RayKind::followed;
+}
 
 /// One primitive as an Item, for rays that try them one by one and for lists.
 template <class Layout, class Primitive>
@@ -72,11 +81,21 @@ concept HasLightViews = requires(std::span<const Primitive> primitives, const Pa
     } -> std::same_as<typename Layout::LightView>;
 };
 
+/// Of a kind that sweeps find: all of them as they pass over points, and the `box` around them.
+template <class Layout, class Primitive>
+concept HasSwept = requires(std::span<const Primitive> primitives, const Numbering& numbers,
+                            WorkerPool& pool, const typename Layout::Swept& swept) {
+  { Layout::swept(primitives, numbers, pool) } -> std::same_as<typename Layout::Swept>;
+  swept.box;
+};
+
 template <class Kind, class Layout, typename T>
 concept HasLayout = HasItems<Layout, typename Kind::Primitive> &&
     HasRows<Layout, typename Kind::Primitive, T> &&
     HasLightViews<Layout, typename Kind::Primitive> &&
-    (Kind::search != Search::bounded || HasBlocks<Layout, typename Kind::Primitive>);
+    (Kind::search != Search::bounded ||
+     HasBlocks<Layout, typename Kind::Primitive>)&&(!Kind::has_light_sweep ||
+                                                    HasSwept<Layout, typename Kind::Primitive>);
 
 template <class Kind>
 concept LaidOutInSingle = HasLayout < Kind,

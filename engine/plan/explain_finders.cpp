@@ -10,7 +10,8 @@ namespace raytracer {
 namespace {
 
 constexpr std::array<std::string_view, ray_kind_count> names_of_rays{
-    "from the eye", "to the distant lights", "to the point lights", "followed"};
+    "from the eye", "to the distant lights", "to directions of soft lights", "to the point lights",
+    "followed"};
 
 std::string_view name_of(Finder finder) {
   switch (finder) {
@@ -20,6 +21,8 @@ std::string_view name_of(Finder finder) {
       return "screen bins";
     case Finder::light_grid:
       return "light grids";
+    case Finder::light_sweep:
+      return "sweeps";
     case Finder::point_grid:
       return "point grids";
     case Finder::tree:
@@ -44,6 +47,9 @@ std::string reason_for(Finder finder, RayKind rays, Search search, std::string_v
     case Finder::light_grid:
       return "all rays to a distant light are parallel, so one look-up finds the few that can be "
              "in the way";
+    case Finder::light_sweep:
+      return "all points of the picture look along the same directions, so they are sorted into a "
+             "grid across each of them, over which all objects pass once";
     case Finder::point_grid:
       return "all rays to a point light end there, so one look-up in a grid on a cube around it "
              "finds the few that can be in the way";
@@ -96,7 +102,8 @@ std::vector<FinderExplanation> explain_finders(const Features& features,
     explain_row<Kind>(objects, table[kind_index<Kind>], explanations);
     if constexpr (HasNeighbourSearch<Kind>) {
       const FinderRow& row = table[kind_index<Kind>];
-      if (kernel != Kernel::packets || finder_of(row, RayKind::to_distant_light) == Finder::none)
+      if (kernel != Kernel::packets || (finder_of(row, RayKind::to_distant_light) == Finder::none &&
+                                        finder_of(row, RayKind::to_soft_light) == Finder::none))
         return;
       const auto own = explain_neighbours(Kind(), statistics.lowest_light);
       explanations.push_back(

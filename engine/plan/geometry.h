@@ -28,8 +28,14 @@ using FinderTable = std::array<FinderRow, ObjectKinds::count>;
 
 Choice<Kernel> choose_kernel(const Features& features, const SceneStatistics& statistics);
 
+/// How points look for what hides the directions of soft lights from them.
+struct SoftLightSearch {
+  std::size_t directions = 0;  ///< that rays share, all lights together
+  bool sweeps = false;         ///< whether all points of many tiles look at one after another
+};
+
 FinderTable choose_finders(const Features& features, const SceneStatistics& statistics,
-                           Kernel kernel, const LightSampling& light_sampling);
+                           Kernel kernel, const SoftLightSearch& search);
 
 /// How some kinds of rays find one kind of object, in words.
 struct FinderExplanation {

@@ -28,13 +28,18 @@ constexpr double most_entries = 16e6;
 // of a light or nothing: so 36 of 36 targets, 0.03 to 0.003, were kept on 12 scenes.
 constexpr double error_of_one_place = 2.5;
 
+/// Of a pixel: a block's points are written down at once.
+constexpr int most_swept_samples = 4096;
+
 /// Where a light brings the ambient part, each sample has to find out whether it sees any of it:
 /// then `least` is as many as a pixel has, else fewer.
 LightSampling for_samples(int samples, double primitives, int least) {
   LightSampling sampling;
   sampling.per_set = std::max((least_places + samples - 1) / samples, least);
   const double entries = 2 * sampling.per_set * primitives;  // of a set
-  const double allowed = std::min(most_entries_per_sample * samples, most_entries);
+  // As many as a single set of all of a pixel's places would have are there in any case.
+  const double allowed = std::max(std::min(most_entries_per_sample * samples, most_entries),
+                                  2 * least_places * primitives);
   const int wanted = std::min(4 * samples, most_sets);
   const double sets = std::clamp(allowed / entries, 1.0, static_cast<double>(wanted));
   sampling.sets = static_cast<int>(std::bit_floor(static_cast<unsigned>(sets)));
@@ -89,7 +94,15 @@ Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& 
 }
 
 std::size_t shared_directions(const LightSampling& sampling, const Features& features) {
-  return features.soft_lights * 2 * static_cast<std::size_t>(sampling.sets * sampling.per_set);
+  return features.shared_lights * 2 * static_cast<std::size_t>(sampling.sets * sampling.per_set);
+}
+
+SoftLightSearch choose_soft_light_search(const RenderSettings& settings, const Features& features,
+                                         const LightSampling& sampling) {
+  if (features.shared_lights == 0) return {};
+  const bool is_one_pass = !settings.target_rmse && !settings.budget_ms;
+  return {shared_directions(sampling, features),
+          is_one_pass && !features.transmits && settings.samples.value_or(1) <= most_swept_samples};
 }
 
 int light_samples_per_pixel(const LightSampling& sampling, int samples) {

@@ -5,6 +5,7 @@
 
 #include "engine/lights/light_places.h"
 #include "engine/plan/choice.h"
+#include "engine/plan/geometry.h"
 #include "engine/scene/features.h"
 #include "engine/scene/scene.h"
 
@@ -15,6 +16,11 @@ Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& 
 
 /// The most directions that rays to soft lights share, all lights together.
 std::size_t shared_directions(const LightSampling& sampling, const Features& features);
+
+/// Whether the points of a picture can: where a few are refined at a time, or light comes through
+/// what hides it, each looks for itself.
+SoftLightSearch choose_soft_light_search(const RenderSettings& settings, const Features& features,
+                                         const LightSampling& sampling);
 
 /// The places of each soft light that a pixel with so many samples has.
 int light_samples_per_pixel(const LightSampling& sampling, int samples);

@@ -25,8 +25,9 @@ Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& mac
   plan.arithmetic_error =
       foresee_arithmetic_error(plan.precision.value, plan.features, plan.statistics);
   plan.light_sampling = choose_light_sampling(scene, plan.features);
-  plan.finders =
-      choose_finders(plan.features, plan.statistics, plan.kernel.value, plan.light_sampling.value);
+  plan.finders = choose_finders(
+      plan.features, plan.statistics, plan.kernel.value,
+      choose_soft_light_search(scene.render, plan.features, plan.light_sampling.value));
   plan.sampling = choose_sampling(scene.render, plan.statistics);
   plan.instruction_set = machine.instruction_set;
   plan.tile_side_px =

@@ -147,6 +147,12 @@ void sample(const ReferenceTracer& tracer, const SamplePattern& pattern, Transfe
 template <typename T>
 BeyondRange trace(const PacketTracer<T>& tracer, const SamplePattern& pattern, Transfer transfer,
                   const Tile& tile, const Canvas& canvas, const TileErrors& errors) {
+  if (tracer.scene.sweeps_soft_light) {
+    SweptLight<T> light(tracer.scene, tracer.target, 1);
+    light.record(0, pattern, tile);
+    light.sweep();
+    return light.render_tile(0, pattern, transfer, tile, canvas, errors);
+  }
   return render_tile(tracer.scene, pattern, transfer, tile, tracer.target, canvas, errors).beyond;
 }
 
@@ -161,8 +167,17 @@ ExactScene make_exact_scene(const Plan& plan, const PackedScene& packed, WorkerP
   Features features = plan.features;
   features.reflects = true;
   FinderTable finders =
-      choose_finders(features, plan.statistics, plan.kernel.value, plan.light_sampling.value);
-  for (FinderRow& row : finders) row[static_cast<std::size_t>(RayKind::from_eye)] = Finder::none;
+      choose_finders(features, plan.statistics, plan.kernel.value,
+                     {shared_directions(plan.light_sampling.value, features), false});
+  for (std::size_t kind = 0; kind < finders.size(); ++kind) {
+    const auto of = [&](RayKind rays) -> Finder& {
+      return finders[kind][static_cast<std::size_t>(rays)];
+    };
+    of(RayKind::from_eye) = Finder::none;
+    // So few that a tree, which there is, costs less than grids.
+    if (finder_of(plan.finders[kind], RayKind::to_soft_light) == Finder::light_sweep)
+      of(RayKind::to_soft_light) = of(RayKind::followed);
+  }
   ExactScene exact;
   exact.scene = std::make_shared<const PacketScene<double>>(
       make_packet_scene<double>(packed, plan.features, finders, pool));
@@ -206,6 +221,23 @@ BeyondRange render_tile(const Tracer& tracer, const SamplePattern& pattern, Tran
   return std::visit(
       [&](const auto& chosen) { return trace(chosen, pattern, transfer, tile, canvas, errors); },
       tracer);
+}
+
+bool render_tiles(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
+                  std::span<const Tile> tiles, const Canvas& canvas, const TileErrors& errors,
+                  const TilePass& pass) {
+  const auto each = [&](std::size_t i) {
+    pass.finished(i, render_tile(tracer, pattern, transfer, tiles[i], canvas, errors));
+  };
+  const auto render = [&](const auto& chosen) {
+    if constexpr (requires { chosen.target; })
+      if (chosen.scene.sweeps_soft_light)
+        return render_swept(chosen.scene, chosen.target, pattern, transfer, tiles, canvas, errors,
+                            pass);
+    pass.pool.run(tiles.size(), each, pass.stop);
+  };
+  std::visit(render, tracer);
+  return !pass.stop;
 }
 
 void sample_pixels(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,

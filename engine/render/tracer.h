@@ -15,6 +15,7 @@
 #include "engine/pack/packed_scene.h"
 #include "engine/plan/plan.h"
 #include "engine/reference/single_ray_finder.h"
+#include "engine/render/swept_light.h"
 
 namespace raytracer {
 
@@ -41,6 +42,12 @@ Tracer make_tracer(const Plan& plan, PackedScene packed, WorkerPool& pool);
 /// Touches no other pixel and no other subtile.
 BeyondRange render_tile(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
                         const Tile& tile, const Canvas& canvas, const TileErrors& errors = {});
+
+/// The same for many tiles, in any order; false if `pass.stop` ended it. Where directions of soft
+/// lights are swept, it takes far less than one tile after another.
+bool render_tiles(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
+                  std::span<const Tile> tiles, const Canvas& canvas, const TileErrors& errors,
+                  const TilePass& pass);
 
 /// Samples single pixels of a block, side by side, at the places of a pattern that has half
 /// buffers and is not jittered; `results` has one for each.

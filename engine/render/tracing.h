@@ -62,20 +62,20 @@ struct Tracing {
     std::atomic<std::size_t> done{0};
     std::optional<Preview::Pass> preview;
     if constexpr (std::is_same_v<Channel, float>) preview.emplace(progress.preview, image, tiles);
-    const auto trace = [&](std::size_t i) {
-      if (progress.stop) {
-        stop = true;
-        return;
-      }
-      beyond_in_tiles[i] =
-          render_tile(tracer, pattern, scene.render.transfer, tiles[i], &image, errors);
+    const auto report_and_look = [&](double fraction) {
+      if (progress.stop) stop = true;
+      report(fraction);
+    };
+    const auto finished = [&](std::size_t i, const BeyondRange& in_tile) {
+      beyond_in_tiles[i] = in_tile;
       if (preview) preview->finished(i);
-      report(static_cast<double>(++done) / static_cast<double>(tiles.size()));
+      report_and_look(static_cast<double>(++done) / static_cast<double>(tiles.size()));
     };
     if (tiles.size() == 1 && is_one_tile(scene, samples))
-      trace(0);
+      finished(0, render_tile(tracer, pattern, scene.render.transfer, tiles[0], &image, errors));
     else
-      pool.run(tiles.size(), trace, stop);
+      render_tiles(tracer, pattern, scene.render.transfer, tiles, &image, errors,
+                   {pool, stop, finished, report_and_look});
     preview.reset();  // before the image moves
     if (stop) return {};
     for (const BeyondRange& in_tile : beyond_in_tiles) beyond += in_tile;

@@ -109,7 +109,9 @@ Features find_features(const Scene& scene) {
     is_lit = is_lit || emits(light);
     ++features.lights[light.source.index()];
     ++features.lights_by_rays[static_cast<std::size_t>(rays_of(light))];
-    features.soft_lights += is_soft(light) ? 1 : 0;
+    if (!is_soft(light)) continue;
+    ++features.soft_lights;
+    features.shared_lights += rays_of(light) == LightRays::parallel ? 1 : 0;
   }
   const bool ambient_needs_light = scene.shadows == Shadows::black;
   features.has_ambient =

@@ -16,10 +16,11 @@ namespace raytracer::test {
 namespace {
 
 /// The lists of all kinds.
-const std::set<std::string> lists{"engine/objects/objects.h",        "engine/objects/packets.h",
-                                  "engine/objects/objects-inl.h",    "engine/lights/lights.h",
-                                  "engine/lights/lights-inl.h",      "engine/materials/materials.h",
-                                  "engine/materials/materials-inl.h"};
+const std::set<std::string> lists{
+    "engine/objects/objects.h",     "engine/objects/packets.h",
+    "engine/objects/objects-inl.h", "engine/objects/sweeps-inl.h",
+    "engine/lights/lights.h",       "engine/lights/lights-inl.h",
+    "engine/materials/materials.h", "engine/materials/materials-inl.h"};
 
 /// Kinds whose name is no word of geometry or of a document, so that nobody else needs it even in
 /// words.

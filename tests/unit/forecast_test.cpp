@@ -52,6 +52,18 @@ TEST(Forecast, more_pixels_take_longer) {
   EXPECT_GT(foresee(scene).trace_ms, 4 * small_ms);
 }
 
+TEST(Forecast, foresees_soft_light_that_is_swept) {
+  Scene scene = row_of_spheres(2500);
+  edit(scene.lights, [](auto& lights) { lights = {{SkyLight{}}}; });
+  const Prediction one = foresee(scene);
+  scene.render.samples = 64;
+  const Prediction many = foresee(scene);
+  EXPECT_GT(one.trace_ms, 0);
+  EXPECT_GT(many.trace_ms, 2 * one.trace_ms);
+  EXPECT_LT(many.error, one.error);
+  EXPECT_GT(many.error, 0);
+}
+
 TEST(Forecast, more_threads_take_less_time) {
   Scene scene = row_of_spheres(5);
   scene.render.samples = 256;

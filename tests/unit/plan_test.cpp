@@ -81,6 +81,21 @@ TEST(Plan, builds_nothing_that_no_ray_asks) {
   EXPECT_EQ(finder_of_spheres(RayKind::followed), Finder::none);
 }
 
+TEST(Plan, sweeps_directions_of_soft_lights_for_all_points_of_one_pass) {
+  const auto finder_of_spheres = [&](Scene scene, int count) {
+    append(scene.lights, {SkyLight{}});
+    append(scene.objects, {many_spheres(count), 0});
+    return finder_of(make_plan(scene, machine).finders[kind_index<SphereKind>],
+                     RayKind::to_soft_light);
+  };
+  Scene scene = scene_with({});
+  EXPECT_EQ(finder_of_spheres(scene, 1000), Finder::light_grid);
+  EXPECT_EQ(finder_of_spheres(scene, 1'000'000), Finder::light_sweep);
+  scene.render.target_rmse = 0.01;
+  EXPECT_EQ(finder_of_spheres(scene, 6000), Finder::light_grid);
+  EXPECT_EQ(finder_of_spheres(scene, 1'000'000), Finder::tree);
+}
+
 TEST(Plan, tries_few_spheres_one_by_one) {
   const Scene scene = scene_with({{many_spheres(5), 1}});
   EXPECT_EQ(finder_for(explained(scene), "5 spheres", "to the distant lights"), "one by one");

@@ -87,6 +87,29 @@ TEST(Regions, make_the_picture) {
         }
 }
 
+/// Directions of soft lights are swept for the points of a region, or of the whole picture.
+TEST(Regions, make_the_picture_under_soft_light) {
+  json spheres{
+      {"type", "spheres"}, {"radius", 0.2}, {"material", diffuse_material({0.5, 0.4, 0.3})}};
+  for (int i = 0; i < 2500; ++i)
+    spheres["centers"].push_back({i % 13 - 6.0, i / 13 % 14 - 7.0, 12 + i / 182.0});
+  json sun = distant_json({1, -1, 2});
+  sun["angle"] = 0.3;
+  const json scene = document(camera_json(75, 41, 0.9), {spheres}, {{{"type", "sky"}}, sun});
+  for (const int samples : {1, 4})
+    for (const std::size_t threads : {1U, 3U})
+      for (const int side_px : {32, 64}) {
+        WorkerPool pool(threads);
+        Overrides overrides;
+        overrides.samples = samples;
+        const Scene read = scene_of(scene, overrides);
+        ASSERT_EQ(finder_of(PreparedScene(read, pool).plan().finders[kind_index<SphereKind>],
+                            RayKind::to_soft_light),
+                  Finder::light_sweep);
+        expect_same<unsigned char>(read, side_px, pool);
+      }
+}
+
 TEST(Regions, make_the_picture_with_its_cover) {
   WorkerPool pool(2);
   for (json scene : documents(75, 41))

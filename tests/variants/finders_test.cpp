@@ -87,6 +87,38 @@ TEST(Finders, find_cylinders_alike_by_every_finder) {
 
 TEST(Finders, find_cones_alike_by_every_finder) { expect_alike_by_every_finder<ConeKind>(); }
 
+/// Among crowded points and far ones, on large spheres and small ones, from mirrors, and where
+/// other kinds of objects hide the light as well.
+TEST(Finders, find_what_hides_soft_lights_alike_by_every_finder) {
+  const std::string sky = R"({"type": "sky", "intensity": 0.6})";
+  const std::string sun = R"({"type": "distant", "direction": [-1, -2, 1.5], "angle": 0.3})";
+  const std::string matt = R"({"shininess": 20})";
+  const std::string mirror = R"({"reflectivity": 0.6})";
+  const std::string ground =
+      R"(, {"type": "sphere", "center": [0, -2003, 0], "radius": 2000, "material": {}})";
+  for (const auto& [objects, lights] :
+       {std::pair(random_spheres(60, 0.6, mirror) + "," + random_cylinders(4, matt), sky),
+        std::pair(random_spheres(900, 0.1, matt) + ground, sky + "," + sun),
+        std::pair(random_spheres(60, 0.6, matt) + "," + random_cones(4, matt), sun)}) {
+    Scene scene = with_objects(objects, lights);
+    scene.camera.width = 90;
+    scene.camera.height = 60;
+    scene.render.precision = Precision::double_precision;
+    const Image expected = reference_image(scene);
+    for (const InstructionSet& set_of : supported_instruction_sets()) {
+      Plan plan = make_plan(scene, this_machine());
+      plan.instruction_set = set_of;
+      for (const Finder finder :
+           {Finder::one_by_one, Finder::light_grid, Finder::light_sweep, Finder::tree}) {
+        FinderRow& row = plan.finders[kind_index<SphereKind>];
+        set(row, RayKind::to_soft_light, finder);
+        EXPECT_EQ(count_wrong(image_by(plan, scene), expected), 0)
+            << lights << " on " << set_of.name << ", finder " << static_cast<int>(finder);
+      }
+    }
+  }
+}
+
 /// From so far away that a single holds places to a fiftieth of a radius.
 TEST(Finders, find_mirrored_spheres_that_boxes_hardly_hold_apart) {
   const std::string mirror = R"({"reflectivity": 0.6})";

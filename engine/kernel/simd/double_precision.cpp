@@ -16,8 +16,14 @@ namespace raytracer::HWY_NAMESPACE {
 namespace {
 
 TracedTile render(const PacketScene<double>& scene, const SamplePattern& pattern, Transfer transfer,
-                  const Tile& tile, const Canvas& canvas, const TileErrors& errors) {
-  return render_blocks(scene, pattern, transfer, tile, canvas, errors);
+                  const Tile& tile, const Canvas& canvas, const TileErrors& errors,
+                  LightLedger<double>* ledger) {
+  return render_blocks(scene, pattern, transfer, tile, canvas, errors, ledger);
+}
+
+void ask(const PacketScene<double>& scene, const SamplePattern& pattern, const Tile& tile,
+         LightLedger<double>& ledger) {
+  record_blocks(scene, pattern, tile, ledger);
 }
 
 void sample(const PacketScene<double>& scene, const SamplePattern& pattern, Transfer transfer,
@@ -34,15 +40,22 @@ namespace raytracer {
 namespace {
 
 HWY_EXPORT(render);
+HWY_EXPORT(ask);
 HWY_EXPORT(sample);
 
 }  // namespace
 
 TracedTile render_tile(const PacketScene<double>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas, const TileErrors& errors) {
+                       const Canvas& canvas, const TileErrors& errors,
+                       LightLedger<double>* ledger) {
   return HWY_DISPATCH_TABLE(render)[dispatch_index(target)](scene, pattern, transfer, tile, canvas,
-                                                            errors);
+                                                            errors, ledger);
+}
+
+void record_tile(const PacketScene<double>& scene, const SamplePattern& pattern, const Tile& tile,
+                 std::int64_t target, LightLedger<double>& ledger) {
+  HWY_DISPATCH_TABLE(ask)[dispatch_index(target)](scene, pattern, tile, ledger);
 }
 
 void sample_pixels(const PacketScene<double>& scene, const SamplePattern& pattern,

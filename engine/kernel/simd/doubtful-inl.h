@@ -51,8 +51,8 @@ HWY_NOINLINE void trace_doubtful_again(D d, const PacketScene<double>& scene, co
   for (int place = 0; place < rays.place_count(); ++place) {
     find_doubtful(d, rays, place, colours, samples);
     if (samples.count == 0) continue;
-    const std::size_t own = rays.light_set_at(place);
-    trace_in_double(scene, samples, own, rays.light_set(), exact, cover);
+    const std::size_t own = rays.light_set_at(place).index;
+    trace_in_double(scene, samples, own, rays.light_set().index, exact, cover);
     for (std::size_t i = 0; i < samples.count; ++i) {
       const auto at = static_cast<std::size_t>(samples.index[i]);
       colours.red[at] = static_cast<float>(exact.red[at]);

@@ -49,7 +49,7 @@ HWY_INLINE void fetch_for_shading(D d, const PacketScene<T>& scene, const Hits<T
 template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> shade_hit(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t at, V pixel,
-                           M active, std::size_t light_set, Followed& followed, M& again) {
+                           M active, const LightSet<T>& light_set, Followed& followed, M& again) {
   const PacketScene<T>& scene = eye.scene();
   const V none = hn::Set(d, T(-1));
   Hit<V> hit{hn::Load(d, hits.t + at), hn::Load(d, hits.id + at), none, none};
@@ -142,7 +142,7 @@ HWY_NOINLINE void shade_by_light_sets(D d, const EyeRays<D>& eye, const Rays& ra
     const auto active = hn::Gt(hn::Load(d, arranged_active + at), hn::Zero(d));
     if (hn::AllFalse(d, active)) continue;
     const PixelsByLightSet<D> place(static_cast<int>(at));
-    const std::size_t light_set = rays.light_set_at(place.y % 2 * 2 + place.x % 2);
+    const LightSet<T> light_set = rays.light_set_at(place.y % 2 * 2 + place.x % 2);
     auto again = hn::AndNot(active, active);
     const auto colour = shade_hit(d, eye, arranged, at, hn::Load(d, pixels + at), active, light_set,
                                   followed, again);
@@ -225,7 +225,8 @@ HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool
   else
     shade_and_follow(d, eye, rays, hits, fetches, queues.single, colours);
   if constexpr (may_be_inexact<T>)
-    if (may_doubt) trace_doubtful_again(d, *scene.exact.scene, rays, colours, cover);
+    if (may_doubt && !rays.light_set().is_recorded())
+      trace_doubtful_again(d, *scene.exact.scene, rays, colours, cover);
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

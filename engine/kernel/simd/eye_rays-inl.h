@@ -40,7 +40,7 @@ class EyeRays {
   /// `followed`, which keeps the rays that follow; `light_set` is of places on soft lights.
   template <class Followed>
   HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Hit<V>& hit, hn::Mask<D> active,
-                         V pixel, std::size_t light_set, Followed& followed) const {
+                         V pixel, const LightSet<T>& light_set, Followed& followed) const {
     const V followers = hn::Set(d, static_cast<T>(scene_.max_depth));
     const Packet<V> packet{origin(d), direction,   hn::Set(d, T(1)), pixel,
                            followers, hn::Zero(d), eye_error(d),     light_set};

@@ -98,26 +98,24 @@ template <class D, class Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE M occluded_by_kind(D d, const Geometry<Kind, T>& geometry, const PacketLight<T>& light,
                               const ShadowRays<V>& rays, M lit) {
-  if constexpr (Kind::search == Search::bounded) {
-    const RayKind kind =
-        light.rays == LightRays::parallel ? RayKind::to_distant_light : RayKind::to_point_light;
-    if (geometry.finder(kind) == Finder::tree)
+  if constexpr (Kind::search == Search::bounded)
+    if (geometry.finder(ray_kind_of(light)) == Finder::tree)
       return occluded_in_tree(d, geometry.tree, rays.from, rays.towards,
                               hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>)), lit);
-  }
   return occluded_by(d, geometry, light, rays, lit);
 }
 
-/// The same before the end of an axis that each lane looks to.
+/// The same before the end of an axis that each lane looks to. What sweeps find is told elsewhere.
 template <class D, class Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE M occluded_by_kind(D d, const Geometry<Kind, T>& geometry, const LightAxis<D>& axis,
                               const ShadowRays<V>& rays, M lit) {
   constexpr bool knows_axes = requires { occluded_by(d, geometry, axis, rays, lit); };
-  if constexpr (knows_axes)
-    if (geometry.finder(RayKind::to_distant_light) != Finder::tree)
-      return occluded_by(d, geometry, axis, rays, lit);
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
+  if (geometry.finder(RayKind::to_soft_light) == Finder::light_sweep) return dark;
+  if constexpr (knows_axes)
+    if (geometry.finder(RayKind::to_soft_light) != Finder::tree)
+      return occluded_by(d, geometry, axis, rays, lit);
   const M there = hn::AndNot(axis.opposite_lanes, lit);
   if (!hn::AllFalse(d, there)) dark = occluded_by_kind(d, geometry, axis.light, rays, there);
   const M opposite = hn::And(axis.opposite_lanes, lit);

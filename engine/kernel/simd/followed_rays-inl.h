@@ -21,7 +21,7 @@ struct Packet {
   V followers;  ///< how many rays may still follow, one after another
   V solids;     ///< of how many of these that let rays through they are inside
   PathError<V> error;
-  std::size_t light_set = 0;  ///< of places on soft lights
+  LightSet<hn::TFromV<V>> light_set{};  ///< of places on soft lights
 };
 
 /// The order that puts the lanes of `mask`, at least one, first. Made once for all values to be
@@ -82,7 +82,7 @@ class RayBatch {
   /// The rays from the i-th on. Lanes that are not `active` hold zeros: kept from becoming indices
   /// or NaN traps.
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-  HWY_INLINE Packet<V> packet(D d, std::size_t i, M active, std::size_t light_set) const {
+  HWY_INLINE Packet<V> packet(D d, std::size_t i, M active, const LightSet<T>& light_set) const {
     const auto at = [&](std::size_t column) HWY_ATTR {
       if (!is_kept(column)) return hn::Zero(d);
       return hn::IfThenElseZero(active, hn::LoadU(d, columns_[column] + i));
@@ -124,7 +124,7 @@ template <typename T, bool branch>
 class FollowedRays {
  public:
   static constexpr bool branches = branch;
-  std::size_t light_set = 0;  ///< of all
+  LightSet<T> light_set{};  ///< of all
 
   /// Without memory if it is not needed.
   explicit FollowedRays(bool is_needed) {

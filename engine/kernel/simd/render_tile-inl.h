@@ -61,7 +61,8 @@ template <class D, typename T = hn::TFromD<D>>
 class SamplePackets {
  public:
   HWY_INLINE SamplePackets(const BlockRays<D>& rays, BlockCandidates<T>& candidates,
-                           const Block& block, const SamplePoint& sample, std::size_t light_set)
+                           const Block& block, const SamplePoint& sample,
+                           const LightSet<T>& light_set)
       : rays_(rays),
         candidates_(candidates),
         block_(block),
@@ -71,7 +72,7 @@ class SamplePackets {
   static constexpr int count() { return PacketShape<D>::packets; }
   static constexpr bool are_of_block = true;
   /// Of places on soft lights, for followed rays; pixels differ from it by their place in a square.
-  HWY_INLINE std::size_t light_set() const { return light_set_; }
+  HWY_INLINE const LightSet<T>& light_set() const { return light_set_; }
   /// The places in the pattern of light sets, 2 x 2 if there are several.
   HWY_INLINE int place_count() const { return light_sets() > 1 ? 4 : 1; }
   HWY_INLINE int place_of(int ray) const {
@@ -81,9 +82,10 @@ class SamplePackets {
     const PacketPlace<D> packet(ray / lanes);
     return (packet.y + ray % lanes / width) % 2 * 2 + (packet.x + ray % lanes % width) % 2;
   }
-  HWY_INLINE std::size_t light_set_at(int place) const {
-    return static_cast<std::size_t>(
-        light_set_of(place % 2, place / 2, static_cast<int>(light_set_), light_sets()));
+  HWY_INLINE LightSet<T> light_set_at(int place) const {
+    const int sample = static_cast<int>(light_set_.index);
+    return {static_cast<std::size_t>(light_set_of(place % 2, place / 2, sample, light_sets())),
+            light_set_.ledger};
   }
   HWY_INLINE bool is_in(int i) const { return PacketPlace<D>(i).is_in(block_); }
   HWY_INLINE SubtileCandidates<T> candidates(int i) const {
@@ -105,7 +107,7 @@ class SamplePackets {
   BlockCandidates<T>& candidates_;
   const Block& block_;
   const SamplePoint& sample_;
-  std::size_t light_set_;
+  LightSet<T> light_set_;
 };
 
 /// Sums over a block's pixels, in addition to their colours', that tell their errors.
@@ -231,8 +233,8 @@ HWY_INLINE V3<V> resolved_background(D d, const PacketScene<T>& scene, std::size
 template <typename T>
 void render_block(const PacketScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
                   const Block& whole, const SolidRow& background, const Canvas& canvas,
-                  const TileErrors& errors, RayQueues<T>& queues, BlockSpread<T>& spread,
-                  BeyondRange& beyond) {
+                  const TileErrors& errors, RayQueues<T>& queues, LightLedger<T>* ledger,
+                  BlockSpread<T>& spread, BeyondRange& beyond) {
   using D = hn::ScalableTag<T>;
   const D d;
   using V = hn::Vec<D>;
@@ -261,7 +263,7 @@ void render_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
     const bool fetches = sample == 0 && scene.fetches_light_cells;
     trace_packets(d, rays.eye,
                   SamplePackets<D>(rays, candidates, block, pattern.points[sample],
-                                   sample % static_cast<std::size_t>(scene.light_sets)),
+                                   {sample % static_cast<std::size_t>(scene.light_sets), ledger}),
                   fetches, queues, colours, cover != nullptr ? cover->sample : nullptr);
     Highest<D> highest(d);
     for (int packet = 0; packet < Shape::packets; ++packet) {
@@ -305,7 +307,7 @@ void render_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
 template <typename T>
 TracedTile render_blocks(const PacketScene<T>& scene, const SamplePattern& pattern,
                          Transfer transfer, const Tile& tile, const Canvas& canvas,
-                         const TileErrors& errors) {
+                         const TileErrors& errors, LightLedger<T>* ledger) {
   TracedTile traced{HWY_TARGET, {}};
   const hn::ScalableTag<T> d;
   const SolidRow background(d, resolved_background(d, scene, pattern.points.size(), transfer));
@@ -317,8 +319,33 @@ TracedTile render_blocks(const PacketScene<T>& scene, const SamplePattern& patte
       render_block(scene, pattern, transfer,
                    {x, y, std::min(block_side, tile.x_end - x),
                     std::min(block_side, tile.y_end - y), tile.subtiles},
-                   background, canvas, told, queues, spread, traced.beyond);
+                   background, canvas, told, queues, ledger, spread, traced.beyond);
   return traced;
+}
+
+/// Traces a tile's samples and writes down what they ask of soft lights.
+template <typename T>
+void record_blocks(const PacketScene<T>& scene, const SamplePattern& pattern, const Tile& tile,
+                   LightLedger<T>& ledger) {
+  using D = hn::ScalableTag<T>;
+  const D d;
+  ledger.begin(PacketShape<D>::lanes);
+  RayQueues<T> queues(scene);
+  SampleColours<T> colours;
+  for (int y = tile.y_begin; y < tile.y_end; y += tile.block_step)
+    for (int x = tile.x_begin; x < tile.x_end; x += tile.block_step) {
+      BlockCandidates<T> candidates(scene, x / block_side, y / block_side);
+      const Block block{x, y, std::min(block_side, tile.x_end - x),
+                        std::min(block_side, tile.y_end - y), tile.subtiles & candidates.subtiles};
+      if (block.subtiles == 0) continue;
+      const BlockRays<D> rays(d, scene, block, pattern.jitter);
+      for (std::size_t sample = 0; sample < pattern.points.size(); ++sample)
+        trace_packets(
+            d, rays.eye,
+            SamplePackets<D>(rays, candidates, block, pattern.points[sample],
+                             {sample % static_cast<std::size_t>(scene.light_sets), &ledger}),
+            false, queues, colours, static_cast<T*>(nullptr));
+    }
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

@@ -8,6 +8,7 @@
 #include "engine/image/subtile_errors.h"
 #include "engine/image/tile.h"
 #include "engine/kernel/beyond_range.h"
+#include "engine/kernel/light_ledger.h"
 #include "engine/kernel/packet_scene.h"
 #include "engine/kernel/sample_point.h"
 #include "engine/math/transfer.h"
@@ -21,12 +22,22 @@ struct TracedTile {
 
 /// Traces one sample at each place of `pattern` in each of the tile's pixels, and stores the means
 /// of their clamped colours after `transfer`; and what they tell of its errors, if the pattern has
-/// half buffers and somebody wants them. The tile begins at multiples of `block_side`.
+/// half buffers and somebody wants them. The tile begins at multiples of `block_side`. `ledger`,
+/// where directions of soft lights are swept, tells what that came to.
 TracedTile render_tile(const PacketScene<float>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas, const TileErrors& errors = {});
+                       const Canvas& canvas, const TileErrors& errors = {},
+                       LightLedger<float>* ledger = nullptr);
 TracedTile render_tile(const PacketScene<double>& scene, const SamplePattern& pattern,
                        Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas, const TileErrors& errors = {});
+                       const Canvas& canvas, const TileErrors& errors = {},
+                       LightLedger<double>* ledger = nullptr);
+
+/// Writes down in `ledger` what the same samples ask of soft lights, in the order in which
+/// render_tile() asks.
+void record_tile(const PacketScene<float>& scene, const SamplePattern& pattern, const Tile& tile,
+                 std::int64_t target, LightLedger<float>& ledger);
+void record_tile(const PacketScene<double>& scene, const SamplePattern& pattern, const Tile& tile,
+                 std::int64_t target, LightLedger<double>& ledger);
 
 }  // namespace raytracer

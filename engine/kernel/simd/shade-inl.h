@@ -34,9 +34,14 @@ struct OpaqueSurfaces {
 template <class D, class Between, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surface,
-                       const V3<V>& view, M active, std::size_t light_set, Between&& between) {
+                       const V3<V>& view, M active, const LightSet<T>& light_set,
+                       Between&& between) {
   const RayOrigin<V>& point = surface.at;
   const V zero = hn::Zero(d);
+  if (HWY_UNLIKELY(light_set.is_recorded())) {
+    record(d, surface, active, light_set);
+    return {zero, zero, zero};
+  }
   const MaterialPacket<D> material(d, scene.materials, surface.material, surface.normal, view);
   const bool ambient_needs_light = scene.shadows == Shadows::black;
 

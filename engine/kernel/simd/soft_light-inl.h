@@ -6,19 +6,37 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
+/// Writes down the points of a packet, of its lanes that are active.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_NOINLINE void record(D d, const Surface<D>& surface, hn::Mask<D> active,
+                         const LightSet<T>& light_set) {
+  const auto bits = static_cast<typename LightLedger<T>::Lanes>(bits_of(d, active));
+  T* const to = light_set.ledger->add_packet(light_set.index, bits);
+  const V3<V>& point = surface.at.point;
+  const V3<V>& normal = surface.at.normal;
+  const V values[] = {point.x,          point.y,      point.z,          normal.x,
+                      normal.y,         normal.z,     surface.normal.x, surface.normal.y,
+                      surface.normal.z, surface.at.id};
+  for (std::size_t i = 0; i < LightLedger<T>::column_count; ++i)
+    hn::StoreU(values[i], d, to + i * hn::Lanes(d));
+}
+
 /// How soft lights reach a packet's points.
 template <class D, class Between, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 class SoftLightOnPacket {
  public:
-  /// `active`: at least one; `light_set`: of the places. All are referred to.
+  /// `active`: at least one; `light_set`: of the places; `packet`: its number in the ledger, if
+  /// there is one. All are referred to.
   HWY_INLINE SoftLightOnPacket(D d, const PacketScene<T>& scene, const Surface<D>& surface,
-                               M active, std::size_t light_set, Between& between)
+                               M active, const LightSet<T>& light_set, std::size_t packet,
+                               Between& between)
       : d_(d),
         scene_(scene),
         surface_(surface),
         box_(box_around(d, surface.at.point, active)),
         light_set_(light_set),
+        packet_(packet),
         between_(between) {}
 
   /// The share of a disc that the lanes of `lit` have; 0 in others.
@@ -26,11 +44,12 @@ class SoftLightOnPacket {
                              M lit) const {
     V sum = hn::Zero(d_);
     const M none = hn::AndNot(lit, lit);
-    const std::size_t first = light_set_ * soft.per_set;
+    const std::size_t first = light_set_.index * soft.per_set;
     if (!soft.directions.empty()) {
       for (std::size_t i = first; i < first + soft.per_set; ++i)
         sum = hn::Add(sum, share_along(soft.directions[i], nullptr, none,
-                                       broadcast(d_, soft.directions[i].place), lit));
+                                       broadcast(d_, soft.directions[i].place),
+                                       soft.first_told + i - first, lit));
     } else {
       const Shaft<T> shaft(box_, soft.light.place, soft.size);
       const bool is_searched = Between::hides_all && scene_.shadows != Shadows::off;
@@ -57,7 +76,7 @@ class SoftLightOnPacket {
     const V zero = hn::Zero(d_);
     V sum = zero;
     V weights = zero;
-    const std::size_t first = light_set_ * soft.per_set;
+    const std::size_t first = light_set_.index * soft.per_set;
     const bool is_shared = !soft.directions.empty();
     for (std::size_t i = first; i < first + soft.per_set; ++i) {
       const V3<V> axis = broadcast(d_, is_shared ? soft.directions[i].place : soft.places[i]);
@@ -67,7 +86,8 @@ class SoftLightOnPacket {
       weights = hn::Add(weights, weight);
       V share;
       if (is_shared) {
-        share = share_along(soft.directions[i], &soft.opposites[i], opposite, axis, active);
+        share = share_along(soft.directions[i], &soft.opposites[i], opposite, axis,
+                            soft.first_told + i - first, active);
       } else {
         const V3<V> towards = select(opposite, negate(axis), axis);
         share = share_along(towards, hn::Set(d_, soft.size), active);
@@ -78,14 +98,17 @@ class SoftLightOnPacket {
   }
 
  private:
-  /// From a direction that rays share, or in the lanes of `opposites` from its opposite.
+  /// From a direction that rays share, or in the lanes of `opposites` from its opposite; its place
+  /// in the ledger.
   HWY_INLINE V share_along(const PacketLight<T>& direction, const PacketLight<T>* opposite,
-                           M opposites, const V3<V>& axis, M lit) const {
+                           M opposites, const V3<V>& axis, std::size_t place, M lit) const {
     const V one = hn::Set(d_, T(1));
     const V slope = dot(surface_.at.normal, axis);
     const V above = hn::IfThenElse(opposites, hn::Neg(slope), slope);
     lit = hn::And(lit, hn::Gt(above, hn::Zero(d_)));
     if (scene_.shadows == Shadows::off) return hn::IfThenElseZero(lit, one);
+    if (light_set_.is_told())
+      lit = hn::AndNot(mask_of(d_, light_set_.ledger->dark(place, packet_)), lit);
     if (hn::AllFalse(d_, lit)) return hn::Zero(d_);
     const V far_away = hn::Set(d_, std::numeric_limits<T>::max());
     const V3<V> towards = select(opposites, negate(axis), axis);
@@ -120,7 +143,8 @@ class SoftLightOnPacket {
   const PacketScene<T>& scene_;
   const Surface<D>& surface_;
   PointBox<T> box_;
-  std::size_t light_set_;
+  const LightSet<T>& light_set_;
+  std::size_t packet_;
   Between& between_;
 };
 
@@ -130,9 +154,10 @@ template <class D, class Between, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_NOINLINE V3<V> soft_light(D d, const PacketScene<T>& scene, const Surface<D>& surface,
                               const MaterialPacket<D>& material, V ambient, M active,
-                              std::size_t light_set, Between& between) {
+                              const LightSet<T>& light_set, Between& between) {
   const V zero = hn::Zero(d);
-  const SoftLightOnPacket<D, Between> light(d, scene, surface, active, light_set, between);
+  const std::size_t packet = light_set.is_told() ? light_set.ledger->take_turn() : 0;
+  const SoftLightOnPacket<D, Between> light(d, scene, surface, active, light_set, packet, between);
   V3<V> sum{zero, zero, zero};
   for (const PacketSoftLight<T>& soft : scene.soft_lights) {
     V had;

@@ -19,7 +19,7 @@ HWY_INLINE void trace_samples(const PacketScene<double>& scene, const DoubtfulSa
   const RayOrigin<V> origin = eye.origin(d);
   const V far_away = hn::Set(d, std::numeric_limits<double>::max());
   Followed followed(scene.max_depth > 0);
-  followed.light_set = followed_light_set;
+  followed.light_set.index = followed_light_set;
   alignas(64) double channels[4][hn::MaxLanes(d)];
   for (std::size_t i = 0; i < samples.count; i += hn::Lanes(d)) {
     const auto active = hn::FirstN(d, samples.count - i);
@@ -28,7 +28,8 @@ HWY_INLINE void trace_samples(const PacketScene<double>& scene, const DoubtfulSa
         eye.direction(d, 0, 0, hn::IfThenElseZero(active, hn::Load(d, samples.x + i)),
                       hn::Neg(hn::IfThenElseZero(active, hn::Load(d, samples.y + i))));
     const Hit<V> hit = find_followed(d, scene, origin, direction, far_away, active);
-    const V3<V> colour = eye.shade(d, direction, hit, active, pixel, light_set, followed);
+    const V3<V> colour =
+        eye.shade(d, direction, hit, active, pixel, {light_set, nullptr}, followed);
     hn::Store(colour.x, d, channels[0]);
     hn::Store(colour.y, d, channels[1]);
     hn::Store(colour.z, d, channels[2]);

@@ -309,7 +309,7 @@ HWY_NOINLINE M occluded_by(D d, const Geometry<ConeKind, T>& cones, const Packet
   const ConeLightView<T>& view = cones.lights[light.index];
   const auto occluded = [&](const auto& hides) HWY_ATTR {
     if (light.rays == LightRays::parallel) {
-      if (cones.finder(RayKind::to_distant_light) == Finder::light_grid)
+      if (cones.finder(ray_kind_of(light)) == Finder::light_grid)
         return occluded_by_listed(d, view.grid, places_on(d, view.grid.plane, rays.from.point), lit,
                                   hides);
     } else if (cones.finder(RayKind::to_point_light) == Finder::point_grid) {

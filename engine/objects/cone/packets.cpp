@@ -78,7 +78,7 @@ ConeLightView<T> PacketLayout<ConeKind, T>::light_view(std::span<const PackedCon
     const Finder finder = finder_of(finders, RayKind::to_point_light);
     return {{}, lamp_view<PacketLayout, T>(cones, light.place, finder, numbers, pool)};
   }
-  if (finder_of(finders, RayKind::to_distant_light) != Finder::light_grid) return {};
+  if (finder_of(finders, ray_kind_of(light)) != Finder::light_grid) return {};
   const LightAxes axes = light_axes(light.place);
   // Beside the axis' line as the light sees it nothing is farther than the larger radius.
   const auto touches = [&](std::uint32_t i, T u, T v, T half) {

@@ -342,7 +342,7 @@ HWY_NOINLINE M occluded_by(D d, const Geometry<CylinderKind, T>& cylinders,
                        hides_distant_light(d, view.shadows[i], rays.from.point));
       return !hn::AllFalse(d, hidden);
     };
-    if (cylinders.finder(RayKind::to_distant_light) == Finder::one_by_one)
+    if (cylinders.finder(ray_kind_of(light)) == Finder::one_by_one)
       return occluded_by_items(d, cylinders.items.size(), lit, hides);
     return occluded_by_listed(d, view.grid, places_on(d, view.grid.plane, rays.from.point), lit,
                               hides);

@@ -86,6 +86,7 @@ struct CylinderKind {
   static constexpr FewPrimitives few{.to_lights = 12, .followed = 24};
   static constexpr double pixels_for_cells = 12;
   static constexpr bool has_exact_shadows = false;
+  static constexpr bool has_light_sweep = false;
   static constexpr double tolerance_px = 1.0 / 64;
 };
 

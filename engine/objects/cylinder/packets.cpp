@@ -109,7 +109,7 @@ CylinderLightView<T> PacketLayout<CylinderKind, T>::light_view(
     for (std::size_t i = begin; i < end; ++i)
       view.shadows[i] = shadow_of<T>(cylinders[i], light.place);
   });
-  if (finder_of(finders, RayKind::to_distant_light) != Finder::light_grid) return view;
+  if (finder_of(finders, ray_kind_of(light)) != Finder::light_grid) return view;
   const LightAxes axes = light_axes(light.place);
   // Beside the axis' line as the light sees it nothing is farther than the radius.
   const auto touches = [&](std::uint32_t i, T u, T v, T half) {

@@ -62,6 +62,7 @@ struct LatticeKind {
   static constexpr std::string_view noun = "sphere square";
   static constexpr Search search = Search::own;
   static constexpr bool has_exact_shadows = false;
+  static constexpr bool has_light_sweep = false;
   static constexpr double tolerance_px = 1.0 / 64;
 };
 

@@ -39,6 +39,7 @@ struct PlaneKind {
   static constexpr std::string_view noun = "plane";
   static constexpr Search search = Search::unbounded;
   static constexpr bool has_exact_shadows = false;
+  static constexpr bool has_light_sweep = false;
   static constexpr double tolerance_px = 1.0 / 64;
 };
 

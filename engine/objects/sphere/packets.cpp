@@ -50,6 +50,75 @@ void fill_one_cell(std::span<const PackedSphere> spheres, const Make& make, Grid
 
 }  // namespace
 
+namespace {
+
+/// Every third bit of a number of seven.
+std::uint32_t spread_bits(std::uint32_t x) {
+  std::uint32_t spread = 0;
+  for (unsigned bit = 0; bit < 7; ++bit) spread |= (x >> bit & 1U) << (3 * bit);
+  return spread;
+}
+
+/// Places of the spheres in such an order that those near each other in space are near each other:
+/// along Morton's curve through the cells of a cube.
+std::vector<std::uint32_t> order_in_space(std::span<const PackedSphere> spheres, const Box& box,
+                                          WorkerPool& pool) {
+  constexpr double few_across = 8;
+  constexpr double most_across = 128;
+  const double across = std::clamp(
+      std::exp2(std::floor(std::log2(std::cbrt(static_cast<double>(spheres.size()) / 4)))),
+      few_across, most_across);
+  const Vec3 size = box.high - box.low;
+  const double side = std::max(max_abs(size), 1e-300);
+  const auto cell_of = [&](const PackedSphere& sphere) {
+    const Vec3 at = (across / side) * (sphere.center - box.low);
+    const auto along = [&](double x) {
+      return spread_bits(static_cast<std::uint32_t>(std::clamp(x, 0.0, across - 1)));
+    };
+    return along(at.x) | along(at.y) << 1U | along(at.z) << 2U;
+  };
+  const auto cells = static_cast<std::size_t>(across * across * across);
+  std::vector<std::uint32_t> next(cells + 1, 0);
+  std::vector<std::uint32_t> cell(spheres.size());
+  for_each_range(spheres.size(), pool, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) cell[i] = cell_of(spheres[i]);
+  });
+  for (const std::uint32_t of_one : cell) ++next[of_one + 1];
+  for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
+  std::vector<std::uint32_t> order(spheres.size());
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    order[next[cell[i]]++] = static_cast<std::uint32_t>(i);
+  return order;
+}
+
+}  // namespace
+
+template <typename T>
+SphereColumns<T> PacketLayout<SphereKind, T>::swept(std::span<const PackedSphere> spheres,
+                                                    const Numbering& numbers, WorkerPool& pool) {
+  using Columns = SphereColumns<T>;
+  constexpr std::size_t padding = 64;  // longer than any packet
+  Columns columns;
+  for (auto& column : columns.values) column.resize(spheres.size() + padding);
+  Box box;
+  for (const PackedSphere& sphere : spheres) box.include(bounds(sphere));
+  columns.box = {narrowed<T>(box.low), narrowed<T>(box.high)};
+  const std::vector<std::uint32_t> order = order_in_space(spheres, box, pool);
+  for_each_range(spheres.size(), pool, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const PackedSphere& sphere = spheres[order[i]];
+      const Triple<T> center = narrowed<T>(sphere.center);
+      columns.values[Columns::column_x][i] = center.x;
+      columns.values[Columns::column_y][i] = center.y;
+      columns.values[Columns::column_z][i] = center.z;
+      columns.values[Columns::column_radius][i] = static_cast<T>(sphere.radius);
+      columns.values[Columns::column_radius2][i] = static_cast<T>(sphere.radius * sphere.radius);
+      columns.values[Columns::column_id][i] = static_cast<T>(numbers(sphere.id));
+    }
+  });
+  return columns;
+}
+
 template <typename T>
 SphereLightView<T> PacketLayout<SphereKind, T>::light_view(std::span<const PackedSphere> spheres,
                                                            const PackedLight& light,
@@ -62,9 +131,10 @@ SphereLightView<T> PacketLayout<SphereKind, T>::light_view(std::span<const Packe
     const auto make = [&numbers](const PackedSphere& s, const LightAxes& axes) {
       return disc_of<T>(s, axes, numbers(s.id));
     };
-    if (finder_of(finders, RayKind::to_distant_light) == Finder::light_grid) {
+    const Finder finder = finder_of(finders, ray_kind_of(light));
+    if (finder == Finder::light_grid) {
       view.discs = build_caster_grid<SphereDisc<T>, T>(light.place, spheres, make, pool);
-    } else if (finder_of(finders, RayKind::to_distant_light) == Finder::one_by_one) {
+    } else if (finder == Finder::one_by_one) {
       const LightAxes axes = light_axes(light.place);
       view.discs.plane.axes = in_precision<T>(axes);
       fill_one_cell(

@@ -4,11 +4,14 @@
 // of each sphere as the eye sees it) is computed once, in double.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "engine/finders/light_grid.h"
 #include "engine/finders/point_grid.h"
+#include "engine/finders/swept_points.h"
 #include "engine/lights/light_kind.h"
 #include "engine/objects/numbering.h"
 #include "engine/objects/packet_kind.h"
@@ -75,6 +78,22 @@ struct SphereBall {
                                                      &SphereBall::nearest, &SphereBall::id};
 };
 
+/// All of them in columns.
+template <typename T>
+struct SphereColumns {
+  enum Column : std::size_t {
+    column_x,
+    column_y,
+    column_z,
+    column_radius,
+    column_radius2,
+    column_id,
+    column_count
+  };
+  std::array<LargeArray<T>, column_count> values;
+  SweptBox<T> box;
+};
+
 /// All spheres as one light sees them; where they are tried one by one, in a single cell.
 template <typename T>
 struct SphereLightView {
@@ -97,6 +116,7 @@ struct PacketLayout<SphereKind, T> : DefaultLayout {
   using Item = SphereItem<T>;
   using Block = SphereBlock<T>;
   using LightView = SphereLightView<T>;
+  using Swept = SphereColumns<T>;
 
   static constexpr bool bins_name_rows = true;
   static bool needs_items(const FinderRow& finders) {
@@ -120,6 +140,8 @@ struct PacketLayout<SphereKind, T> : DefaultLayout {
     block.radius2[place] = static_cast<T>(s.radius * s.radius);
     block.id[place] = static_cast<T>(number);
   }
+  static Swept swept(std::span<const PackedSphere> spheres, const Numbering& numbers,
+                     WorkerPool& pool);
   static LightView light_view(std::span<const PackedSphere> spheres, const PackedLight& light,
                               const FinderRow& finders, const Numbering& numbers, WorkerPool& pool);
 };

@@ -272,7 +272,7 @@ HWY_INLINE M occluded_by(D d, const Geometry<SphereKind, T>& spheres, const Pack
   if (light.rays == LightRays::parallel) {
     const LightPlaces<V, M> at = places_on(d, view.discs.plane, point);
     const V values[] = {at.u, at.v, at.w, rays.from.id};
-    if (spheres.finder(RayKind::to_distant_light) == Finder::one_by_one)
+    if (spheres.finder(ray_kind_of(light)) == Finder::one_by_one)
       return hn::And(lit, occluded_by_each(d, view.discs.casters, view.discs.begins[1],
                                            DiscTest<T>(), values));
     return occluded_in_cells(d, view.discs, cell_of(d, view.discs.plane, at), DiscTest<T>(), values,
@@ -306,7 +306,7 @@ HWY_INLINE M occluded_by(D d, const Geometry<SphereKind, T>& spheres, const Ligh
   const bool is_opposite = hn::AllFalse(d, hn::AndNot(axis.opposite_lanes, lit));
   const AxisDiscTest<T> test{window, is_opposite ? most : window.low_w,
                              is_one_sided ? -most : window.high_w};
-  if (spheres.finder(RayKind::to_distant_light) == Finder::one_by_one)
+  if (spheres.finder(RayKind::to_soft_light) == Finder::one_by_one)
     return hn::And(lit, occluded_by_each(d, grid.casters, grid.begins[1], test, values));
   if (window.cell_count() <= few_cells)
     return occluded_in_window(d, grid, window, test, values, lit);

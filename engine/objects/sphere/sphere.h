@@ -65,6 +65,7 @@ struct SphereKind {
   static constexpr FewPrimitives few{.to_lights = 28, .followed = 128};
   static constexpr double pixels_for_cells = 0;
   static constexpr bool has_exact_shadows = false;
+  static constexpr bool has_light_sweep = true;
   /// What rounding may displace its edges by, in pixels.
   static constexpr double tolerance_px = 1.0 / 64;
 };

@@ -146,7 +146,7 @@ TriangleLightView<T> PacketLayout<TriangleKind, T>::light_view(
       view.lists = build_point_lists<T>(light.place, triangles, reach_of(triangles, pool), pool);
     return view;
   }
-  const Finder finder = finder_of(finders, RayKind::to_distant_light);
+  const Finder finder = finder_of(finders, ray_kind_of(light));
   if (finder == Finder::tree) return view;
   const LightAxes axes = light_axes(light.place);
   view.outlines.resize(triangles.size());

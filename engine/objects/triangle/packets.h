@@ -103,7 +103,7 @@ struct PacketLayout<TriangleKind, T> : DefaultLayout {
       return finder != Finder::none && finder != Finder::tree;
     };
     return are_tried(RayKind::from_eye) || are_tried(RayKind::to_distant_light) ||
-           are_tried(RayKind::to_point_light);
+           are_tried(RayKind::to_soft_light) || are_tried(RayKind::to_point_light);
   }
 
   static PrimitiveRow<T> row(const PackedTriangle& t, std::size_t /*item*/) {

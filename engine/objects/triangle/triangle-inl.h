@@ -207,7 +207,7 @@ HWY_NOINLINE M occluded_by(D d, const Geometry<TriangleKind, T>& triangles,
       return hides_distant_light(d, triangles.items[i], view.outlines[i], at, rays, noise, rest,
                                  hidden);
     };
-    if (triangles.finder(RayKind::to_distant_light) == Finder::one_by_one)
+    if (triangles.finder(ray_kind_of(light)) == Finder::one_by_one)
       return occluded_by_items(d, triangles.items.size(), lit, hides);
     return occluded_by_listed(d, view.grid, at, lit, hides);
   }

@@ -67,6 +67,7 @@ struct TriangleKind {
   static constexpr double pixels_for_cells = 12;
   /// Planes through the light and its sides part what it hides: they are as exact as the point.
   static constexpr bool has_exact_shadows = true;
+  static constexpr bool has_light_sweep = false;
   /// At edges that two share more is left to rounding than at a silhouette.
   static constexpr double tolerance_px = 1.0 / 256;
 };

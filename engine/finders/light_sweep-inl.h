@@ -1,0 +1,286 @@
+// Sweeps: points in the cells of a plane across a direction, and what passes over them.
+
+#include <hwy/cache_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "engine/finders/swept_points.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer::HWY_NAMESPACE {
+
+/// Chooses the plane's cells, for so many points that are between these places.
+template <typename T>
+void choose_cells(T u_low, T v_low, T u_high, T v_high, std::size_t count, SweptPoints<T>& points) {
+  // A cell's points fill a packet in most cases, and more than one seldom.
+  constexpr double per_cell = 5;
+  constexpr double most_across = 2048;
+  constexpr double not_zero = 1e-30;
+  const double width = static_cast<double>(u_high) - static_cast<double>(u_low);
+  const double height = static_cast<double>(v_high) - static_cast<double>(v_low);
+  const double cell = std::max({std::sqrt(width * height * per_cell / static_cast<double>(count)),
+                                width / most_across, height / most_across, not_zero});
+  points.u_low = u_low;
+  points.v_low = v_low;
+  points.cells_per_unit = static_cast<T>(1 / cell);
+  points.columns = static_cast<int>((u_high - u_low) * points.cells_per_unit) + 1;
+  points.rows = static_cast<int>((v_high - v_low) * points.cells_per_unit) + 1;
+  points.noise = 16 * std::numeric_limits<T>::epsilon() *
+                 std::max({std::abs(u_low), std::abs(v_low), std::abs(u_high), std::abs(v_high)});
+}
+
+/// The cell of each point that was found, and, in their ends, how many points cells have. Those
+/// that look to neither end are in one behind all others.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_NOINLINE void find_cells(D d, SweptPoints<T>& points) {
+  using Points = SweptPoints<T>;
+  const std::size_t cell_count =
+      static_cast<std::size_t>(points.columns) * static_cast<std::size_t>(points.rows);
+  points.cells.assign(cell_count + 1, {});
+  auto& found = points.found;
+  const V zero = hn::Zero(d);
+  const V columns = hn::Set(d, static_cast<T>(points.columns));
+  const V rows = hn::Set(d, static_cast<T>(points.rows));
+  const V none = hn::Set(d, static_cast<T>(cell_count));
+  HWY_ALIGN T cells[hn::MaxLanes(D())];
+  for (std::size_t i = 0; i < found.count; i += hn::MaxLanes(D())) {
+    const auto along = [&](std::size_t column, T low) HWY_ATTR {
+      return hn::Mul(hn::Sub(hn::LoadU(d, found.values[column].data() + i), hn::Set(d, low)),
+                     hn::Set(d, points.cells_per_unit));
+    };
+    const V x = along(Points::column_u, points.u_low);
+    const V y = along(Points::column_v, points.v_low);
+    const V side = hn::LoadU(d, found.values[Points::column_side].data() + i);
+    const auto is_in =
+        hn::And(hn::And(hn::Ne(side, zero), hn::And(hn::Ge(x, zero), hn::Ge(y, zero))),
+                hn::And(hn::Lt(x, columns), hn::Lt(y, rows)));
+    const V cell = hn::MulAdd(hn::Floor(y), columns, hn::Floor(x));
+    hn::Store(hn::IfThenElse(is_in, cell, none), d, cells);
+    for (std::size_t lane = 0; lane < hn::MaxLanes(D()); ++lane) {
+      const auto index = static_cast<std::uint32_t>(cells[lane]);
+      found.cells[i + lane] = index;
+      ++points.cells[index].end;
+    }
+  }
+}
+
+/// Cuts crowded cells into such as others are, and finds those of their points.
+template <typename T>
+HWY_NOINLINE void cut_crowded_cells(SweptPoints<T>& points) {
+  using Points = SweptPoints<T>;
+  constexpr std::uint32_t crowd = 64;
+  constexpr std::uint32_t per_cell = 8;
+  constexpr std::uint32_t most_across = 512;
+  const std::size_t cell_count = points.cells.size() - 1;
+  points.has_parts = false;
+  for (std::size_t i = 0; i < cell_count; ++i)
+    points.has_parts = points.has_parts || points.cells[i].end > crowd;
+  if (!points.has_parts) return;
+  const typename Points::Cell outside = points.cells.back();
+  points.cells.pop_back();
+  points.parts.assign(cell_count, {0, 0});
+  for (std::size_t i = 0; i < cell_count; ++i) {
+    const std::uint32_t count = points.cells[i].end;
+    if (count <= crowd) continue;
+    std::uint32_t across = 2;
+    while (across < most_across && count > per_cell * across * across) across *= 2;
+    points.parts[i] = {static_cast<std::uint32_t>(points.cells.size()), across};
+    points.cells[i].end = 0;
+    points.cells.resize(points.cells.size() + across * across);
+  }
+  const auto last = static_cast<std::uint32_t>(points.cells.size());
+  points.cells.push_back(outside);
+  auto& found = points.found;
+  const auto columns = static_cast<std::uint32_t>(points.columns);
+  for (std::size_t i = 0; i < found.count; ++i) {
+    const std::uint32_t index = found.cells[i];
+    if (index >= cell_count) {
+      found.cells[i] = last;
+      continue;
+    }
+    const auto& parts = points.parts[index];
+    if (parts.across == 0) continue;
+    const T x = (found.values[Points::column_u][i] - points.u_low) * points.cells_per_unit;
+    const T y = (found.values[Points::column_v][i] - points.v_low) * points.cells_per_unit;
+    const std::uint32_t row = index / columns;
+    const auto across = static_cast<T>(parts.across);
+    const auto part_x =
+        static_cast<std::uint32_t>((x - static_cast<T>(index - row * columns)) * across);
+    const auto part_y = static_cast<std::uint32_t>((y - static_cast<T>(row)) * across);
+    const std::uint32_t part = parts.first + part_y * parts.across + part_x;
+    found.cells[i] = part;
+    ++points.cells[part].end;
+  }
+}
+
+/// Of a cell, by its points that are not known to lie in the dark.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_NOINLINE void renew_bounds(D d, SweptPoints<T>& points) {
+  using Points = SweptPoints<T>;
+  points.visits = 0;
+  const V zero = hn::Zero(d);
+  const V highest = hn::Set(d, std::numeric_limits<T>::max());
+  for (auto& cell : points.cells) {
+    const std::size_t size = cell.end - cell.begin;
+    const T* const values = points.values.data() + Points::column_count * cell.begin;
+    V above = highest;
+    V below = hn::Neg(highest);
+    for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
+      const V w = hn::LoadU(d, values + Points::column_w * size + i);
+      const V side = hn::IfThenElseZero(hn::FirstN(d, size - i),
+                                        hn::LoadU(d, values + Points::column_side * size + i));
+      above = hn::Min(above, hn::IfThenElse(hn::Gt(side, zero), w, highest));
+      below = hn::Max(below, hn::IfThenElse(hn::Lt(side, zero), w, hn::Neg(highest)));
+    }
+    cell.above = hn::GetLane(hn::MinOfLanes(d, above));
+    cell.below = hn::GetLane(hn::MaxOfLanes(d, below));
+  }
+}
+
+/// Sorts the points into their cells.
+template <class D, typename T = hn::TFromD<D>>
+HWY_NOINLINE void sort_into_cells(D d, SweptPoints<T>& points) {
+  using Points = SweptPoints<T>;
+  constexpr std::size_t lanes = hn::MaxLanes(D());
+  constexpr std::size_t padding = 64;
+  auto& found = points.found;
+  std::uint32_t begin = 0;
+  const auto outside = static_cast<std::uint32_t>(points.cells.size() - 1);
+  points.cells.back().end = 0;
+  for (auto& cell : points.cells) {
+    const std::uint32_t size = cell.end;
+    cell.begin = begin;
+    cell.end = begin;
+    begin += size;
+  }
+  if (points.lanes.size() < begin + padding) {
+    points.lanes.resize(begin + padding);
+    points.values.resize(Points::column_count * (begin + padding));
+  }
+  for (std::size_t i = 0; i < found.count; ++i) {
+    const std::uint32_t index = found.cells[i];
+    if (index == outside) continue;
+    auto& cell = points.cells[index];
+    const std::size_t size = points.cells[index + 1].begin - cell.begin;
+    T* const to =
+        points.values.data() + Points::column_count * cell.begin + (cell.end - cell.begin);
+    for (std::size_t column = 0; column < Points::column_count; ++column)
+      to[column * size] = found.values[column][i];
+    points.lanes[cell.end++] =
+        static_cast<std::uint32_t>(found.packets[i / lanes] * 16 + i % lanes);
+  }
+  renew_bounds(d, points);
+}
+
+/// Primitives on their way over the points, each with the cells that it touches: found without a
+/// branch that depends on them, and gone through later, when they are in the caches.
+template <typename T>
+class PassingPrimitives {
+ public:
+  explicit HWY_INLINE PassingPrimitives(SweptPoints<T>& points) : points_(points) {}
+
+  HWY_INLINE std::size_t count() const { return count_; }
+  HWY_INLINE const typename SweptPoints<T>::Visit& operator[](std::size_t i) const {
+    return visits_[i];
+  }
+  HWY_INLINE void clear() { count_ = 0; }
+
+  /// Adds the cells of a rectangle, in cells of the plane, in which something at `w` may hide
+  /// points. Calls go_through() when there is no room for more.
+  template <class GoThrough>
+  HWY_INLINE void add(std::uint32_t primitive, T x_low, T y_low, T x_high, T y_high, T w,
+                      const GoThrough& go_through) {
+    const int x_begin = std::max(static_cast<int>(x_low), 0);
+    const int y_begin = std::max(static_cast<int>(y_low), 0);
+    const int x_end = std::min(static_cast<int>(x_high), points_.columns - 1);
+    const int y_end = std::min(static_cast<int>(y_high), points_.rows - 1);
+    for (int row = y_begin; row <= y_end; ++row) {
+      const std::uint32_t first =
+          static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(points_.columns);
+      if (count_ + static_cast<std::size_t>(points_.columns) > most) go_through();
+      for (int column = x_begin; column <= x_end; ++column) {
+        const std::uint32_t cell = first + static_cast<std::uint32_t>(column);
+        add_cell(cell, primitive, w);
+        if (!points_.has_parts || points_.parts[cell].across == 0) continue;
+        const auto across = static_cast<T>(points_.parts[cell].across);
+        const auto from_x = static_cast<T>(column);
+        const auto from_y = static_cast<T>(row);
+        add_parts(points_.parts[cell], (x_low - from_x) * across, (y_low - from_y) * across,
+                  (std::min(x_high, from_x + 1) - from_x) * across,
+                  (std::min(y_high, from_y + 1) - from_y) * across, primitive, w, go_through);
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t most = 8192;
+
+  HWY_INLINE void add_cell(std::uint32_t index, std::uint32_t primitive, T w) {
+    const auto& cell = points_.cells[index];
+    visits_[count_] = {index, primitive};
+    hwy::Prefetch(points_.values.data() + SweptPoints<T>::column_count * cell.begin);
+    count_ += static_cast<std::size_t>(w > cell.above) | static_cast<std::size_t>(w < cell.below);
+  }
+
+  template <class GoThrough>
+  HWY_NOINLINE void add_parts(const typename SweptPoints<T>::Parts& parts, T x_low, T y_low,
+                              T x_high, T y_high, std::uint32_t primitive, T w,
+                              const GoThrough& go_through) {
+    const int most_index = static_cast<int>(parts.across) - 1;
+    const int x_begin = std::max(static_cast<int>(x_low), 0);
+    const int y_begin = std::max(static_cast<int>(y_low), 0);
+    const int x_end = std::min(static_cast<int>(x_high), most_index);
+    const int y_end = std::min(static_cast<int>(y_high), most_index);
+    for (int row = y_begin; row <= y_end; ++row) {
+      if (count_ + parts.across + static_cast<std::size_t>(points_.columns) > most) go_through();
+      for (int column = x_begin; column <= x_end; ++column)
+        add_cell(parts.first + static_cast<std::uint32_t>(row) * parts.across +
+                     static_cast<std::uint32_t>(column),
+                 primitive, w);
+    }
+  }
+
+  SweptPoints<T>& points_;
+  std::size_t count_ = 0;
+  typename SweptPoints<T>::Visit visits_[most + 1];
+};
+
+/// Puts out the light of a cell's points of which `hides(get)` says that it is hidden.
+template <class D, class Hides, typename T = hn::TFromD<D>>
+HWY_INLINE void hide_in_cell(D d, SweptPoints<T>& points, std::uint32_t index, const Hides& hides) {
+  using Points = SweptPoints<T>;
+  const auto& cell = points.cells[index];
+  const std::size_t size = cell.end - cell.begin;
+  T* const values = points.values.data() + Points::column_count * cell.begin;
+  for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
+    const auto get = [&](std::size_t column)
+                         HWY_ATTR { return hn::LoadU(d, values + column * size + i); };
+    const auto hidden = hn::And(hides(get), hn::FirstN(d, size - i));
+    // Behind the cell's end, what is there.
+    hn::StoreU(hn::IfThenZeroElse(hidden, get(Points::column_side)), d,
+               values + Points::column_side * size + i);
+  }
+}
+
+/// Sets the bits of the points that lie in the dark.
+template <typename T>
+HWY_NOINLINE void tell_dark(const SweptPoints<T>& points, std::uint16_t* dark) {
+  using Points = SweptPoints<T>;
+  for (const auto& cell : points.cells) {
+    const std::size_t size = cell.end - cell.begin;
+    const T* const side =
+        points.values.data() + Points::column_count * cell.begin + Points::column_side * size;
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::uint32_t lane = points.lanes[cell.begin + i];
+      const unsigned bit = side[i] == 0 ? 1 : 0;
+      dark[lane / 16] = static_cast<std::uint16_t>(dark[lane / 16] | bit << lane % 16);
+    }
+  }
+}
+
+}  // namespace raytracer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

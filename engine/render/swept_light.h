@@ -1,0 +1,87 @@
+// The soft light of many tiles, whose directions are swept for all of them at once.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "engine/image/subtile_errors.h"
+#include "engine/image/tile.h"
+#include "engine/kernel/light_sweep.h"
+#include "engine/kernel/simd/render_tile.h"
+#include "engine/parallel/worker_pool.h"
+
+namespace raytracer {
+
+/// One pass over tiles: who traces them, and who hears of it, from several threads.
+struct TilePass {
+  WorkerPool& pool;
+  std::atomic<bool>& stop;
+  /// That a tile is in the picture; it may set `stop`.
+  std::function<void(std::size_t, const BeyondRange&)> finished;
+  /// How much of the pass is done, where tiles are not finished one after another; likewise.
+  std::function<void(double)> report;
+};
+
+/// Memory for sweeps, as much as there are at a time.
+template <typename T>
+class SweepMemory {
+ public:
+  std::unique_ptr<SweptPoints<T>> take();
+  void give_back(std::unique_ptr<SweptPoints<T>> points);
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<SweptPoints<T>>> free_;
+};
+
+/// For each tile in turn: record(), then once sweep(), then render_tile(). Different tiles, and
+/// different directions, may have different threads.
+template <typename T>
+class SweptLight {
+ public:
+  SweptLight(const PacketScene<T>& scene, std::int64_t target, std::size_t tile_count);
+
+  void record(std::size_t i, const SamplePattern& pattern, const Tile& tile);
+
+  /// Makes room for what is found, of so many directions.
+  std::size_t begin_sweeps();
+  void sweep_one(std::size_t direction, SweepMemory<T>& memory);
+  /// Has the ledgers tell it.
+  void end_sweeps();
+  /// All of it.
+  void sweep();
+
+  BeyondRange render_tile(std::size_t i, const SamplePattern& pattern, Transfer transfer,
+                          const Tile& tile, const Canvas& canvas, const TileErrors& errors);
+
+ private:
+  using Lanes = typename LightLedger<T>::Lanes;
+  struct Direction {
+    SweptDirection swept;
+    std::size_t told;  ///< its place in the ledgers
+  };
+
+  const PacketScene<T>& scene_;
+  std::int64_t target_;
+  std::vector<LightLedger<T>> ledgers_;
+  std::size_t packet_count_ = 0;
+  std::vector<Direction> directions_;
+  std::vector<Lanes> dark_;  ///< for each place in the ledgers, of all packets
+};
+
+/// How many samples are swept at once, where there are so many primitives: few stay in the nearest
+/// caches, but all primitives pass over each batch.
+std::size_t samples_at_once(std::size_t primitives);
+
+/// All samples of the tiles' pixels, some tiles at a time.
+template <typename T>
+void render_swept(const PacketScene<T>& scene, std::int64_t target, const SamplePattern& pattern,
+                  Transfer transfer, std::span<const Tile> tiles, const Canvas& canvas,
+                  const TileErrors& errors, const TilePass& pass);
+
+}  // namespace raytracer
