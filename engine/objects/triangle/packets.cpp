@@ -31,6 +31,7 @@ EdgeLine edge_line(const Point& p, const Point& q) {
   return {-v * scale, u * scale, (p.u * q.v - p.v * q.u) * scale};
 }
 
+/// Of a triangle that the light sees as a line or a point everything is outside.
 template <typename T>
 TriangleOutline<T> outline(const LightAxes& axes, const PackedTriangle& triangle) {
   std::array<Point, 3> corners;
@@ -40,6 +41,12 @@ TriangleOutline<T> outline(const LightAxes& axes, const PackedTriangle& triangle
   const double turn = (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
   const double sign = turn < 0 ? -1 : 1;
   TriangleOutline<T> lines;
+  if (turn == 0) {
+    lines.u_slopes.fill(T(0));
+    lines.v_slopes.fill(T(0));
+    lines.offsets.fill(std::numeric_limits<T>::lowest());
+    return lines;
+  }
   for (std::size_t i = 0; i < 3; ++i) {
     const EdgeLine line = edge_line(corners[i], corners[(i + 1) % 3]);
     lines.u_slopes[i] = static_cast<T>(sign * line.u_slope);
@@ -61,26 +68,28 @@ bool reaches(const TriangleOutline<T>& lines, T u, T v, T half) {
 }
 
 /// The planes through a light and a triangle's sides: of one that two triangles share the opposite
-/// for the other, to the bit. Nothing is inside if the light is in the triangle's own plane.
+/// for the other, to the bit. Nothing is inside if the light is in the triangle's own plane, or
+/// sees two corners at one place.
 template <typename T>
 TriangleShadow<T> shadow_of(const Vec3& light, const PackedTriangle& t) {
   constexpr double noise = 4096 * std::numeric_limits<double>::epsilon();
+  TriangleShadow<T> none;
+  none.normals.fill({});
+  none.offsets.fill(T(1));
   const PackedTriangle seen = seen_from(t, light);
   const double height = dot(t.normal, seen.vertices[0]);
   const Vec3 away = height < 0 ? -t.normal : t.normal;
-  TriangleShadow<T> shadow;
-  if (!(std::abs(height) > noise * length(seen.vertices[0]))) {
-    shadow.normals.fill({});
-    shadow.offsets.fill(T(1));
-    return shadow;
-  }
+  if (!(std::abs(height) > noise * length(seen.vertices[0]))) return none;
   // By the sides themselves: corners that are far away differ by little.
   const auto& [a, b, c] = seen.vertices;
   const double sign = dot(cross(b - a, c - a), a) < 0 ? -1 : 1;
+  TriangleShadow<T> shadow;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
-    const Vec3 normal = sign * unit(cross(seen.vertices[i] + seen.vertices[next],
-                                          seen.vertices[next] - seen.vertices[i]));
+    const Vec3 across =
+        cross(seen.vertices[i] + seen.vertices[next], seen.vertices[next] - seen.vertices[i]);
+    if (!(length(across) > 0)) return none;
+    const Vec3 normal = sign * unit(across);
     shadow.normals[i] = narrowed<T>(normal);
     shadow.offsets[i] = static_cast<T>(0.5 * dot(normal, t.vertices[i] + t.vertices[next]));
   }
