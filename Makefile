@@ -23,7 +23,7 @@ define test_in
 	.ci/install build test
 	$(call configure,$(1),-DRAYTRACER_TESTS=ON $(2))
 	cmake --build $(1) --parallel $(JOBS) --target all raytracer_tests_all
-	$(3) ctest --test-dir $(1) --parallel $$((2 * $(JOBS))) --output-on-failure
+	$(3) ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
 endef
 
 .PHONY: all test check sanitize tsan bench tradeoff extremes contracts kernels fuzz cluster-simulation \
