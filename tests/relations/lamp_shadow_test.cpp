@@ -123,6 +123,22 @@ TEST(DistantShadow, of_a_mesh_is_no_wider_for_its_height) {
   EXPECT_LE(count_different(image_of(in_precision(text, "single")), exact, 1.0 / 255), 2);
 }
 
+/// What a triangle's side adds to its shadow, so that no light comes between two, is what rounding
+/// may take from it: 2.5 epsilons. A pixel is half of one wide here, and the light slanting.
+TEST(LampShadow, of_a_triangle_is_hardly_wider_than_it_is) {
+  constexpr double eye = 1000;
+  const json sheet =
+      mesh_json({{-500, -300, 500}, {-500, 300, 500}, {-800, 0, 500}}, {{0, 1, 2}});
+  const json text =
+      document(camera_json(64, 16, 64 * 0x1p-24, {0, 0, eye}, {0, 0, 0}),
+               {plane_json({0, 0, 0}, {0, 0, 1}), sheet}, {point_json({-eye, 0, eye}, 2e8)});
+  const int exact = count_lit(image_of(in_precision(text, "double")));
+  EXPECT_EQ(exact, 32 * 16);
+  const int lit = count_lit(image_of(in_precision(text, "single")));
+  EXPECT_LE(lit, exact);
+  EXPECT_GE(lit, exact - 9 * 16);
+}
+
 /// A lamp in a tilted plane that passes near the eye lights what is before it.
 TEST(LampShadow, of_the_plane_that_the_lamp_is_in_is_none) {
   const Vec3 normal{1, 2, 3};

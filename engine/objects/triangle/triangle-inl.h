@@ -99,7 +99,8 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn:
 HWY_INLINE void intersect_candidate(D d, const PrimitiveRows<T>&,
                                     const Geometry<TriangleKind, T>& triangles, std::uint32_t index,
                                     const V3<V>& direction, Hit<V>& hit) {
-  const V outside = hn::Set(d, -4 * std::numeric_limits<T>::epsilon());
+  // Four roundings of half an epsilon: of the normal, and three in the dot product.
+  const V outside = hn::Set(d, -2 * std::numeric_limits<T>::epsilon());
   const TriangleCone<T>& cone = triangles.eye.cones[index];
   const V least =
       hn::Min(hn::Min(dot(broadcast(d, cone[0]), direction), dot(broadcast(d, cone[1]), direction)),
@@ -142,12 +143,14 @@ HWY_INLINE void intersect_item(D d, const Geometry<TriangleKind, T>&, const Tria
   take(hit, is_nearer(hit, t, triangles.id, is_hit), t, triangles.id);
 }
 
-/// What the points' distances from planes and lines near them may be off by: shadows are a little
-/// generous, so that no light comes between two triangles.
+/// What a point's distance from a plane or a line through it may be off by, so that no light comes
+/// between triangles at a corner that they share: five roundings, of the normal, of the offset and
+/// of three in the dot product, each of half an epsilon of the point's coordinates. The point's own
+/// rounding is the same for all triangles. A line takes four.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V distance_noise(D d, const V3<V>& point) {
   const V size = hn::Add(hn::Add(hn::Abs(point.x), hn::Abs(point.y)), hn::Abs(point.z));
-  return hn::Mul(hn::Set(d, 8 * std::numeric_limits<T>::epsilon()), size);
+  return hn::Mul(hn::Set(d, T(2.5) * std::numeric_limits<T>::epsilon()), size);
 }
 
 /// Whether a triangle stands before its distant light for lanes of `lit`, and for which; the points
