@@ -99,4 +99,15 @@ struct LightSet {
   bool is_told() const { return ledger != nullptr && ledger->tells(); }
 };
 
+/// The sets that the samples of a block's pixels use, a quarter of them each.
+template <typename T>
+struct LightSets {
+  LightSet<T> of_quarters[4];
+  LightSet<T> followed;  ///< of rays that follow others
+  bool differ = false;   ///< whether quarters do: by their pixels' places in squares of 2 x 2
+
+  /// The same for all.
+  explicit LightSets(const LightSet<T>& set) : of_quarters{set, set, set, set}, followed(set) {}
+};
+
 }  // namespace raytracer

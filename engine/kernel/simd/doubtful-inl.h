@@ -13,13 +13,22 @@ struct DoubtfulSamples {
   std::size_t count = 0;
   alignas(64) double x[block_pixels];  ///< from the image's lower left corner, in pixels
   alignas(64) double y[block_pixels];
-  alignas(64) double index[block_pixels];
+  std::size_t index[block_pixels];
 };
 
-/// Those whose pixels have a place, as `rays` count them, in the pattern of light sets.
+/// The place of a packet's pixel in a square of 2 x 2 of its block.
+template <class D>
+constexpr int place_in_square(int ray) {
+  constexpr int lanes = PacketShape<D>::lanes;
+  constexpr int width = PacketShape<D>::width;
+  const PacketPlace<D> packet(ray / lanes);
+  return (packet.y + ray % lanes / width) % 2 * 2 + (packet.x + ray % lanes % width) % 2;
+}
+
+/// Those that use the light sets' `quarter`.
 template <class D, class Rays, typename T = hn::TFromD<D>>
-HWY_INLINE void find_doubtful(D d, const Rays& rays, int place, const SampleColours<T>& colours,
-                              DoubtfulSamples& samples) {
+HWY_INLINE void find_doubtful(D d, const Rays& rays, const LightSets<T>& light_sets, int quarter,
+                              const SampleColours<T>& colours, DoubtfulSamples& samples) {
   samples.count = 0;
   const auto most = hn::Set(d, static_cast<T>(most_colour_error));
   for (std::size_t begin = 0; begin < block_pixels; begin += hn::Lanes(d)) {
@@ -27,37 +36,41 @@ HWY_INLINE void find_doubtful(D d, const Rays& rays, int place, const SampleColo
     const auto doubtful = hn::Not(hn::Le(hn::Load(d, colours.doubt + begin), most));
     for (std::uint64_t bits = bits_of(d, doubtful); bits != 0; bits &= bits - 1) {
       const std::size_t at = begin + hwy::Num0BitsBelowLS1Bit_Nonzero64(bits);
-      if (rays.place_of(static_cast<int>(at)) != place) continue;
-      const SamplePoint point = rays.image_point(static_cast<int>(at));
+      const auto ray = static_cast<int>(at);
+      if (light_sets.differ && place_in_square<D>(ray) != quarter) continue;
+      const SamplePoint point = rays.image_point(ray);
       samples.x[samples.count] = point.x;
       samples.y[samples.count] = point.y;
-      samples.index[samples.count++] = static_cast<double>(at);
+      samples.index[samples.count++] = at;
     }
   }
 }
 
-/// The samples' colours, each in its place; `cover`, if there is one, gets 1 where one has met
-/// something, else 0. What is to be traced in double is compiled with the kernels that are, once.
+/// Sets the samples' colours, one after another, and of `cover`, if there is one, what stands at
+/// their indices: to 1 where one has met something, else to 0. What is to be traced in double is
+/// compiled with the kernels that are, once.
 void trace_in_double(const PacketScene<double>& scene, const DoubtfulSamples& samples,
-                     std::size_t light_set, std::size_t followed_light_set,
-                     SampleColours<double>& colours, float* cover);
+                     const LightSets<double>& light_sets, SampleColours<double>& colours,
+                     float* cover);
 
 /// Traces a block's doubtful samples again and replaces their colours.
 template <class D, class Rays>
 HWY_NOINLINE void trace_doubtful_again(D d, const PacketScene<double>& scene, const Rays& rays,
+                                       const LightSets<float>& light_sets,
                                        SampleColours<float>& colours, float* cover) {
   DoubtfulSamples samples;
   SampleColours<double> exact;
-  for (int place = 0; place < rays.place_count(); ++place) {
-    find_doubtful(d, rays, place, colours, samples);
+  for (int quarter = 0; quarter < (light_sets.differ ? 4 : 1); ++quarter) {
+    find_doubtful(d, rays, light_sets, quarter, colours, samples);
     if (samples.count == 0) continue;
-    const std::size_t own = rays.light_set_at(place).index;
-    trace_in_double(scene, samples, own, rays.light_set().index, exact, cover);
+    LightSets<double> of_quarter({light_sets.of_quarters[quarter].index, nullptr});
+    of_quarter.followed.index = light_sets.followed.index;
+    trace_in_double(scene, samples, of_quarter, exact, cover);
     for (std::size_t i = 0; i < samples.count; ++i) {
-      const auto at = static_cast<std::size_t>(samples.index[i]);
-      colours.red[at] = static_cast<float>(exact.red[at]);
-      colours.green[at] = static_cast<float>(exact.green[at]);
-      colours.blue[at] = static_cast<float>(exact.blue[at]);
+      const std::size_t at = samples.index[i];
+      colours.red[at] = static_cast<float>(exact.red[i]);
+      colours.green[at] = static_cast<float>(exact.green[i]);
+      colours.blue[at] = static_cast<float>(exact.blue[i]);
     }
   }
 }

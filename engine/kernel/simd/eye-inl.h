@@ -6,17 +6,37 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// What packets have hit, one after another.
+/// What packets have hit, one after another; nothing, with an id of -1, where a lane has no ray.
 template <typename T>
 struct Hits {
+  alignas(64) T pixel[block_pixels];  ///< its index in the block
   alignas(64) T direction_x[block_pixels], direction_y[block_pixels], direction_z[block_pixels];
   alignas(64) T t[block_pixels], id[block_pixels], u[block_pixels], v[block_pixels];
   alignas(64) T normal_x[block_pixels], normal_y[block_pixels], normal_z[block_pixels];
 
   static constexpr T (Hits::*const columns[])[block_pixels] = {
-      &Hits::direction_x, &Hits::direction_y, &Hits::direction_z, &Hits::t,        &Hits::id,
-      &Hits::u,           &Hits::v,           &Hits::normal_x,    &Hits::normal_y, &Hits::normal_z};
+      &Hits::pixel,    &Hits::direction_x, &Hits::direction_y, &Hits::direction_z,
+      &Hits::t,        &Hits::id,          &Hits::u,           &Hits::v,
+      &Hits::normal_x, &Hits::normal_y,    &Hits::normal_z};
 };
+
+/// Writes down what the active lanes of the packet from the at-th on have hit.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void store(D d, const V3<V>& direction, const Hit<V>& hit, V pixel, M active,
+                      bool has_own_normals, std::size_t at, Hits<T>& to) {
+  hn::Store(pixel, d, to.pixel + at);
+  hn::Store(direction.x, d, to.direction_x + at);
+  hn::Store(direction.y, d, to.direction_y + at);
+  hn::Store(direction.z, d, to.direction_z + at);
+  hn::Store(hit.t, d, to.t + at);
+  hn::Store(hn::IfThenElse(active, hit.id, hn::Set(d, T(-1))), d, to.id + at);
+  if (!has_own_normals) return;
+  hn::Store(hit.u, d, to.u + at);
+  hn::Store(hit.v, d, to.v + at);
+  hn::Store(hit.normal.x, d, to.normal_x + at);
+  hn::Store(hit.normal.y, d, to.normal_y + at);
+  hn::Store(hit.normal.z, d, to.normal_z + at);
+}
 
 /// Asks the memory for what occluded() will need of distant lights' grids for the points of
 /// `lanes`.
@@ -31,25 +51,23 @@ HWY_INLINE void prefetch_light_cells(D d, const PacketScene<T>& scene, const V3<
                     });
 }
 
-/// Asks the memory for what shading the i-th packet, if there is one, will need of light grids.
-template <class D, class Rays, typename T = hn::TFromD<D>>
+/// Asks the memory for what shading the packet from the at-th on will need of light grids.
+template <class D, typename T = hn::TFromD<D>>
 HWY_INLINE void fetch_for_shading(D d, const PacketScene<T>& scene, const Hits<T>& hits,
-                                  const Rays& rays, int i) {
-  if (i >= rays.count() || !rays.is_in(i)) return;
-  const std::size_t at = static_cast<std::size_t>(i) * PacketShape<D>::lanes;
-  const auto hit = hn::And(rays.active(d, i), hn::Ge(hn::Load(d, hits.id + at), hn::Zero(d)));
+                                  std::size_t at) {
+  const auto is_hit = hn::Ge(hn::Load(d, hits.id + at), hn::Zero(d));
+  if (hn::AllFalse(d, is_hit)) return;
   const auto direction =
       load(d, hits.direction_x + at, hits.direction_y + at, hits.direction_z + at);
-  prefetch_light_cells(d, scene, scale(direction, hn::Load(d, hits.t + at)), hit);
+  prefetch_light_cells(d, scene, scale(direction, hn::Load(d, hits.t + at)), is_hit);
 }
 
-/// The colours of what the packet of hits from the at-th on has hit, of the block's pixels `pixel`;
-/// the rays that follow are kept in `followed`. Lanes that have to be traced again are taken out of
-/// `active`, and are those of `again`.
+/// The colours of what the packet of hits from the at-th on has hit; the rays that follow are kept
+/// in `followed`. Lanes that have to be traced again are added to `again`.
 template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
-HWY_INLINE V3<V> shade_hit(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t at, V pixel,
-                           M active, const LightSet<T>& light_set, Followed& followed, M& again) {
+HWY_INLINE V3<V> shade_hit(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t at,
+                           const LightSet<T>& light_set, Followed& followed, M& again) {
   const PacketScene<T>& scene = eye.scene();
   const V none = hn::Set(d, T(-1));
   Hit<V> hit{hn::Load(d, hits.t + at), hn::Load(d, hits.id + at), none, none};
@@ -60,32 +78,32 @@ HWY_INLINE V3<V> shade_hit(D d, const EyeRays<D>& eye, const Hits<T>& hits, std:
   }
   const V3<V> direction =
       load(d, hits.direction_x + at, hits.direction_y + at, hits.direction_z + at);
+  M is_hit = hn::Ge(hit.id, hn::Zero(d));
   if constexpr (may_be_inexact<T>)
     if (scene.exact.scene) {
-      const M is_hit = hn::And(active, hn::Ge(hit.id, hn::Zero(d)));
       const M is_near = hn::Lt(hit.t, hn::Set(d, scene.exact.nearest));
       const V3<V> point = scale(direction, hn::IfThenElseZero(is_hit, hit.t));
       again = hn::And(is_hit, hn::Or(is_near, beyond_reach(d, scene.exact, point)));
-      active = hn::AndNot(again, active);
+      is_hit = hn::AndNot(again, is_hit);
     }
-  return eye.shade(d, direction, hit, active, pixel, light_set, followed);
+  return eye.shade(d, direction, hit, is_hit, hn::Load(d, hits.pixel + at), light_set, followed);
 }
 
-/// The colours of what packets have hit.
-template <class D, class Rays, class Followed, typename T = hn::TFromD<D>>
-HWY_INLINE void shade_packets(D d, const EyeRays<D>& eye, const Rays& rays, const Hits<T>& hits,
-                              bool fetches, Followed& followed, SampleColours<T>& colours) {
+/// The colours of what `count` packets have hit. If `fetches`, what shading a packet will need is
+/// fetched before its turn.
+template <class D, class Followed, typename T = hn::TFromD<D>>
+HWY_NOINLINE void shade_packets(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t count,
+                                const LightSets<T>& light_sets, bool fetches, Followed& followed,
+                                SampleColours<T>& colours) {
+  constexpr std::size_t lanes = hn::MaxLanes(d);
   const PacketScene<T>& scene = eye.scene();
-  if (fetches) fetch_for_shading(d, scene, hits, rays, 0);
-  for (int i = 0; i < rays.count(); ++i) {
-    if (fetches) fetch_for_shading(d, scene, hits, rays, i + 1);
-    if (!rays.is_in(i)) continue;
-    const std::size_t at = static_cast<std::size_t>(i) * PacketShape<D>::lanes;
-    const auto pixel = hn::Iota(d, static_cast<T>(at));
-    const auto active = rays.active(d, i);
-    auto again = hn::AndNot(active, active);
-    const auto colour =
-        shade_hit(d, eye, hits, at, pixel, active, rays.light_set(), followed, again);
+  if (fetches) fetch_for_shading(d, scene, hits, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = i * lanes;
+    if (fetches && i + 1 < count) fetch_for_shading(d, scene, hits, at + lanes);
+    auto again = hn::Lt(hn::Zero(d), hn::Zero(d));
+    const auto colour = shade_hit(d, eye, hits, at, light_sets.of_quarters[at / (block_pixels / 4)],
+                                  followed, again);
     if constexpr (may_be_inexact<T>)
       if (scene.exact.scene)
         hn::Store(hn::IfThenElseZero(again, hn::Set(d, T(1))), d, colours.doubt + at);
@@ -116,117 +134,94 @@ struct PixelsByLightSet {
   }
 };
 
-/// The same of a block, in packets of pixels that use one set of places on soft lights.
-template <class D, class Rays, class Followed, typename T = hn::TFromD<D>>
-HWY_NOINLINE void shade_by_light_sets(D d, const EyeRays<D>& eye, const Rays& rays,
-                                      const Hits<T>& hits, Followed& followed,
+/// As shade_packets() of a block, in packets of pixels that use one set of places on soft lights.
+template <class D, class Followed, typename T = hn::TFromD<D>>
+HWY_NOINLINE void shade_by_light_sets(D d, const EyeRays<D>& eye, const Hits<T>& hits,
+                                      const LightSets<T>& light_sets, Followed& followed,
                                       SampleColours<T>& colours) {
   using Shape = PacketShape<D>;
-  const PacketScene<T>& scene = eye.scene();
-  alignas(64) T is_active[block_pixels] = {};
-  for (int i = 0; i < rays.count(); ++i)
-    if (rays.is_in(i))
-      hn::Store(hn::IfThenElseZero(rays.active(d, i), hn::Set(d, T(1))), d,
-                is_active + static_cast<std::size_t>(i) * Shape::lanes);
+  std::size_t from[block_pixels];
   Hits<T> arranged;
-  alignas(64) T pixels[block_pixels];
-  alignas(64) T arranged_active[block_pixels];
   for (std::size_t to = 0; to < block_pixels; ++to) {
     const PixelsByLightSet<D> place(static_cast<int>(to));
-    const std::size_t from = Shape::index_of(place.x, place.y);
-    pixels[to] = static_cast<T>(from);
-    arranged_active[to] = is_active[from];
-    for (const auto& column : Hits<T>::columns) (arranged.*column)[to] = (hits.*column)[from];
+    from[to] = Shape::index_of(place.x, place.y);
+    for (const auto& column : Hits<T>::columns) (arranged.*column)[to] = (hits.*column)[from[to]];
   }
-  for (std::size_t at = 0; at < block_pixels; at += Shape::lanes) {
-    const auto active = hn::Gt(hn::Load(d, arranged_active + at), hn::Zero(d));
-    if (hn::AllFalse(d, active)) continue;
-    const PixelsByLightSet<D> place(static_cast<int>(at));
-    const LightSet<T> light_set = rays.light_set_at(place.y % 2 * 2 + place.x % 2);
-    auto again = hn::AndNot(active, active);
-    const auto colour = shade_hit(d, eye, arranged, at, hn::Load(d, pixels + at), active, light_set,
-                                  followed, again);
-    alignas(64) T values[4][Shape::lanes];
-    hn::Store(colour.x, d, values[0]);
-    hn::Store(colour.y, d, values[1]);
-    hn::Store(colour.z, d, values[2]);
-    hn::Store(hn::IfThenElseZero(again, hn::Set(d, T(1))), d, values[3]);
-    for (std::size_t lane = 0; lane < Shape::lanes; ++lane) {
-      const auto pixel = static_cast<std::size_t>(pixels[at + lane]);
-      colours.red[pixel] = values[0][lane];
-      colours.green[pixel] = values[1][lane];
-      colours.blue[pixel] = values[2][lane];
-      if constexpr (may_be_inexact<T>)
-        if (scene.exact.scene) colours.doubt[pixel] = values[3][lane];
-    }
+  SampleColours<T> arranged_colours;
+  shade_packets(d, eye, arranged, Shape::packets, light_sets, false, followed, arranged_colours);
+  const bool may_doubt = may_be_inexact<T> && eye.scene().exact.scene;
+  for (std::size_t at = 0; at < block_pixels; ++at) {
+    colours.red[from[at]] = arranged_colours.red[at];
+    colours.green[from[at]] = arranged_colours.green[at];
+    colours.blue[from[at]] = arranged_colours.blue[at];
+    if (may_doubt) colours.doubt[from[at]] = arranged_colours.doubt[at];
   }
 }
 
-/// The colours of what packets have hit; the rays that follow are kept in `followed`.
-template <class D, class Rays, class Followed, typename T = hn::TFromD<D>>
-HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Rays& rays, const Hits<T>& hits,
-                           bool fetches, Followed& followed, SampleColours<T>& colours) {
-  followed.light_set = rays.light_set();
-  if constexpr (Rays::are_of_block)
-    if (HWY_UNLIKELY(eye.scene().light_sets > 1))
-      return shade_by_light_sets(d, eye, rays, hits, followed, colours);
-  shade_packets(d, eye, rays, hits, fetches, followed, colours);
-}
-
-/// The same, and what the rays that follow see.
-template <class D, class Rays, class Followed, typename T = hn::TFromD<D>>
-HWY_NOINLINE void shade_and_follow(D d, const EyeRays<D>& eye, const Rays& rays,
-                                   const Hits<T>& hits, bool fetches, Followed& followed,
-                                   SampleColours<T>& colours) {
-  shade_hits(d, eye, rays, hits, fetches, followed, colours);
+/// The colours of what packets have hit, and of what the rays see that follow.
+template <class D, class Followed, typename T = hn::TFromD<D>>
+HWY_INLINE void shade_and_follow(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t count,
+                                 const LightSets<T>& light_sets, bool fetches, Followed& followed,
+                                 SampleColours<T>& colours) {
+  followed.light_set = light_sets.followed;
+  if (HWY_UNLIKELY(light_sets.differ))
+    shade_by_light_sets(d, eye, hits, light_sets, followed, colours);
+  else
+    shade_packets(d, eye, hits, count, light_sets, fetches, followed, colours);
   if (eye.scene().max_depth > 0) trace_followed(eye.scene(), followed, colours);
+}
+
+/// The same with the queue that the scene needs.
+template <class D, typename T = hn::TFromD<D>>
+HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t count,
+                           const LightSets<T>& light_sets, bool fetches, RayQueues<T>& queues,
+                           SampleColours<T>& colours) {
+  if (HWY_UNLIKELY(eye.scene().transmits))
+    shade_and_follow(d, eye, hits, count, light_sets, fetches, queues.branching, colours);
+  else
+    shade_and_follow(d, eye, hits, count, light_sets, fetches, queues.single, colours);
 }
 
 /// The colours that packets of rays from the eye see, not yet clamped; at most as many as a block
 /// has pixels. If `fetches`, what shading a packet will need is fetched before its turn. `rays` has
 /// count() packets, and for the i-th of them, if is_in(i), direction(d, i), the active(d, i) lanes,
-/// and the candidates(i) of what they go through; and image_point(k) of the k-th ray.
+/// and the candidates(i) of what they go through; image_point(k) of the k-th ray; and light_sets().
 ///
 /// All packets are intersected before any is shaded: chains of dependent operations stay short, and
 /// the processor overlaps several packets.
 ///
 /// `cover`, if there is one, gets 1 where a ray has met something, else 0.
 template <class D, class Rays, typename T = hn::TFromD<D>>
-HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool fetches,
-                              RayQueues<T>& queues, SampleColours<T>& colours, T* cover) {
+HWY_NOINLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool fetches,
+                                RayQueues<T>& queues, SampleColours<T>& colours, T* cover) {
   using V = hn::Vec<D>;
   constexpr int lanes = PacketShape<D>::lanes;
   const PacketScene<T>& scene = eye.scene();
+  const V none = hn::Set(d, T(-1));
   Hits<T> hits;
   for (int i = 0; i < rays.count(); ++i) {
-    if (!rays.is_in(i)) continue;
     const std::size_t at = static_cast<std::size_t>(i) * lanes;
+    if (!rays.is_in(i)) {
+      hn::Store(none, d, hits.id + at);
+      continue;
+    }
     const V3<V> direction = rays.direction(d, i);
+    const auto active = rays.active(d, i);
     auto&& candidates = rays.candidates(i);
-    const Hit<V> hit = eye.intersect(d, candidates, direction, rays.active(d, i));
-    hn::Store(direction.x, d, hits.direction_x + at);
-    hn::Store(direction.y, d, hits.direction_y + at);
-    hn::Store(direction.z, d, hits.direction_z + at);
-    hn::Store(hit.t, d, hits.t + at);
-    hn::Store(hit.id, d, hits.id + at);
+    const Hit<V> hit = eye.intersect(d, candidates, direction, active);
+    store(d, direction, hit, hn::Iota(d, static_cast<T>(at)), active, scene.has_own_normals, at,
+          hits);
     if (cover != nullptr)
       hn::Store(hn::IfThenElseZero(hn::Ge(hit.id, hn::Zero(d)), hn::Set(d, T(1))), d, cover + at);
-    if (!scene.has_own_normals) continue;
-    hn::Store(hit.u, d, hits.u + at);
-    hn::Store(hit.v, d, hits.v + at);
-    hn::Store(hit.normal.x, d, hits.normal_x + at);
-    hn::Store(hit.normal.y, d, hits.normal_y + at);
-    hn::Store(hit.normal.z, d, hits.normal_z + at);
   }
   const bool may_doubt = may_be_inexact<T> && scene.exact.scene;
   if (may_doubt) std::fill_n(colours.doubt, block_pixels, T(0));
-  if (HWY_UNLIKELY(scene.transmits))
-    shade_and_follow(d, eye, rays, hits, fetches, queues.branching, colours);
-  else
-    shade_and_follow(d, eye, rays, hits, fetches, queues.single, colours);
+  const LightSets<T> light_sets = rays.light_sets();
+  shade_hits(d, eye, hits, static_cast<std::size_t>(rays.count()), light_sets, fetches, queues,
+             colours);
   if constexpr (may_be_inexact<T>)
-    if (may_doubt && !rays.light_set().is_recorded())
-      trace_doubtful_again(d, *scene.exact.scene, rays, colours, cover);
+    if (may_doubt && !light_sets.followed.is_recorded())
+      trace_doubtful_again(d, *scene.exact.scene, rays, light_sets, colours, cover);
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

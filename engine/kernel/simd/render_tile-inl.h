@@ -70,22 +70,16 @@ class SamplePackets {
         light_set_(light_set) {}
 
   static constexpr int count() { return PacketShape<D>::packets; }
-  static constexpr bool are_of_block = true;
-  /// Of places on soft lights, for followed rays; pixels differ from it by their place in a square.
-  HWY_INLINE const LightSet<T>& light_set() const { return light_set_; }
-  /// The places in the pattern of light sets, 2 x 2 if there are several.
-  HWY_INLINE int place_count() const { return light_sets() > 1 ? 4 : 1; }
-  HWY_INLINE int place_of(int ray) const {
-    if (light_sets() == 1) return 0;
-    constexpr int lanes = PacketShape<D>::lanes;
-    constexpr int width = PacketShape<D>::width;
-    const PacketPlace<D> packet(ray / lanes);
-    return (packet.y + ray % lanes / width) % 2 * 2 + (packet.x + ray % lanes % width) % 2;
-  }
-  HWY_INLINE LightSet<T> light_set_at(int place) const {
+  /// Pixels differ from each other by their place in a square of 2 x 2, if there are several sets.
+  HWY_INLINE LightSets<T> light_sets() const {
+    LightSets<T> sets(light_set_);
+    const int count = rays_.eye.scene().light_sets;
+    sets.differ = count > 1;
     const int sample = static_cast<int>(light_set_.index);
-    return {static_cast<std::size_t>(light_set_of(place % 2, place / 2, sample, light_sets())),
-            light_set_.ledger};
+    for (int i = 0; i < 4; ++i)
+      sets.of_quarters[i].index =
+          static_cast<std::size_t>(light_set_of(i % 2, i / 2, sample, count));
+    return sets;
   }
   HWY_INLINE bool is_in(int i) const { return PacketPlace<D>(i).is_in(block_); }
   HWY_INLINE SubtileCandidates<T> candidates(int i) const {
@@ -101,8 +95,6 @@ class SamplePackets {
   }
 
  private:
-  HWY_INLINE int light_sets() const { return rays_.eye.scene().light_sets; }
-
   const BlockRays<D>& rays_;
   BlockCandidates<T>& candidates_;
   const Block& block_;

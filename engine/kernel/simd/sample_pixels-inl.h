@@ -38,12 +38,8 @@ class PixelPackets {
 
   HWY_INLINE int count() const { return static_cast<int>((samples_.count + lanes - 1) / lanes); }
   static constexpr bool is_in(int /*i*/) { return true; }
-  static constexpr bool are_of_block = false;
-  /// Of places on soft lights: a contract's are in one set.
-  static constexpr LightSet<T> light_set() { return {}; }
-  static constexpr int place_count() { return 1; }
-  static constexpr int place_of(int /*ray*/) { return 0; }
-  static constexpr LightSet<T> light_set_at(int /*place*/) { return {}; }
+  /// A contract's places on soft lights are in one set.
+  static LightSets<T> light_sets() { return LightSets<T>({}); }
   HWY_INLINE Candidates& candidates(int /*i*/) const { return candidates_; }
   HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
     return eye_.direction(d, x_, y_, hn::Load(d, samples_.right + first(i)),
