@@ -69,19 +69,32 @@ namespace {
 
 constexpr int strata_across = 16;
 
-/// The middles of cells of equal area in the unit disc: their radii and angles, by index.
+constexpr int place_count = strata_across * strata_across;
+
+/// The middle of a cell in the unit disc, and how high the unit sphere is above it.
 struct DiscPlace {
   Quad x;
   Quad y;
+  Quad height;
 };
-DiscPlace disc_place(int index) {
-  const int ring = index / strata_across;
-  const int sector = index % strata_across;
-  const double radius = std::sqrt((ring + 0.5) / strata_across);
-  const double angle = 2 * std::numbers::pi * (sector + 0.5) / strata_across;
-  return {radius * std::cos(angle), radius * std::sin(angle)};
+
+/// Those of cells of equal area.
+const std::array<DiscPlace, place_count>& disc_places() {
+  static const auto places = [] {
+    std::array<DiscPlace, place_count> made;
+    for (int i = 0; i < place_count; ++i) {
+      const int ring = i / strata_across;
+      const int sector = i % strata_across;
+      const double radius = std::sqrt((ring + 0.5) / strata_across);
+      const double angle = 2 * std::numbers::pi * (sector + 0.5) / strata_across;
+      const Quad x = radius * std::cos(angle);
+      const Quad y = radius * std::sin(angle);
+      made[static_cast<std::size_t>(i)] = {x, y, square_root(1 - x * x - y * y)};
+    }
+    return made;
+  }();
+  return places;
 }
-constexpr int place_count = strata_across * strata_across;
 
 /// Two unit vectors across a third.
 struct Across {
@@ -100,11 +113,11 @@ Quad Oracle::visible_share_of_disc(const OraclePlace& place, const QuadVec& cent
   if (radius == 0) return visible_share(place, unit(centre), is_near ? length(centre) : Quad(0));
   const Across across(unit(centre));
   Quad sum = 0;
-  for (int i = 0; i < place_count; ++i) {
-    const QuadVec path = centre + across.at(disc_place(i)) * radius;
-    const QuadVec towards = unit(path);
-    if (dot(place.normal, towards) > 0)
-      sum += visible_share(place, towards, is_near ? length(path) : Quad(0));
+  for (const DiscPlace& at : disc_places()) {
+    const QuadVec path = centre + across.at(at) * radius;
+    if (!(dot(place.normal, path) > 0)) continue;
+    const Quad distance = length(path);
+    sum += visible_share(place, path * (1 / distance), is_near ? distance : Quad(0));
   }
   return sum / place_count;
 }
@@ -113,10 +126,9 @@ Quad Oracle::visible_share_of_sky(const OraclePlace& place, Quad reach) const {
   const QuadVec& normal = place.shading_normal();
   const Across across(normal);
   Quad sum = 0;
-  for (int i = 0; i < place_count; ++i) {
-    const DiscPlace at = disc_place(i);
-    const QuadVec towards = across.at(at) + normal * square_root(1 - at.x * at.x - at.y * at.y);
-    if (dot(place.normal, towards) > 0) sum += visible_share(place, unit(towards), reach);
+  for (const DiscPlace& at : disc_places()) {
+    const QuadVec towards = across.at(at) + normal * at.height;
+    if (dot(place.normal, towards) > 0) sum += visible_share(place, towards, reach);
   }
   return sum / place_count;
 }

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "engine/engine.h"
 #include "tests/extremes/quad.h"
+#include "tests/extremes/rough_ray.h"
 
 namespace raytracer::extremes {
 
@@ -56,7 +59,11 @@ struct OraclePlace {
 class OracleSearch {
  public:
   OracleSearch(const Scene& scene, const OraclePlace& from, const QuadVec& direction)
-      : scene_(scene), from_(from), direction_(direction) {}
+      : scene_(scene),
+        from_(from),
+        direction_(direction),
+        least_t_(same * length(from.point)),
+        rough_(scene.camera.origin, from.point, direction) {}
 
   /// The nearest at t > 0; of kind none if nothing is met.
   OraclePlace nearest() {
@@ -72,7 +79,7 @@ class OracleSearch {
 
   /// Farther than what rounding makes of 0, and nearer than the best by more than it.
   bool counts(Quad t) const {
-    if (!(t > same * length(from_.point))) return false;
+    if (!(t > least_t_)) return false;
     return best_.kind == OraclePlace::Kind::none || t < best_.t * (1 - same);
   }
 
@@ -131,19 +138,30 @@ class OracleSearch {
     best_.is_inside = slope > 0;
   }
 
-  void show(const Sphere& s) { intersect_sphere(relative(s.center, eye()), s.radius, 0); }
+  void show(const Sphere& s) { show_sphere(s.center, s.radius, 0); }
 
   void show(const Spheres& s) {
-    for (std::size_t i = 0; i < s.centers.size(); ++i)
-      intersect_sphere(relative(s.centers[i], eye()), s.radius(i), i);
+    for (std::size_t i = 0; i < s.centers.size(); ++i) show_sphere(s.centers[i], s.radius(i), i);
+  }
+
+  void show_sphere(const Vec3& center, double radius, std::size_t part) {
+    if (!rough_.passes_by(center, radius)) intersect_sphere(relative(center, eye()), radius, part);
   }
 
   void show(const Plane& p) {
+    const bool has_met = best_.kind != OraclePlace::Kind::none;
+    if (leaves(0) || rough_.does_not_reach(p, has_met ? std::optional(best_.t) : std::nullopt))
+      return;
     intersect_plane(relative(p.point, eye()), unit(QuadVec(p.normal)), 0);
   }
 
   void show(const Mesh& m) {
     for (std::size_t i = 0; i < m.triangles.size(); ++i) {
+      const Vec3& first = m.vertices[m.triangles[i][0]];
+      const RoughVec second(first, m.vertices[m.triangles[i][1]]);
+      const RoughVec third(first, m.vertices[m.triangles[i][2]]);
+      if (rough_.passes_by(first, std::sqrt(std::max(dot(second, second), dot(third, third)))))
+        continue;
       std::array<QuadVec, 3> corners;
       for (std::size_t k = 0; k < 3; ++k)
         corners[k] = relative(m.vertices[m.triangles[i][k]], eye());
@@ -204,6 +222,10 @@ class OracleSearch {
   /// Side and caps, each root on its own; what leaves the outside does not meet it again.
   void intersect_cone(const Cone& cone, std::size_t part) {
     if (leaves(part) && from_.kind != OraclePlace::Kind::sphere_inside) return;
+    const RoughVec from_end_to_end(cone.from, cone.to);
+    const double widest = std::max(cone.radius_from, cone.radius_to);
+    if (rough_.passes_by(cone.from, std::sqrt(dot(from_end_to_end, from_end_to_end)) + widest))
+      return;
     const QuadVec along = QuadVec(cone.to) - QuadVec(cone.from);
     const Quad size = length(along);
     const QuadVec axis = unit(along);
@@ -321,6 +343,8 @@ class OracleSearch {
   const Scene& scene_;
   const OraclePlace& from_;
   const QuadVec direction_;
+  const Quad least_t_;  ///< what rounding makes of 0
+  const RoughRay rough_;
   std::size_t object_ = 0;
   OraclePlace best_;
   std::size_t best_count_ = 0;  ///< how often it has changed
