@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 
 #include "tests/cli/client.h"
 #include "tests/golden/picture.h"
@@ -154,7 +155,8 @@ TEST_F(Open, scene_is_kept_where_the_page_finds_it) {
 TEST_F(Open, private_server_stays_until_it_is_interrupted) {
   Process process(client_command({"open", "demo"}));
   ASSERT_TRUE(eventually([&] { return process.out().ends_with("\n"); })) << process.err();
-  EXPECT_FALSE(process.wait(std::chrono::milliseconds(100)));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_FALSE(process.wait(std::chrono::milliseconds(0)));
   process.signal(SIGINT);
   EXPECT_EQ(process.wait(std::chrono::milliseconds(5000)), 130);
 }
