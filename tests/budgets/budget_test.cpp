@@ -7,7 +7,6 @@
 #include <fstream>
 #include <limits>
 
-#include "tests/process/patience.h"
 #include "tests/support/scene_plan.h"
 #include "tests/support/scenes.h"
 
@@ -41,8 +40,7 @@ TEST(Budget, covers_the_estimate_of_errors_as_they_are_shown) {
     ++held;
     for (const double budget_ms : {20.0, 50.0}) {
       overrides.budget_ms = budget_ms;
-      // A slow machine takes as much longer over the least that can be traced.
-      const double allowed_ms = (1.05 * budget_ms + 2) * slowness();
+      const double allowed_ms = 1.05 * budget_ms + 2;
       EXPECT_LE(least_trace_ms(scene_of(text, overrides), allowed_ms), allowed_ms)
           << entry.path().stem() << " in " << budget_ms << " ms";
     }

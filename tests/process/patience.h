@@ -7,16 +7,13 @@
 
 namespace raytracer::test {
 
-/// How many times as long as on an ordinary, quiet machine in an optimised build things take, at
-/// least 1: by how the build is, and by what some arithmetic in new memory takes here, measured
-/// once.
-double slowness();
+/// True in builds whose speed says something: optimised, without sanitizers.
+inline constexpr bool speed_counts = RAYTRACER_TEST_SLOWNESS == 1;
 
-/// Whether the time that something takes says something about it.
-bool speed_counts();
-
-/// `limit` on an ordinary machine; more on slower ones, and in slower builds.
-std::chrono::milliseconds patience(std::chrono::milliseconds limit);
+/// `limit` for an optimised build; more for slower ones.
+constexpr std::chrono::milliseconds patience(std::chrono::milliseconds limit) {
+  return limit * RAYTRACER_TEST_SLOWNESS;
+}
 
 /// Asks again and again until `holds()` is true; false if it is not within patience(limit).
 template <typename Predicate>

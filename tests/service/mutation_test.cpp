@@ -242,7 +242,7 @@ TEST(Mutation, requests_are_answered_and_harm_nobody) {
   EXPECT_GT(counts[422], answered / 20) << "mutations do not reach the scenes";
   EXPECT_EQ(post(server, "/render", small_scene, {{"Cache-Control", "no-cache"}}).body, picture);
   const std::optional<ProcessFigures> figures = figures_of(server.id());
-  if (figures && speed_counts()) {
+  if (figures && speed_counts) {
     EXPECT_LT(figures->peak_kb, 600 << 10);
     line += fmt::format("; peak {} kB", figures->peak_kb);
   }
