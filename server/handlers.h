@@ -30,7 +30,7 @@ void get_version(Services& services, Call& call);
 void get_scene_schema(Services& services, Call& call);
 void get_openapi(Services& services, Call& call);
 
-/// One of the page's files.
+/// One of the page's files, or 304 if the client has it.
 void get_file(const EmbeddedFile& file, Call& call);
 
 }  // namespace raytracer

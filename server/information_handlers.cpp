@@ -4,7 +4,9 @@
 
 #include "engine/engine.h"
 #include "server/answer.h"
+#include "server/etag.h"
 #include "server/handlers.h"
+#include "server/request_text.h"
 
 namespace raytracer {
 
@@ -44,8 +46,15 @@ void get_scene_schema(Services&, Call& call) {
 }
 
 void get_file(const EmbeddedFile& file, Call& call) {
-  answer_bytes(call.response, std::string(file.bytes), media_type_of(file.path));
+  const std::string tag = '"' + sha256_hex(file.bytes) + '"';
+  // Weak: the bytes that are sent depend on what the client can decompress.
+  call.response.set_header("ETag", "W/" + tag);
+  // May be stored, but is to be asked for again: another version has other files.
   call.response.set_header("Cache-Control", "no-cache");
+  if (matches_tag(header_list(call.request, "If-None-Match"), tag))
+    call.response.status = 304;
+  else
+    answer_bytes(call.response, std::string(file.bytes), media_type_of(file.path));
 }
 
 }  // namespace raytracer

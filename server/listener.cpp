@@ -148,8 +148,8 @@ void Listener::set_handlers() {
     // What a handler says nothing about is true for a moment.
     if (!response.has_header("Cache-Control")) response.set_header("Cache-Control", "no-store");
     // Texts are compressed for those who accept it; images, which are not, vary by Accept.
-    if (response.status == 200 && !response.has_header("Vary"))
-      response.set_header("Vary", "Accept-Encoding");
+    const bool is_of_body = response.status == 200 || response.status == 304;
+    if (is_of_body && !response.has_header("Vary")) response.set_header("Vary", "Accept-Encoding");
     add_cross_origin_fields(request, response, config_.allowed_origins);
   });
   server_.set_logger(

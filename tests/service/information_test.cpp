@@ -126,6 +126,23 @@ TEST_F(Information, files_of_the_page_have_their_types) {
   }
 }
 
+TEST_F(Information, files_of_the_page_are_sent_once) {
+  std::set<std::string> tags;
+  for (const char* const path : {"/", "/main.js", "/style.css"}) {
+    const Answer first = get(path);
+    const std::string tag = first.get_header_value("ETag");
+    tags.insert(tag);
+    EXPECT_EQ(first.get_header_value("Cache-Control"), "no-cache");
+    const Answer again = get(path, {{"If-None-Match", tag}});
+    EXPECT_EQ(again.status, 304) << path;
+    EXPECT_EQ(again.body, "");
+    for (const char* const field : {"ETag", "Cache-Control", "Vary"})
+      EXPECT_EQ(again.get_header_value(field), first.get_header_value(field)) << field;
+    EXPECT_EQ(get(path, {{"If-None-Match", "\"other\""}}).body, first.body);
+  }
+  EXPECT_EQ(tags.size(), 3U);
+}
+
 TEST_F(Information, head_is_get_without_a_body) {
   for (const char* const path : {"/", "/healthz", "/scenes", "/version"}) {
     const Answer head = request("HEAD", path);

@@ -204,6 +204,7 @@ TEST_F(OpenApi, answers_are_as_written) {
   for (const char* const path : {"/scenes", "/healthz", "/readyz", "/metrics", "/version",
                                  "/schema/scene.json", "/openapi.json", "/"})
     expect_documented(get(path), "get", path);
+  expect_documented(get("/", {{"If-None-Match", get("/").get_header_value("ETag")}}), "get", "/");
   expect_documented(get("/scenes/demo"), "get", "/scenes/{name}");
 
   const Answer kept = post("/scenes", small_scene);
