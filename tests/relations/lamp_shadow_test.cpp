@@ -1,6 +1,8 @@
 // Shadows where what is lit, what stands before the light, or a point light is far.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <random>
 #include <utility>
 #include <vector>
@@ -127,8 +129,7 @@ TEST(DistantShadow, of_a_mesh_is_no_wider_for_its_height) {
 /// may take from it: 2.5 epsilons. A pixel is half of one wide here, and the light slanting.
 TEST(LampShadow, of_a_triangle_is_hardly_wider_than_it_is) {
   constexpr double eye = 1000;
-  const json sheet =
-      mesh_json({{-500, -300, 500}, {-500, 300, 500}, {-800, 0, 500}}, {{0, 1, 2}});
+  const json sheet = mesh_json({{-500, -300, 500}, {-500, 300, 500}, {-800, 0, 500}}, {{0, 1, 2}});
   const json text =
       document(camera_json(64, 16, 64 * 0x1p-24, {0, 0, eye}, {0, 0, 0}),
                {plane_json({0, 0, 0}, {0, 0, 1}), sheet}, {point_json({-eye, 0, eye}, 2e8)});
@@ -137,6 +138,37 @@ TEST(LampShadow, of_a_triangle_is_hardly_wider_than_it_is) {
   const int lit = count_lit(image_of(in_precision(text, "single")));
   EXPECT_LE(lit, exact);
   EXPECT_GE(lit, exact - 9 * 16);
+}
+
+/// Places at a lamp's distance are 1e-4 apart here, and a pixel is 1e-5 wide: a side belongs to
+/// both of its triangles all the same, and a corner to all.
+TEST(LampShadow, of_a_far_lamp_has_no_holes_where_triangles_meet) {
+  constexpr double far = 1e12;
+  const Vec3 along{std::sqrt(0.5), std::sqrt(0.5), 0};
+  const Vec3 aside{std::sqrt(0.5), -std::sqrt(0.5), 0};
+  const Vec3 up{0, 0, 1};
+  std::mt19937 random(5);  // the same numbers everywhere
+  const auto near = [&](double middle) {
+    return middle + 0.2 * (static_cast<double>(random()) / 4294967295.0 - 0.5);
+  };
+  for (int fan = 0; fan < 8; ++fan) {
+    const Vec3 middle{near(0), near(0), near(0)};
+    std::vector<Vec3> corners{middle};
+    for (const Vec3& corner : {aside, -0.5 * aside + 0.8 * up, -0.5 * aside - 0.8 * up})
+      corners.push_back(near(1) * corner + near(0) * along);
+    const Vec3 seen = middle - 10 * along;
+    const auto scene_with = [&](std::vector<std::array<int, 3>> triangles) {
+      return document(camera_json(64, 64, 64e-5 / 5, seen + 3 * along + 4 * up, seen),
+                      {plane_json(seen, along), mesh_json(corners, std::move(triangles))},
+                      {point_json(far * along, 12 * far * far)});
+    };
+    EXPECT_GT(count_lit(image_of(scene_with({{0, 1, 2}, {0, 2, 3}}))), 500);
+    for (const char* precision : {"single", "double"})
+      EXPECT_EQ(count_lit(image_of(
+                    in_precision(scene_with({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}), precision))),
+                0)
+          << precision << ", fan " << fan;
+  }
 }
 
 /// A lamp in a tilted plane that passes near the eye lights what is before it.

@@ -21,14 +21,16 @@ struct EdgeLine {
   double offset;
 };
 
-/// The line from p to q. Of q and p it is the opposite to the bit, so that nothing lies outside of
-/// both triangles that share it.
+/// The line from p to q, through the middle between them. Of q and p it is the opposite to the bit,
+/// so that nothing lies outside of both triangles that share it.
 EdgeLine edge_line(const Point& p, const Point& q) {
   const double u = q.u - p.u;
   const double v = q.v - p.v;
   const double size = std::sqrt(u * u + v * v);
   const double scale = size > 0 ? 1 / size : 0;
-  return {-v * scale, u * scale, (p.u * q.v - p.v * q.u) * scale};
+  const EdgeLine slopes{-v * scale, u * scale, 0};
+  return {slopes.u_slope, slopes.v_slope,
+          -0.5 * (slopes.u_slope * (p.u + q.u) + slopes.v_slope * (p.v + q.v))};
 }
 
 /// Of a triangle that the light sees as a line or a point everything is outside.
@@ -80,14 +82,14 @@ TriangleShadow<T> shadow_of(const Vec3& light, const PackedTriangle& t) {
   const double height = dot(t.normal, seen.vertices[0]);
   const Vec3 away = height < 0 ? -t.normal : t.normal;
   if (!(std::abs(height) > noise * length(seen.vertices[0]))) return none;
-  // By the sides themselves: corners that are far away differ by little.
-  const auto& [a, b, c] = seen.vertices;
-  const double sign = dot(cross(b - a, c - a), a) < 0 ? -1 : 1;
+  // By the sides themselves, which the light's distance rounds nothing off.
+  const auto& [a, b, c] = t.vertices;
+  const double sign = dot(cross(b - a, c - a), seen.vertices[0]) < 0 ? -1 : 1;
   TriangleShadow<T> shadow;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
     const Vec3 across =
-        cross(seen.vertices[i] + seen.vertices[next], seen.vertices[next] - seen.vertices[i]);
+        cross(seen.vertices[i] + seen.vertices[next], t.vertices[next] - t.vertices[i]);
     if (!(length(across) > 0)) return none;
     const Vec3 normal = sign * unit(across);
     shadow.normals[i] = narrowed<T>(normal);
@@ -98,14 +100,16 @@ TriangleShadow<T> shadow_of(const Vec3& light, const PackedTriangle& t) {
   return shadow;
 }
 
-/// In double up to the last step: corners near each other as seen from the eye give a side's plane
-/// all its digits.
+/// In double up to the last step, and by the sides themselves: corners near each other as seen from
+/// the eye give a side's plane all its digits.
 template <typename T>
 TriangleCone<T> eye_cone(const PackedTriangle& triangle) {
   const auto& [a, b, c] = triangle.vertices;
-  const double sign = dot(cross(a, b), c) < 0 ? -1 : 1;
-  return {narrowed<T>(sign * unit(cross(a, b))), narrowed<T>(sign * unit(cross(b, c))),
-          narrowed<T>(sign * unit(cross(c, a)))};
+  const double sign = dot(cross(b - a, c - a), a) < 0 ? -1 : 1;
+  const auto plane = [sign](const Vec3& from, const Vec3& to) {
+    return narrowed<T>(sign * unit(cross(from + to, to - from)));
+  };
+  return {plane(a, b), plane(b, c), plane(c, a)};
 }
 
 }  // namespace
