@@ -57,6 +57,24 @@ struct PacketPlace {
   }
 };
 
+/// The pixel of a block that a ray goes through, counted as PacketShape::index_of() does.
+template <class D>
+struct PixelPlace {
+  int x;
+  int y;
+
+  explicit PixelPlace(int ray) {
+    constexpr int lanes = PacketShape<D>::lanes;
+    constexpr int width = PacketShape<D>::width;
+    const PacketPlace<D> packet(ray / lanes);
+    x = packet.x + ray % lanes % width;
+    y = packet.y + ray % lanes / width;
+  }
+
+  /// Its place in a square of 2 x 2, row by row.
+  int quarter() const { return y % 2 * 2 + x % 2; }
+};
+
 /// The lanes' pixels relative to their packet's.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 struct LaneOffsets {

@@ -1,8 +1,6 @@
 // Samples that a scene's precision does not carry: those whose paths magnify what it rounds off are
 // traced again in double, from the eye on.
 
-#include <algorithm>
-
 #include "engine/kernel/sample_point.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -16,15 +14,6 @@ struct DoubtfulSamples {
   std::size_t index[block_pixels];
 };
 
-/// The place of a packet's pixel in a square of 2 x 2 of its block.
-template <class D>
-constexpr int place_in_square(int ray) {
-  constexpr int lanes = PacketShape<D>::lanes;
-  constexpr int width = PacketShape<D>::width;
-  const PacketPlace<D> packet(ray / lanes);
-  return (packet.y + ray % lanes / width) % 2 * 2 + (packet.x + ray % lanes % width) % 2;
-}
-
 /// Those that use the light sets' `quarter`.
 template <class D, class Rays, typename T = hn::TFromD<D>>
 HWY_INLINE void find_doubtful(D d, const Rays& rays, const LightSets<T>& light_sets, int quarter,
@@ -37,7 +26,7 @@ HWY_INLINE void find_doubtful(D d, const Rays& rays, const LightSets<T>& light_s
     for (std::uint64_t bits = bits_of(d, doubtful); bits != 0; bits &= bits - 1) {
       const std::size_t at = begin + hwy::Num0BitsBelowLS1Bit_Nonzero64(bits);
       const auto ray = static_cast<int>(at);
-      if (light_sets.differ && place_in_square<D>(ray) != quarter) continue;
+      if (light_sets.differ && PixelPlace<D>(ray).quarter() != quarter) continue;
       const SamplePoint point = rays.image_point(ray);
       samples.x[samples.count] = point.x;
       samples.y[samples.count] = point.y;

@@ -1,7 +1,6 @@
 // What packets of rays from the eye see.
 
 #include <algorithm>
-#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -63,7 +62,7 @@ HWY_INLINE void fetch_for_shading(D d, const PacketScene<T>& scene, const Hits<T
 }
 
 /// The colours of what the packet of hits from the at-th on has hit; the rays that follow are kept
-/// in `followed`. Lanes that have to be traced again are added to `again`.
+/// in `followed`. `again`, none before, is then the lanes that have to be traced again.
 template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> shade_hit(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t at,
@@ -89,8 +88,8 @@ HWY_INLINE V3<V> shade_hit(D d, const EyeRays<D>& eye, const Hits<T>& hits, std:
   return eye.shade(d, direction, hit, is_hit, hn::Load(d, hits.pixel + at), light_set, followed);
 }
 
-/// The colours of what `count` packets have hit. If `fetches`, what shading a packet will need is
-/// fetched before its turn.
+/// The colours of what `count` packets have hit, quarter by quarter if their light sets differ. If
+/// `fetches`, what shading a packet will need is fetched before its turn.
 template <class D, class Followed, typename T = hn::TFromD<D>>
 HWY_NOINLINE void shade_packets(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t count,
                                 const LightSets<T>& light_sets, bool fetches, Followed& followed,
@@ -158,7 +157,8 @@ HWY_NOINLINE void shade_by_light_sets(D d, const EyeRays<D>& eye, const Hits<T>&
   }
 }
 
-/// The colours of what packets have hit, and of what the rays see that follow.
+/// The colours of what packets have hit, and of what the rays see that follow. If light sets
+/// differ, the packets are those of a block, and nothing is fetched.
 template <class D, class Followed, typename T = hn::TFromD<D>>
 HWY_INLINE void shade_and_follow(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t count,
                                  const LightSets<T>& light_sets, bool fetches, Followed& followed,

@@ -30,14 +30,11 @@ class BlockRays {
                          height_ - 1 - block_.y_begin - place.y + sample.y, right, down);
   }
 
-  /// As direction()'s, of one lane: from the image's lower left corner, in pixels.
-  HWY_INLINE SamplePoint image_point(const PacketPlace<D>& place, int lane,
-                                     const SamplePoint& sample) const {
-    const int x = place.x + lane % PacketShape<D>::width;
-    const int y = place.y + lane / PacketShape<D>::width;
-    const SamplePoint moved = jitter_of(x, y);
-    return {block_.x_begin + x + sample.x + away_from_middle(sample.x, jitter_) * moved.x,
-            height_ - 1 - block_.y_begin - y + sample.y +
+  /// As direction()'s, of one pixel: from the image's lower left corner, in pixels.
+  HWY_INLINE SamplePoint image_point(const PixelPlace<D>& pixel, const SamplePoint& sample) const {
+    const SamplePoint moved = jitter_of(pixel.x, pixel.y);
+    return {block_.x_begin + pixel.x + sample.x + away_from_middle(sample.x, jitter_) * moved.x,
+            height_ - 1 - block_.y_begin - pixel.y + sample.y +
                 away_from_middle(sample.y, jitter_) * moved.y};
   }
 
@@ -90,8 +87,7 @@ class SamplePackets {
   }
   HWY_INLINE hn::Mask<D> active(D d, int i) const { return rays_.active(d, PacketPlace<D>(i)); }
   HWY_INLINE SamplePoint image_point(int ray) const {
-    constexpr int lanes = PacketShape<D>::lanes;
-    return rays_.image_point(PacketPlace<D>(ray / lanes), ray % lanes, sample_);
+    return rays_.image_point(PixelPlace<D>(ray), sample_);
   }
 
  private:
