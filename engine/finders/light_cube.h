@@ -268,7 +268,9 @@ template <typename T, typename Primitive>
 PlannedCube<T> plan_light_cube(const Vec3& light, std::span<const Primitive> primitives,
                                double reach, const CellWidths& widths, WorkerPool& pool) {
   constexpr double turn = PlannedCube<T>::turn;
-  PlannedCube<T> planned{{}, light, turn * reach, {}, {}, {}, {}};
+  // Boxes are taken relative to the light, from whose distance double keeps so much of a place.
+  const double rounded = 32 * std::numeric_limits<double>::epsilon() * length(light);
+  PlannedCube<T> planned{{}, light, turn * reach + rounded, {}, {}, {}, {}};
   planned.faces.resize(primitives.size());
   std::array<light_cube::Seen, 16> parts;
   const std::size_t part_count = primitives.size() < few_items ? 1 : parts.size();

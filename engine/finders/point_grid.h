@@ -89,8 +89,9 @@ template <typename T, typename Primitive>
 PointLists<T> build_point_lists(const Vec3& light, std::span<const Primitive> primitives,
                                 double reach, WorkerPool& pool) {
   using Entry = ListedCaster<T>;
+  // Of six faces, so that single counts all their cells: less than 2^24.
   constexpr CellWidths widths{
-      .per_primitive = 0.7, .of_area = 0.4, .of_side = 0.2, .most_across = 2048};
+      .per_primitive = 0.7, .of_area = 0.4, .of_side = 0.2, .most_across = 1600};
   const auto planned = plan_light_cube<T>(light, primitives, reach, widths, pool);
   const auto place = [&](std::size_t item) {
     return point_grid::place<Entry>(
