@@ -72,12 +72,14 @@ class FilmProgress {
 void shoot(Api& api, const NextRequest& next, Film& film, FilmProgress& progress) {
   constexpr std::size_t most_under_way = 8;  // a private server renders four at a time
   const std::string media_type = film.media_type();
+  int added = 0;
   std::deque<std::pair<int, OwnedJob>> under_way;
   const auto take_oldest = [&] {
     auto& [frame, job] = under_way.front();
     const int number = frame;
     job.wait("rendering", [&](const Job& now) { progress.show(number, now.progress); });
     film.add(number, api.job_image(job.id(), media_type).bytes);
+    ++added;
     under_way.pop_front();
   };
   const auto start = [&](int frame, const FrameRequest& request) {
@@ -110,7 +112,9 @@ void shoot(Api& api, const NextRequest& next, Film& film, FilmProgress& progress
     start(frame, *request);
   }
   while (!under_way.empty()) take_oldest();
-  if (end) std::rethrow_exception(end);
+  if (!end) return;
+  if (added > 0) fmt::print(stderr, "{}\n", film.finish());
+  std::rethrow_exception(end);
 }
 
 /// With the server that keeps the scene.
@@ -179,9 +183,9 @@ void add_animate(CLI::App& app, const ServerChoice& server) {
       ->excludes(turntable);
   command
       .add_option("-o,--output", arguments->target.output,
-                  "FRAMES-%04d.png, MOTION.apng, or - with --format y4m")
-      ->option_text("FILE")
-      ->required();
+                  fmt::format("FRAMES-%04d.png, MOTION.apng, or - for raw video [{}]",
+                              FilmTarget::numbered_files))
+      ->option_text("FILE");
   command
       .add_option_function<std::string>(
           "--format", [arguments](const std::string&) { arguments->target.is_y4m = true; },

@@ -111,6 +111,7 @@ struct Api::Connection {
     const std::string detail = text_of(json::parse(result->body, nullptr, false), "detail");
     if (result->status == 401)
       throw InputError(fmt::format("{}: {}: give --token or RAYTRACER_TOKEN", server, detail));
+    if (result->status == 406) throw InputError("--output: " + detail);
     if (result->has_header("Retry-After"))
       throw ServerBusy(fmt::format("{}: {}; try again in {} s", server, detail,
                                    result->get_header_value("Retry-After")));

@@ -15,7 +15,7 @@
 namespace raytracer::client {
 namespace {
 
-constexpr const char* forms = "write FRAMES-%04d.png, MOTION.apng, or - with --format y4m";
+constexpr const char* forms = "write FRAMES-%04d.png, MOTION.apng, or - for raw video";
 
 /// "FRAMES-%04d.png", of which %d or %04d is the frame's number.
 class NumberedFiles : public Film {
@@ -116,19 +116,21 @@ class Y4mStream : public Film {
 }  // namespace
 
 std::unique_ptr<Film> open_film(const FilmTarget& target) {
-  if (target.is_y4m != (target.output == "-"))
-    throw InputError(fmt::format("--output: '{}' and {} do not go together: {}", target.output,
-                                 target.is_y4m ? "--format y4m" : "no --format", forms));
+  const std::string output = !target.output.empty() ? target.output
+                             : target.is_y4m        ? "-"
+                                                    : FilmTarget::numbered_files;
+  if (target.is_y4m && output != "-")
+    throw InputError(fmt::format("--format y4m is for a pipe: -o -, not -o {}", output));
   static const std::regex numbered("([^%]*)%(?:0([1-9]))?d([^%]*)");
   std::smatch pattern;
-  const bool is_numbered = std::regex_match(target.output, pattern, numbered);
+  const bool is_numbered = std::regex_match(output, pattern, numbered);
   if (target.resumes && !is_numbered)
     throw InputError("--resume goes with numbered frames: -o FRAMES-%04d.png");
-  if (target.is_y4m) return std::make_unique<Y4mStream>(target.rate);
+  if (output == "-") return std::make_unique<Y4mStream>(target.rate);
   if (is_numbered) return std::make_unique<NumberedFiles>(pattern, target.resumes);
-  if (OutputFile{target.output}.ending() == ".apng")
-    return std::make_unique<AnimatedPng>(target.output, target.rate);
-  throw InputError(fmt::format("--output: '{}' names no frames: {}", target.output, forms));
+  if (OutputFile{output}.ending() == ".apng")
+    return std::make_unique<AnimatedPng>(output, target.rate);
+  throw InputError(fmt::format("--output: '{}' names no frames: {}", output, forms));
 }
 
 }  // namespace raytracer::client

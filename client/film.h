@@ -11,7 +11,11 @@ namespace raytracer::client {
 
 /// What -o and --format say.
 struct FilmTarget {
-  std::string output;  ///< "FRAMES-%04d.png", "MOTION.apng" or "-"
+  static constexpr const char* numbered_files = "frame-%04d.png";
+
+  /// "FRAMES-%04d.png", "MOTION.apng", or "-" for raw video; if empty that if `is_y4m`, else
+  /// numbered_files.
+  std::string output;
   bool is_y4m = false;
   FrameRate rate;
   bool resumes = false;

@@ -89,8 +89,9 @@ TEST_F(Animate, animated_png_has_all_frames_and_plays_for_ever) {
 
 TEST_F(Animate, raw_video_is_a_header_and_planes) {
   const std::string file = folder_.write("atoms.xyz", three_frames);
-  const Outcome outcome = animate({file, "--frames", "all", "-o", "-", "--format", "y4m"});
+  const Outcome outcome = animate({file, "--frames", "all", "-o", "-"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(animate({file, "--frames", "all", "--format", "y4m"}).out, outcome.out);
   const std::string header = "YUV4MPEG2 W20 H10 F25:1 Ip A1:1 C420jpeg\n";
   ASSERT_TRUE(outcome.out.starts_with(header));
   const std::size_t frame = std::string("FRAME\n").size() + 200 + 50 + 50;
@@ -115,6 +116,23 @@ TEST_F(Animate, what_is_there_is_not_rendered_again) {
   EXPECT_EQ(read_file(folder_ / "f-2.png"), "kept");
 }
 
+TEST_F(Animate, without_a_name_frames_are_numbered_where_one_is) {
+  const std::string file = folder_.write("atoms.xyz", three_frames);
+  Command command = client_command(
+      {"animate", file, "--frames", "all", "--width", "20", "--height", "10", "--samples", "1"});
+  command.directory = folder_.path();
+  EXPECT_EQ(run(command).status, 0);
+  for (const char* const name : {"frame-0000.png", "frame-0002.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
+}
+
+TEST_F(Animate, frames_before_an_error_are_a_film) {
+  const std::string file = folder_.write("atoms.xyz", "1\n\nC 0 0 0\n1\n\nC 0 zero 0\n");
+  const std::string target = folder_ / "m.apng";
+  expect_input_error(animate({file, "--frames", "all", "-o", target}), file + ":6: 'zero' stands");
+  EXPECT_EQ(count(read_file(target), "fcTL"), 1);
+}
+
 TEST_F(Animate, error_of_a_later_frame_is_said_after_the_earlier_ones) {
   const std::string file = folder_.write("atoms.xyz", "1\n\nC 0 0 0\n1\n\nC 0 zero 0\n");
   const Outcome outcome = animate({file, "--frames", "all", "-o", folder_ / "f-%d.png"});
@@ -126,9 +144,8 @@ TEST_F(Animate, arguments_that_do_not_go_together_are_refused) {
   const std::string file = folder_.write("atoms.xyz", three_frames);
   expect_input_error(animate({file, "-o", "a.apng"}), "Give --turntable N or --frames all");
   expect_input_error(animate({file, "--turntable", "3", "-o", "a.png"}), "names no frames");
-  expect_input_error(animate({file, "--turntable", "3", "-o", "-"}), "--format y4m");
   expect_input_error(animate({file, "--turntable", "3", "-o", "a.apng", "--format", "y4m"}),
-                     "--output");
+                     "--format y4m is for a pipe");
   expect_input_error(animate({file, "--turntable", "3", "-o", "a-%d.jpg"}), ".png, .ppm or .pfm");
   expect_input_error(animate({file, "--turntable", "3", "-o", "a.apng", "--resume"}), "--resume");
   expect_input_error(animate({file, "--turntable", "3", "-o", "nowhere/a.apng"}), "nowhere");

@@ -47,7 +47,7 @@ TEST_F(Delivery, transparent_background_is_in_a_png_and_no_other_file) {
   EXPECT_EQ(decode_covered_png(read_file(folder_ / "image.png")).rgba[3], 0);
   for (const char* const name : {"image.ppm", "image.pfm"}) {
     const Outcome refused = render(name);
-    EXPECT_NE(refused.status, 0);
+    EXPECT_EQ(refused.status, 1);
     EXPECT_NE(refused.err.find("transparent background"), std::string::npos) << refused.err;
     EXPECT_NE(refused.err.find("image/png"), std::string::npos) << refused.err;
     EXPECT_FALSE(fs::exists(folder_ / name));
