@@ -1,8 +1,11 @@
 // Meshes and clouds of points, as assimp reads them.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <string>
+#include <thread>
 
 #include "client/failure.h"
 #include "client/formats/meshes/own_process.h"
@@ -93,6 +96,17 @@ TEST(OwnProcess, what_it_throws_or_suffers_is_an_error) {
   };
   EXPECT_EQ(message([]() -> std::string { throw client::InputError("wrong"); }), "wrong");
   EXPECT_EQ(message([]() -> std::string { std::abort(); }), "is damaged: its reader broke off");
+  EXPECT_NE(message([]() -> std::string {
+              std::raise(SIGKILL);
+              return "";
+            }).find("the system ended its reader"),
+            std::string::npos);
+  // What others have the processor for is no fault of the file.
+  EXPECT_EQ(message([]() -> std::string {
+              std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+              return "slept";
+            }),
+            "slept");
   EXPECT_EQ(message([]() -> std::string {
               for (volatile bool forever = true; forever;) {
               }

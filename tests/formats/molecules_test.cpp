@@ -42,6 +42,11 @@ std::string shipped(const std::string& name) {
   return read_file(std::filesystem::path(RAYTRACER_SOURCE_DIR) / "tests/formats/files" / name);
 }
 
+const std::string zinc_and_sulfur =
+    "data_X\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.auth_comp_id\n"
+    "_atom_site.auth_asym_id\n_atom_site.auth_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+    "_atom_site.Cartn_z\nZN ZN ZN A 1 0 0 0\nS SG CYS A 2 5 0 0\n";
+
 TEST(Pdb, elements_come_from_their_column_or_the_name) {
   const json scene = document(".pdb", pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C") +
                                           pdb_atom(2, "CA  ", " CA", 'A', 2, 5, "") +
@@ -83,6 +88,22 @@ TEST(Pdb, water_and_alternate_locations_are_left_out_and_counted) {
   wishes.with_water = true;
   EXPECT_EQ(count_of(document(".pdb", text), "sphere"), 1U);
   EXPECT_EQ(count_of(document(".pdb", text, wishes), "sphere"), 3U);
+}
+
+TEST(Pdb, water_of_simulations_is_water) {
+  for (const char* const name : {"SOL", "TIP", "TP3", "SPC", "WAT"})
+    EXPECT_EQ(count_of(document(".pdb", pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C") +
+                                            pdb_atom(2, " O  ", name, 'A', 2, 5, "O")),
+                       "sphere"),
+              1U)
+        << name;
+}
+
+TEST(Pdb, serials_may_reach_into_the_sixth_column) {
+  std::string line = pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C");
+  line.replace(0, 11, "ATOM 100000");
+  EXPECT_EQ(count_of(document(".pdb", pdb_atom(1, " N  ", "GLY", 'A', 1, 1, "N") + line), "sphere"),
+            2U);
 }
 
 TEST(Pdb, water_alone_is_shown) {
@@ -179,11 +200,28 @@ TEST(Mmcif, any_column_of_the_sites_gives_colours) {
             8U);
 }
 
+/// The other copy is elsewhere.
+TEST(Mmcif, bonds_to_other_copies_are_left_out_and_counted) {
+  const std::string text =
+      zinc_and_sulfur +
+      "_struct_conn.conn_type_id metalc\n"
+      "_struct_conn.ptnr1_auth_asym_id A\n_struct_conn.ptnr1_auth_comp_id ZN\n"
+      "_struct_conn.ptnr1_auth_seq_id 1\n_struct_conn.ptnr1_label_atom_id ZN\n"
+      "_struct_conn.ptnr1_symmetry 1_555\n_struct_conn.ptnr2_symmetry 3_655\n"
+      "_struct_conn.ptnr2_auth_asym_id A\n_struct_conn.ptnr2_auth_comp_id CYS\n"
+      "_struct_conn.ptnr2_auth_seq_id 2\n_struct_conn.ptnr2_label_atom_id SG\n";
+  const auto frames =
+      read_text(*client::format_of(".cif"), text, wishes_for("", client::AtomStyle::sticks));
+  ASSERT_EQ(frames[0].omissions.size(), 1U);
+  EXPECT_EQ(frames[0].omissions[0].count, 1);
+  const json scene = json::parse(client::model::to_document(frames[0].scene));
+  EXPECT_EQ(count_of(scene, "cylinder"), 0U);
+}
+
 TEST(Mmcif, bonds_that_the_file_names_are_drawn) {
   const std::string text =
-      "data_X\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.auth_comp_id\n"
-      "_atom_site.auth_asym_id\n_atom_site.auth_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
-      "_atom_site.Cartn_z\nZN ZN ZN A 1 0 0 0\nS SG CYS A 2 5 0 0\nloop_\n_struct_conn.id\n"
+      zinc_and_sulfur +
+      "loop_\n_struct_conn.id\n"
       "_struct_conn.conn_type_id\n_struct_conn.ptnr1_auth_asym_id\n_struct_conn.ptnr1_auth_comp_"
       "id\n"
       "_struct_conn.ptnr1_auth_seq_id\n_struct_conn.ptnr1_label_atom_id\n"

@@ -89,6 +89,17 @@ TEST(Lammps, types_have_a_colour_each_and_numbers_a_place_on_the_map) {
   EXPECT_NEAR(high[0].get<double>(), 0.9823, 1e-3);
 }
 
+TEST(Lammps, types_have_the_same_colours_in_any_order) {
+  const auto color_of_the_first = [](const std::string& rows) {
+    const json scene = document(".dump", dump_head + "ITEM: ATOMS type x y z\n" + rows);
+    const json& object = scene.at("objects")[0];
+    return scene.at("materials").at(object.at("material").get<std::string>()).at("color");
+  };
+  EXPECT_EQ(color_of_the_first("1 0 0 0\n2 1 1 1\n"), color_of_the_first("1 0 0 0\n1 1 1 1\n"));
+  EXPECT_EQ(color_of_the_first("2 0 0 0\n1 1 1 1\n"), color_of_the_first("2 0 0 0\n2 1 1 1\n"));
+  EXPECT_NE(color_of_the_first("2 0 0 0\n2 1 1 1\n"), color_of_the_first("1 0 0 0\n1 1 1 1\n"));
+}
+
 TEST(Lammps, radius_and_diameter_are_sizes) {
   const json radii =
       document(".dump", dump_head + "ITEM: ATOMS radius x y z\n0.5 0 0 0\n0.25 1 1 1\n");

@@ -7,6 +7,9 @@ namespace raytracer::client {
 namespace {
 
 bool is_water(std::string_view residue) {
+  // GROMACS's, and CHARMM's and Amber's as three columns hold them.
+  for (const char* const known : {"SOL", "TIP", "TP3", "TP4", "SPC"})
+    if (residue == known) return true;
   return gemmi::find_tabulated_residue(std::string(residue)).is_water();
 }
 

@@ -1,6 +1,7 @@
 #include "client/formats/particles/draw_particles.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "client/failure.h"
@@ -64,6 +65,15 @@ Paint mapped(const std::vector<float>& values, const Wishes& wishes, DrawingScal
   return result;
 }
 
+/// Of the group that is met as the `nth`: that of its number, if its name is one, so that a type
+/// has the same colour in every file.
+std::size_t place_in_palette(const std::string& name, std::size_t nth) {
+  std::size_t number = 0;
+  const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  const bool is_number = error == std::errc() && stop == name.data() + name.size() && number > 0;
+  return is_number ? number - 1 : nth;
+}
+
 Paint paint(Particles& particles, const Wishes& wishes, DrawingScale& scale) {
   if (!particles.values.empty()) return mapped(particles.values, wishes, scale);
   Paint result;
@@ -72,7 +82,8 @@ Paint paint(Particles& particles, const Wishes& wishes, DrawingScale& scale) {
     for (std::size_t i = 0; i < particles.group_names.size(); ++i) {
       const auto known = residue_color(particles.group_names[i]);
       const bool is_residue = wishes.color == "residue" && known;
-      result.materials.push_back(material_of(is_residue ? *known : palette_color(i), ""));
+      const std::size_t place = place_in_palette(particles.group_names[i], i);
+      result.materials.push_back(material_of(is_residue ? *known : palette_color(place), ""));
     }
     result.material_of = std::move(particles.groups);
   } else if (!particles.colors.empty()) {

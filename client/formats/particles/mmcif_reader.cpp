@@ -111,6 +111,7 @@ void MmcifReader::add_bonds(Particles& particles) const {
   if (!has_bonds_ || table.tags.empty()) return;
   const auto column = [&](const std::string& name) { return table.column("_struct_conn." + name); };
   const int type = column("conn_type_id");
+  const std::array symmetries{column("ptnr1_symmetry"), column("ptnr2_symmetry")};
   std::array<std::array<int, 5>, 2> names{};
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string partner = fmt::format("ptnr{}_", i + 1);
@@ -123,6 +124,11 @@ void MmcifReader::add_bonds(Particles& particles) const {
       return which < 0 ? "" : table.values[row + static_cast<std::size_t>(which)];
     };
     if (value(type) == "hydrog") continue;
+    if (value(symmetries[0]) != value(symmetries[1])) {
+      add_omission(particles.omissions, table.line, "bond to another copy of the molecule left out",
+                   "bonds to other copies of the molecule left out");
+      continue;
+    }
     std::array<const std::uint32_t*, 2> atoms{};
     for (std::size_t i = 0; i < 2; ++i) {
       AtomName name;

@@ -28,8 +28,12 @@ bool is_record(std::string_view line, std::string_view name) {
                                     line[name.size()] == ' ' || name == "HETATM");
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Some programs write serials from 100,000 on into the sixth column, too.
 bool is_atom(std::string_view line) {
-  return line.starts_with("ATOM  ") || line.starts_with("HETATM");
+  return line.starts_with("HETATM") ||
+         (line.starts_with("ATOM ") && line.size() > 5 && (line[5] == ' ' || is_digit(line[5])));
 }
 
 /// Decimal, or in hybrid-36 from 100,000 on; nothing if it is neither.
@@ -140,7 +144,8 @@ void PdbReader::read_atom() {
   }
   const auto index = atoms_.add(lines_->number(), atom, color_value);
   if (index && !bonds_.empty())
-    if (const auto serial = serial_of(field(line, 7, 11))) by_serial_[*serial] = *index;
+    if (const auto serial = serial_of(field(line, line.starts_with("ATOM ") ? 6 : 7, 11)))
+      by_serial_[*serial] = *index;
 }
 
 void PdbReader::add_bonds(Particles& particles) const {
