@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <iterator>
@@ -24,9 +25,9 @@ std::optional<std::int64_t> read_length(std::string_view text) {
 }  // namespace
 
 bool announces_body(const httplib::Request& request) {
+  const auto [begin, end] = request.headers.equal_range("Content-Length");
   return request.has_header("Transfer-Encoding") ||
-         (request.has_header("Content-Length") &&
-          request.get_header_value("Content-Length") != "0");
+         std::any_of(begin, end, [](const auto& field) { return field.second != "0"; });
 }
 
 std::optional<std::int64_t> body_length(const httplib::Request& request) {

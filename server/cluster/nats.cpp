@@ -257,7 +257,12 @@ void NatsConnection::create_all(const std::vector<std::string>& subjects) {
   options.MaxWait = longest_answer.count();
   // Those that were there already are told as errors, to nobody.
   const natsStatus status = js_PublishAsyncComplete(context_.get(), &options);
-  if (status == NATS_TIMEOUT) require(status, "storing many");
+  if (status != NATS_TIMEOUT) return;
+  // What was not answered would be waited for again and again.
+  natsMsgList unanswered{};
+  if (js_PublishAsyncGetPendingList(&unanswered, context_.get()) == NATS_OK)
+    natsMsgList_Destroy(&unanswered);
+  require(status, "storing many");
 }
 
 std::optional<StoredMessage> NatsConnection::get(const std::string& stream,

@@ -43,6 +43,8 @@ TEST_F(Smuggling, request_whose_end_is_in_doubt_is_refused_and_nothing_in_it_ans
       {"length as a list", post + "Content-Length: 33, 33\r\n\r\n"},
       {"length without a colon", post + "Content-Length 33\r\n\r\n"},
       {"body of a GET", get + length + "\r\n"},
+      {"body of a GET that says first that it has none",
+       get + "Content-Length: 0\r\n" + length + "\r\n"},
       {"chunks of a GET", get + "Transfer-Encoding: chunked\r\n" + no_chunk},
       {"body of a HEAD", "HEAD /healthz HTTP/1.1\r\nHost: x\r\n" + length + "\r\n"},
       {"body of a DELETE", "DELETE /jobs/1 HTTP/1.1\r\nHost: x\r\n" + length + "\r\n"},
