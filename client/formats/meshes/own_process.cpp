@@ -26,6 +26,9 @@ void limit(int resource, rlim_t most) {
   setrlimit(resource, &both);  // where the system refuses, less is guarded
 }
 
+/// By the clock: another program may have half of the processor. So what waits ends, too.
+unsigned clock_seconds(const ProcessLimits& limits) { return 2 * limits.seconds; }
+
 void apply(const ProcessLimits& limits) {
   limit(RLIMIT_CORE, 0);
   // Killed at once, which both ends at one place come to, it would not say why.
@@ -40,8 +43,7 @@ void apply(const ProcessLimits& limits) {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  constexpr unsigned others = 10;  // programs that this one may share a processor with
-  alarm(others * limits.seconds);
+  alarm(clock_seconds(limits));
 }
 
 bool write_all(int descriptor, std::string_view bytes) {
@@ -101,7 +103,9 @@ std::string in_own_process(const ProcessLimits& limits, const std::function<std:
   }
   const int signal_number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal_number == SIGXCPU || signal_number == SIGALRM)
-    throw InputError(fmt::format("takes longer to read than {} s; is it damaged?", limits.seconds));
+    throw InputError(
+        fmt::format("takes longer to read than {} s; is it damaged?",
+                    signal_number == SIGALRM ? clock_seconds(limits) : limits.seconds));
   if (signal_number == SIGKILL)
     throw InputError("was not read to its end: the system ended its reader; is memory short?");
   if (status != 0 || bytes.empty()) throw InputError("is damaged: its reader broke off");
