@@ -96,6 +96,7 @@ void Admission::close() {
 void Admission::stop_running() {
   const std::scoped_lock lock(mutex_);
   for (Slot* const slot : running_) slot->progress_.stop = true;
+  for (Slot* const slot : waiting_) slot->progress_.stop = true;
   for (RenderProgress* const progress : elsewhere_) progress->stop = true;
 }
 

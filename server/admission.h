@@ -71,7 +71,7 @@ class Admission {
   void announce_close() { closing_ = true; }
   /// No new work from now on; those who wait are refused, those who run go on.
   void close();
-  /// Asks those who run to stop within a tile.
+  /// Asks those who run to stop within a tile, and those who have not left the queue yet to do so.
   void stop_running();
 
   struct Load {

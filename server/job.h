@@ -58,10 +58,11 @@ struct JobRequest {
   int channels = 3;
 };
 
-/// In how many tasks a picture was rendered, and by how many servers.
+/// In how many tasks a picture was rendered, and by how many servers of which build.
 struct Sharing {
   int tasks = 0;  ///< 0: it was rendered where it was asked for
   std::size_t workers = 0;
+  std::string renderer{};  ///< see renderer_id_of(); empty: this server's
 };
 
 /// Every member function may be called from any thread.

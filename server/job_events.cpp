@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <exception>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -26,8 +27,9 @@ struct EventStream {
   std::optional<std::pair<JobStatus, double>> shown{};
   Clock::time_point written{};
 
-  /// Writes what there is to say and waits a little; false if nobody listens any more.
-  bool step(httplib::DataSink& sink) {
+  /// Writes what there is to say and waits a little; false if nobody listens any more, or what the
+  /// job is like cannot be found out: whoever asks for the job is told why.
+  bool step(httplib::DataSink& sink) try {
     if (client_has_disconnected(socket)) return false;
     const JobState state = job->state();
     if (has_ended(state.status)) {
@@ -44,6 +46,8 @@ struct EventStream {
     }
     job->wait_for_end(between_looks);
     return true;
+  } catch (const std::exception&) {
+    return false;
   }
 
   std::string event(std::string_view name) const {

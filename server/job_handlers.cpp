@@ -127,17 +127,21 @@ void get_job_image(Services& services, Call& call) {
   if (const std::optional<Image> image = image_so_far(*job))
     return answer_image_so_far(services, call, *image, format);
   const JobResult& result = require_result(*job);
-  const Representation wanted = represent(job->request.digest, format, services.renderer_id);
+  const auto* const bytes = std::get_if<ByteRendering>(&result);
+  // Nobody had said that the floats would be wanted: only a cluster's jobs leave them out.
+  const bool is_rendered_again = bytes && holds_floats(format);
+  const Sharing sharing = job->sharing();
+  const Representation wanted = represent(
+      job->request.digest, format,
+      is_rendered_again || sharing.renderer.empty() ? services.renderer_id : sharing.renderer);
   if (!call.is_head()) job->note_fetched();
   if (answer_without_image(call, wanted)) return;
-  const auto* const bytes = std::get_if<ByteRendering>(&result);
-  if (bytes && holds_floats(format)) {
-    // Nobody had said that the floats would be wanted: only a cluster's jobs leave them out.
+  if (is_rendered_again) {
     const JobScene scene = services.cluster.value().scene_of_job(job->request.id);
     return answer_render(services, call, scene.view, scene.query, wanted);
   }
   const auto finished = [&](const auto& rendering) {
-    return finish_image(rendering, job->state().queue_ms, format, services.pool, job->sharing());
+    return finish_image(rendering, job->state().queue_ms, format, services.pool, sharing);
   };
   const auto image = std::make_shared<const FinishedImage>(
       bytes ? finished(*bytes) : finished(std::get<Rendering>(result)));

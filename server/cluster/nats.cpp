@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds longest_answer{2000};
+constexpr milliseconds longest_answer{5000};
 
 template <typename Duration>
 std::int64_t nanoseconds(Duration duration) {
@@ -70,13 +70,19 @@ natsConnection* connect(const std::string& url) {
   return connection;
 }
 
-jsCtx* context_of(natsConnection* connection) {
+using ContextPointer = std::unique_ptr<jsCtx, void (*)(jsCtx*)>;
+
+ContextPointer context_of(natsConnection* connection) {
+  // Of many at once, NATS and libnats drop what they have no room for.
+  constexpr std::int64_t most_on_their_way = 1000;
   jsOptions options;
   jsOptions_Init(&options);
   options.Wait = longest_answer.count();
+  options.PublishAsync.MaxPending = most_on_their_way;
+  options.PublishAsync.StallWait = longest_answer.count();
   jsCtx* context = nullptr;
   require(natsConnection_JetStream(&context, connection, &options), "speaking to JetStream");
-  return context;
+  return {context, &jsCtx_Destroy};
 }
 
 /// What listens, until nobody holds it.
@@ -166,8 +172,7 @@ std::optional<TaskMessage> TaskSource::take(milliseconds longest) {
 }
 
 NatsConnection::NatsConnection(const std::string& url)
-    : connection_(connect(url), &natsConnection_Destroy),
-      context_(context_of(connection_.get()), &jsCtx_Destroy) {}
+    : connection_(connect(url), &natsConnection_Destroy), context_(context_of(connection_.get())) {}
 
 NatsConnection::~NatsConnection() = default;
 
@@ -248,21 +253,18 @@ std::optional<std::uint64_t> NatsConnection::replace(const std::string& subject,
 
 void NatsConnection::create_all(const std::vector<std::string>& subjects) {
   require_connection();
+  // Its own: a context waits for all that was ever published with it, and for ever for what NATS
+  // never answered.
+  const ContextPointer context = context_of(connection_.get());
   jsPubOptions options;
   jsPubOptions_Init(&options);
   options.ExpectNoMessage = true;
   for (const std::string& subject : subjects)
-    require(js_PublishAsync(context_.get(), subject.c_str(), nullptr, 0, &options),
+    require(js_PublishAsync(context.get(), subject.c_str(), nullptr, 0, &options),
             "storing " + subject);
   options.MaxWait = longest_answer.count();
   // Those that were there already are told as errors, to nobody.
-  const natsStatus status = js_PublishAsyncComplete(context_.get(), &options);
-  if (status != NATS_TIMEOUT) return;
-  // What was not answered would be waited for again and again.
-  natsMsgList unanswered{};
-  if (js_PublishAsyncGetPendingList(&unanswered, context_.get()) == NATS_OK)
-    natsMsgList_Destroy(&unanswered);
-  require(status, "storing many");
+  require(js_PublishAsyncComplete(context.get(), &options), "storing many");
 }
 
 std::optional<StoredMessage> NatsConnection::get(const std::string& stream,

@@ -3,8 +3,6 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "server/cluster/nats.h"
-
 namespace raytracer {
 
 std::string to_text(const JobRecord& record) {
@@ -61,7 +59,7 @@ JobRecord read_record(std::string_view text) try {
   if (json.contains("picture_digest")) record.picture_digest = json["picture_digest"];
   return record;
 } catch (const nlohmann::json::exception& error) {
-  throw NatsRefused(std::string("a job's record cannot be read: ") + error.what());
+  throw UnreadableRecord(std::string("a job's record cannot be read: ") + error.what());
 }
 
 std::int64_t now_ms() {

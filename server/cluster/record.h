@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "server/cluster/nats.h"
 #include "server/job.h"
 
 namespace raytracer {
@@ -38,8 +39,13 @@ struct JobRecord {
   std::int64_t stored_ms = 0;    ///< when it was, since 1970, of one that was read
 };
 
+/// As another build stored it, or damaged.
+class UnreadableRecord : public NatsRefused {
+  using NatsRefused::NatsRefused;
+};
+
 std::string to_text(const JobRecord& record);
-/// Throws NatsRefused if it is none.
+/// Throws UnreadableRecord if it is none.
 JobRecord read_record(std::string_view text);
 
 /// Milliseconds since 1970.

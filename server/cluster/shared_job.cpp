@@ -149,7 +149,7 @@ std::optional<Image> SharedJob::image_so_far() const {
 
 Sharing SharedJob::sharing() const {
   const std::scoped_lock lock(mutex_);
-  return {record_.task_count, collector_.worker_count()};
+  return {record_.task_count, collector_.worker_count(), record_.renderer};
 }
 
 }  // namespace raytracer

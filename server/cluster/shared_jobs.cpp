@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -120,6 +121,7 @@ std::shared_ptr<const Job> SharedJobs::accept(JobTask task, SceneView view,
     } catch (...) {
       const std::scoped_lock lock(mutex_);
       own_.erase(record.id);
+      refused_.insert(record.id);
       throw;
     }
     const auto job = std::make_shared<const SharedJob>(record, parts_.store, parts_.news);
@@ -205,14 +207,28 @@ std::map<JobStatus, std::size_t> SharedJobs::counts() const {
   return counts;
 }
 
-bool SharedJobs::persist(const std::function<bool()>& step) {
+bool SharedJobs::persist(const Own& own, const std::function<bool()>& step) {
   while (true) {
     try {
       return step();
     } catch (const NatsUnavailable&) {  // NOLINT: it comes back
     }
     std::unique_lock lock(mutex_);
-    if (changed_.wait_for(lock, before_another_call, [this] { return closing_; })) return false;
+    if (changed_.wait_for(lock, before_another_call,
+                          [&] { return closing_ || own.progress.stop.load(); }))
+      return false;
+  }
+}
+
+void SharedJobs::fail(const std::string& id, const std::string& reason, const Own& own) {
+  parts_.log.note(fmt::format("job {} failed: {}", id, reason));
+  try {
+    persist(own, [&] {
+      parts_.store.fail_job(id, reason);
+      return true;
+    });
+  } catch (const std::exception& error) {
+    parts_.log.note(fmt::format("job {}: that cannot be stored: {}", id, error.what()));
   }
 }
 
@@ -231,8 +247,8 @@ void SharedJobs::cut_or_render(JobRecord record, SceneView view, Own& own) {
         }
       }
       const bool is_to_be_queued = record.task_count > 0 && !own.progress.stop;
-      if (is_to_be_queued && persist([&] { return parts_.store.put_job(record); }))
-        persist([&] {
+      if (is_to_be_queued && persist(own, [&] { return parts_.store.put_job(record); }))
+        persist(own, [&] {
           if (!parts_.store.results(record.id).empty()) return true;  // it was rendered here
           queue_all(record);
           return true;
@@ -240,12 +256,7 @@ void SharedJobs::cut_or_render(JobRecord record, SceneView view, Own& own) {
     }
   } catch (const HttpError&) {  // NOLINT: the same: this front shuts down
   } catch (const std::exception& error) {
-    parts_.log.note(fmt::format("job {} failed: {}", record.id, error.what()));
-    persist([&] {
-      parts_.store.fail_job(record.id,
-                            fmt::format("The render failed inside the server: {}", error.what()));
-      return true;
-    });
+    fail(record.id, fmt::format("The render failed inside the server: {}", error.what()), own);
   }
   const std::scoped_lock lock(mutex_);
   own_.erase(record.id);
@@ -256,7 +267,7 @@ void SharedJobs::render_here(JobRecord& record, const PreparedScene& scene, Own&
   if (rendering.stop == Stop::cancelled) return;
   parts_.metrics.rendered(rendering, record.picture_digest);
   const std::string bytes = to_bytes(TaskResult{parts_.self.name, std::move(rendering)});
-  if (persist([&] {
+  if (persist(own, [&] {
         parts_.store.put_result(record.id, 0, bytes);
         return true;
       }))
@@ -289,19 +300,18 @@ void SharedJobs::take_over(JobRecord record) {
     try {
       record.front = parts_.self.name;
       // Who had it may have rendered it, and died before it could say so.
-      if (parts_.store.has_result(record.id, 0)) record.task_count = 1;
-      if (persist([&] { return parts_.store.put_job(record); }) && record.task_count == 0) {
+      if (parts_.store.has_result(record.id, 0))
+        record.task_count = 1;
+      else
+        record.renderer = parts_.self.renderer;
+      if (persist(*own, [&] { return parts_.store.put_job(record); }) && record.task_count == 0) {
         SceneView view = parts_.scenes.view_of(record);
         cut_or_render(std::move(record), std::move(view), *own);
         return;
       }
     } catch (const NatsUnavailable&) {  // NOLINT: it is tried again
     } catch (const std::exception& error) {
-      const std::string reason = error.what();
-      persist([&] {
-        parts_.store.fail_job(record.id, reason);
-        return true;
-      });
+      fail(record.id, error.what(), *own);
     }
     const std::scoped_lock lock(mutex_);
     own_.erase(record.id);
@@ -311,7 +321,10 @@ void SharedJobs::take_over(JobRecord record) {
 void SharedJobs::look_after_jobs(const std::stop_token& end) {
   while (!end.stop_requested()) {
     try {
+      // In this order: whatever has a consumer had a record before.
+      const std::vector<OpenJob> open = parts_.store.open_jobs();
       const std::vector<std::string> ids = parts_.store.job_ids();
+      remove_leftovers(open, ids);
       std::vector<std::string> open_ids;
       {
         const std::scoped_lock lock(mutex_);
@@ -323,7 +336,6 @@ void SharedJobs::look_after_jobs(const std::stop_token& end) {
       }
       if (!open_ids.empty()) {
         const std::vector<Member> members = parts_.store.members();
-        const std::vector<OpenJob> open = parts_.store.open_jobs();
         for (const std::string& id : open_ids) look_after(id, members, open);
       }
     } catch (const NatsUnavailable&) {  // NOLINT: it comes back
@@ -335,8 +347,22 @@ void SharedJobs::look_after_jobs(const std::stop_token& end) {
   }
 }
 
+void SharedJobs::remove_leftovers(const std::vector<OpenJob>& open,
+                                  const std::vector<std::string>& ids) {
+  const std::set<std::string> known(ids.begin(), ids.end());
+  for (const OpenJob& job : open)
+    if (!known.contains(job.id)) parts_.store.remove_rest(job.id, job.renderer);
+  std::vector<std::string> refused;
+  {
+    const std::scoped_lock lock(mutex_);
+    std::set_intersection(refused_.begin(), refused_.end(), known.begin(), known.end(),
+                          std::back_inserter(refused));
+  }
+  for (const std::string& id : refused) parts_.store.remove_job(id);
+}
+
 void SharedJobs::look_after(const std::string& id, const std::vector<Member>& members,
-                            const std::vector<OpenJob>& open) {
+                            const std::vector<OpenJob>& open) try {
   const auto record = parts_.store.job(id);
   if (!record) return;
   const bool is_of_this = record->front == parts_.self.name;
@@ -374,6 +400,10 @@ void SharedJobs::look_after(const std::string& id, const std::vector<Member>& me
     if (!done.contains(task)) tasks.push_back(task);
   parts_.log.note(fmt::format("job {}: {} tasks are queued again", id, tasks.size()));
   parts_.store.queue_tasks(*record, tasks);
+} catch (const UnreadableRecord& error) {
+  parts_.log.note(fmt::format("job {} is left to others: {}", id, error.what()));
+  const std::scoped_lock lock(mutex_);
+  ended_.insert(id);
 }
 
 }  // namespace raytracer

@@ -83,12 +83,16 @@ class SharedJobs : public Jobs {
   void queue_all(const JobRecord& record);
   void cut_or_render(JobRecord record, SceneView view, Own& own);
   void render_here(JobRecord& record, const PreparedScene& scene, Own& own);
-  /// Calls step() until NATS has done it, or this front ends; false then, or if it says false.
-  bool persist(const std::function<bool()>& step);
+  /// Calls step() until NATS has done it, or the job is stopped; false then, or if it says false.
+  bool persist(const Own& own, const std::function<bool()>& step);
+  /// Has the job fail; where even that cannot be stored it is left to whoever looks after it next.
+  void fail(const std::string& id, const std::string& reason, const Own& own);
   void take_over(JobRecord record);
   void look_after_jobs(const std::stop_token& end);
   void look_after(const std::string& id, const std::vector<Member>& members,
                   const std::vector<OpenJob>& open);
+  /// Takes away what removals that were cut off left, and jobs that were refused though stored.
+  void remove_leftovers(const std::vector<OpenJob>& open, const std::vector<std::string>& ids);
   bool is_own(const std::string& id) const;
   bool is_awaited(const std::string& id) const;
 
@@ -98,6 +102,7 @@ class SharedJobs : public Jobs {
   std::map<std::string, std::shared_ptr<Own>> own_;  ///< foreseen or rendered here now
   std::set<std::string> awaited_;                    ///< renders that a client waits for here
   std::set<std::string> ended_;                      ///< need no looking after
+  std::set<std::string> refused_;                    ///< clients were told so, NATS may have them
   std::map<std::string, std::size_t>
       lacking_;  ///< tasks that a job seemed to lack at the last look
   bool closing_ = false;

@@ -174,10 +174,15 @@ void ClusterStore::remove_job(const std::string& id) {
   const auto record = job(id);
   nats_.purge("raytracer_jobs", "raytracer.job.record." + id);
   nats_.signal(removals, id);
-  if (record) close_job(*record);
+  if (record) remove_rest(id, record->renderer);
+}
+
+void ClusterStore::remove_rest(const std::string& id, const std::string& renderer) {
+  nats_.purge("raytracer_tasks", fmt::format("raytracer.task.{}.*", id));
   nats_.purge("raytracer_jobs", fmt::format("raytracer.job.*.{}.>", id));
   nats_.purge("raytracer_jobs", "raytracer.job.progress." + id);
   nats_.purge("raytracer_results", fmt::format("raytracer.result.*.{}.>", id));
+  nats_.remove_consumer("raytracer_tasks", consumer_of(renderer, id));
 }
 
 void ClusterStore::close_job(const JobRecord& record) {

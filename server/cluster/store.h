@@ -96,6 +96,9 @@ class ClusterStore {
   std::vector<std::string> job_ids();
   /// Removes all that belongs to it, and tells who works on it.
   void remove_job(const std::string& id);
+  /// Removes what is stored for it beside its record, its consumer last: as long as that is there,
+  /// something may be left of a removal that was cut off.
+  void remove_rest(const std::string& id, const std::string& renderer);
   /// Takes what is queued of it back: it needs no more.
   void close_job(const JobRecord& record);
 

@@ -291,6 +291,7 @@ void TaskRunner::say_in_progress() {
   std::unique_lock lock(mutex_);
   while (!is_handing_back_) {
     changed_.wait_for(lock, period, [this] { return is_handing_back_.load(); });
+    std::vector<std::pair<std::string, double>> said;  // NATS is asked without the lock
     for (Running& running : running_) {
       const double fraction = running.progress.fraction;
       if (fraction != running.fraction_said) running.moved = Clock::now();
@@ -298,13 +299,17 @@ void TaskRunner::say_in_progress() {
       if (Clock::now() - running.moved > longest_standstill) continue;
       const std::scoped_lock message_lock(running.mutex);
       running.message.say_in_progress();
-      if (!running.is_whole) continue;
+      if (running.is_whole) said.emplace_back(running.job, fraction);
+    }
+    if (closing_ && running_.empty()) return;
+    lock.unlock();
+    for (const auto& [job, fraction] : said) {
       try {
-        store_.put_progress(running.job, fraction);
+        store_.put_progress(job, fraction);
       } catch (const std::exception&) {  // NOLINT: it is said again
       }
     }
-    if (closing_ && running_.empty()) return;
+    lock.lock();
   }
 }
 

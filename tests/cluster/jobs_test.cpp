@@ -122,6 +122,20 @@ TEST_F(ClusterJobs, curve_is_measured_by_a_worker) {
   expect_problem(get(one, "/jobs/1"), 404, "job");
 }
 
+TEST_F(ClusterJobs, events_of_one_whose_record_is_damaged_end_and_the_server_lives) {
+  const ServerProcess& front = start_front();
+  const std::string job = post_job(front, "", small_scene);
+  Stored stored(nats().url());
+  std::thread damage([&] {
+    std::this_thread::sleep_for(1s);
+    stored.connection.put("raytracer.job.record." + job.substr(6), "{}");
+  });
+  EXPECT_FALSE(front.client().Get(job + "/events")) << "its end was that of the job";
+  damage.join();
+  expect_problem(get(front, job), 500, "");
+  EXPECT_EQ(get(front, "/healthz").status, 200);
+}
+
 TEST_F(ClusterJobs, scene_that_one_front_keeps_is_known_to_all) {
   const ServerProcess& one = start_front();
   const ServerProcess& other = start_front();

@@ -87,6 +87,33 @@ TEST_F(Loss, job_that_a_dead_front_had_not_cut_is_cut_by_another) {
   expect_right_picture(front, "/jobs/uncut");
 }
 
+TEST_F(Loss, job_whose_record_cannot_be_read_keeps_nobody_from_the_others) {
+  const ServerProcess& front = start_front(quick);
+  start_worker(quick);
+  ASSERT_TRUE(has_workers(front, 1));
+  Stored stored(nats().url());
+  for (const char* const id : {"a", "m", "z", "0", "9"})
+    stored.connection.put(std::string("raytracer.job.record.") + id, "{}");
+  JobRecord record = stored.new_job("uncut", stored.renderer(), scene, 350, 0, 0);
+  record.samples = 240;  // as the scene has them
+  ASSERT_TRUE(stored.store.put_job(record));
+  expect_right_picture(front, "/jobs/uncut");
+}
+
+TEST_F(Loss, what_a_removal_left_that_was_cut_off_is_removed) {
+  start_worker(quick);
+  Stored stored(nats().url());
+  ASSERT_TRUE(eventually([&] { return !stored.renderer().empty(); }));
+  JobRecord record = stored.new_job("half", "no-build", scene, 350, 16, 9);
+  stored.queue(record);
+  stored.store.put_result("half", 3, "something");
+  stored.connection.purge("raytracer_jobs", "raytracer.job.record.half");
+  ASSERT_FALSE(stored.of_jobs().empty());
+  start_front(quick);
+  EXPECT_TRUE(eventually([&] { return stored.of_jobs().empty(); }))
+      << testing::PrintToString(stored.of_jobs());
+}
+
 TEST_F(Loss, picture_for_a_client_of_a_killed_front_is_forgotten) {
   const ServerProcess& lost = start_front(quick);
   const ServerProcess& other = start_front(quick);

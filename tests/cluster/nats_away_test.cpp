@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
 #include <string>
 #include <thread>
 
@@ -89,6 +90,20 @@ TEST_F(NatsAway, task_that_ends_meanwhile_is_kept_and_is_not_a_loss) {
   EXPECT_TRUE(get(front, "/jobs/one/image").body == alone("/render", scene));
   EXPECT_EQ(worker.log().find("was left"), std::string::npos) << worker.log();
   EXPECT_EQ(metric_of(worker, "raytracer_cluster_tasks_total"), 1);
+}
+
+TEST_F(NatsAway, front_that_is_told_to_end_twice_does_not_wait_for_it) {
+  ServerProcess& front = start({"--share-from", "100000"});  // it renders all by itself
+  ASSERT_TRUE(has_workers(front, 1));
+  post_job(front, "", long_scene(30));
+  nats().kill();
+  const auto rendered = [&] { return metric_of(front, "raytracer_renders_total"); };
+  ASSERT_EQ(rendered(), 0) << "it was too short";
+  ASSERT_TRUE(eventually([&] { return rendered() == 1; }));
+  front.signal(SIGTERM);
+  std::this_thread::sleep_for(200ms);  // so that it is not the same signal
+  front.signal(SIGTERM);
+  EXPECT_EQ(front.wait(20s), 0) << front.log();
 }
 
 TEST_F(NatsAway, render_that_its_client_gave_up_meanwhile_is_forgotten) {
