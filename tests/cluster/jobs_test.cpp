@@ -124,7 +124,9 @@ TEST_F(ClusterJobs, curve_is_measured_by_a_worker) {
 
 TEST_F(ClusterJobs, events_of_one_whose_record_is_damaged_end_and_the_server_lives) {
   const ServerProcess& front = start_front();
+  ASSERT_TRUE(eventually([&] { return get(front, "/cluster").status == 200; }));
   const std::string job = post_job(front, "", small_scene);
+  ASSERT_NE(job, "");
   Stored stored(nats().url());
   std::thread damage([&] {
     std::this_thread::sleep_for(1s);

@@ -101,10 +101,9 @@ TEST_F(Loss, job_whose_record_cannot_be_read_keeps_nobody_from_the_others) {
 }
 
 TEST_F(Loss, what_a_removal_left_that_was_cut_off_is_removed) {
-  start_worker(quick);
   Stored stored(nats().url());
-  ASSERT_TRUE(eventually([&] { return !stored.renderer().empty(); }));
-  JobRecord record = stored.new_job("half", "no-build", scene, 350, 16, 9);
+  stored.store.ensure_streams();
+  const JobRecord record = stored.new_job("half", "no-build", scene, 350, 16, 9);
   stored.queue(record);
   stored.store.put_result("half", 3, "something");
   stored.connection.purge("raytracer_jobs", "raytracer.job.record.half");
