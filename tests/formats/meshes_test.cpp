@@ -47,6 +47,29 @@ TEST(Meshes, numbers_of_an_obj_may_begin_with_their_point) {
   EXPECT_EQ(reading.scene.objects.size(), 1U);
 }
 
+TEST(Meshes, materials_of_an_obj_shine_as_their_file_says_and_what_is_lost_is_told) {
+  const TemporaryFolder folder;
+  folder.write("there.mtl", "newmtl a\nKd 1 0 0\nKs 0.5 0.5 0.5\nNs 80\nKe 1 0 0\n");
+  const auto reading_of = [&](const std::string& library) {
+    const std::string path = folder.write(
+        "one.obj", "mtllib " + library + "\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    return client::format_of(path)
+        ->open({client::source_of_file(path), path}, client::Wishes())
+        ->next_frame()
+        .value();
+  };
+  const client::Reading there = reading_of("there.mtl");
+  const client::model::Material& material =
+      there.scene.materials.at(there.scene.objects.at(0).material.value());
+  EXPECT_EQ(material.ks, 0.5);
+  EXPECT_EQ(material.shininess, 80);
+  ASSERT_EQ(there.omissions.size(), 1U);
+  EXPECT_NE(there.omissions[0].one.find("glows"), std::string::npos);
+  const client::Reading missing = reading_of("missing.mtl");
+  ASSERT_EQ(missing.omissions.size(), 1U);
+  EXPECT_NE(missing.omissions[0].one.find("not found"), std::string::npos);
+}
+
 TEST(Meshes, stl_is_flat) {
   const json mesh = document_of_file("tetrahedron.stl").at("objects")[0];
   EXPECT_EQ(mesh.at("vertices").size(), 4U);

@@ -245,6 +245,32 @@ TEST(Mmcif, cell_of_a_small_structure_is_filled) {
   EXPECT_EQ(count_of(scene, "sphere"), 8U);
 }
 
+/// Magnetite's group has two origins, and its name says neither.
+TEST(Mmcif, operators_that_the_file_lists_stand_over_the_name_of_its_group) {
+  const auto atoms = [](const std::string& symmetry) {
+    return count_of(document(".cif",
+                             "data_x\n_cell_length_a 8\n_cell_length_b 8\n_cell_length_c 8\n"
+                             "_cell_angle_alpha 90\n_cell_angle_beta 90\n_cell_angle_gamma 90\n" +
+                                 symmetry +
+                                 "loop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n"
+                                 "_atom_site_fract_z\nFe1 0.125 0.125 0.125\n"),
+                    "sphere");
+  };
+  const std::string name = "_symmetry_space_group_name_H-M 'F d -3 m'\n";
+  const std::string inversion = "x,y,z\n'1/4-x, 1/4-y, 1/4-z'\n1/2+x,1/2+y,z\n";
+  EXPECT_EQ(atoms(name), 16U);
+  for (const char* const tag :
+       {"_symmetry_equiv_pos_as_xyz\n", "_space_group_symop_operation_xyz\n"})
+    for (const std::string& group : {std::string(), name})
+      EXPECT_EQ(atoms(group + "loop_\n" + tag + inversion), 2U) << tag;
+  EXPECT_EQ(read_text(*client::format_of(".cif"),
+                      "data_x\n_symmetry_equiv_pos_as_xyz 'x,y,up'\n_atom_site_label C\n"
+                      "_atom_site_fract_x 0\n")
+                .at(0)
+                .errors.size(),
+            1U);
+}
+
 TEST(Mmcif, tags_may_be_capitals_and_atoms_in_a_later_block) {
   const json scene = document(".cif",
                               "DATA_A\n_cell.length_a 1\nDATA_B\nLOOP_\n_Atom_Site.Type_Symbol\n"

@@ -137,6 +137,35 @@ TEST(Table, words_are_groups) {
   EXPECT_EQ(scene.at("objects").size(), 2U);
 }
 
+TEST(Table, missing_numbers_are_gray_and_told_wherever_they_stand) {
+  const auto frames =
+      read_text(*client::format_of(".csv"), "x,y,z,heat\n0,0,0,\n1,0,0,7\n2,0,0,NaN\n3,0,0,9\n",
+                wishes_for("heat"));
+  ASSERT_TRUE(frames.at(0).errors.empty());
+  const json scene = json::parse(client::model::to_document(frames[0].scene));
+  EXPECT_EQ(scene.at("objects").size(), 3U);  // gray, 7 and 9
+  EXPECT_EQ(scene.at("objects")[0].at("centers").size(), 2U);
+  const json gray = scene.at("materials").at(scene.at("objects")[0].at("material")).at("color");
+  EXPECT_EQ(gray[0], gray[2]);
+  ASSERT_EQ(frames[0].omissions.size(), 1U);
+  EXPECT_EQ(frames[0].omissions[0].count, 2U);
+  // Where the others are words, no word is a group too.
+  EXPECT_EQ(document(".csv", "x,y,z,kind\n0,0,0,\n1,0,0,a\n2,0,0,b\n3,0,0,a\n", wishes_for("kind"))
+                .at("objects")
+                .size(),
+            3U);
+}
+
+TEST(Particles, range_of_colours_is_that_of_the_first_frame_with_two_numbers) {
+  const std::string same = "2\nProperties=pos:R:3:v:R:1\n0 0 0 5\n1 0 0 5\n";
+  const std::string other = "2\nProperties=pos:R:3:v:R:1\n0 0 0 5\n1 0 0 6\n";
+  const auto frames = documents(".extxyz", same + other + other, wishes_for("v"));
+  ASSERT_EQ(frames.size(), 3U);
+  EXPECT_EQ(frames[0].at("objects").size(), 1U);
+  EXPECT_EQ(frames[1].at("objects").size(), 2U);
+  EXPECT_EQ(frames[1].at("materials"), frames[2].at("materials"));
+}
+
 TEST(Particles, without_a_size_touch_each_other) {
   const json scene = document(".csv", "x,y,z\n0,0,0\n3,0,0\n6,0,0\n");
   EXPECT_EQ(scene.at("objects")[0].at("radius"), 1.5);

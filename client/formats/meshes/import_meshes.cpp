@@ -28,8 +28,12 @@ constexpr std::array<const char*, 5> hints{"ply", "obj", "stl", "gltf", "glb"};
 /// Gives assimp the numbers of an OBJ as it knows them; the files that it names as they are.
 class ObjFiles : public Assimp::DefaultIOSystem {
  public:
+  /// Counts the files that cannot be opened in `missing`, which outlives this.
+  explicit ObjFiles(unsigned& missing) : missing_(missing) {}
+
   Assimp::IOStream* Open(const char* path, const char* mode) override {
     const std::unique_ptr<Assimp::IOStream> file(DefaultIOSystem::Open(path, mode));
+    if (!file) ++missing_;
     if (!file) return nullptr;
     std::string text(file->FileSize(), '\0');
     text.resize(file->Read(text.data(), 1, text.size()));
@@ -38,6 +42,9 @@ class ObjFiles : public Assimp::DefaultIOSystem {
     std::copy(known.begin(), known.end(), bytes.get());
     return new Assimp::MemoryIOStream(bytes.release(), known.size(), true);
   }
+
+ private:
+  unsigned& missing_;
 };
 
 model::Triple triple(const aiVector3D& vector) {
@@ -93,7 +100,9 @@ class MeshImport {
   MeshImport(MeshFormat format, const aiScene& scene) : format_(format), scene_(scene) {}
 
   /// Before what is no scene's is taken out of it.
-  void count_omissions() {
+  void count_omissions(bool lacks_materials) {
+    omit(lacks_materials ? 1 : 0, "file of materials not found: its objects are gray",
+         "files of materials not found: their objects are gray");
     omit(scene_.mNumTextures, "image left out", "images left out");
     omit(scene_.mNumCameras, "camera left out", "cameras left out");
     omit(scene_.mNumLights, "light left out", "lights left out");
@@ -155,10 +164,29 @@ class MeshImport {
     float opacity = 1;
     if (file.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS && opacity >= 0 && opacity < 1)
       material.transparency = 1 - static_cast<double>(opacity);
+    set_highlight(file, material);
+    float metal = 0;
+    if (file.Get(AI_MATKEY_METALLIC_FACTOR, metal) == aiReturn_SUCCESS && metal > 0)
+      omit(1, "metal shown as if it were painted", "metals shown as if they were painted");
+    if (file.Get(AI_MATKEY_COLOR_EMISSIVE, color) == aiReturn_SUCCESS &&
+        color.r + color.g + color.b > 0)
+      omit(1, "material that glows shown without that", "materials that glow shown without that");
     for (int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; ++type)
       omit(file.GetTextureCount(static_cast<aiTextureType>(type)), "texture left out",
            "textures left out");
     reading_.scene.materials.push_back(material);
+  }
+
+  /// OBJ's Ks and Ns are those of Blinn and Phong; of what it does not say assimp says 0.
+  void set_highlight(const aiMaterial& file, model::Material& material) const {
+    aiColor4D color;
+    if (format_ != MeshFormat::obj || file.Get(AI_MATKEY_COLOR_SPECULAR, color) != aiReturn_SUCCESS)
+      return;
+    const float strength = (color.r + color.g + color.b) / 3;
+    if (strength > 0) material.ks = static_cast<double>(std::min(strength, 1.0F));
+    float exponent = 0;
+    if (file.Get(AI_MATKEY_SHININESS, exponent) == aiReturn_SUCCESS && exponent > 0)
+      material.shininess = static_cast<double>(std::min(exponent, 1000.0F));
   }
 
   void add(const aiMesh& mesh) {
@@ -252,7 +280,9 @@ void raytracer_import_meshes(MeshFormat format, const std::string& path, std::st
                              Reading& reading) {
   Assimp::Importer importer;
   std::string known;
-  if (format == MeshFormat::obj && text.empty()) importer.SetIOHandler(new ObjFiles);  // takes it
+  unsigned missing_files = 0;
+  if (format == MeshFormat::obj && text.empty())
+    importer.SetIOHandler(new ObjFiles(missing_files));  // takes it
   if (format == MeshFormat::obj) text = known = with_zeros_before_points(text);
   const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
   const aiScene* const scene =
@@ -265,7 +295,7 @@ void raytracer_import_meshes(MeshFormat format, const std::string& path, std::st
   };
   if (!scene) throw refuse();
   MeshImport import(format, *scene);
-  import.count_omissions();
+  import.count_omissions(missing_files > 0);
   if (import.has_faces() && !importer.ApplyPostProcessing(aiProcess_PreTransformVertices))
     throw refuse();
   reading = std::move(import).read();

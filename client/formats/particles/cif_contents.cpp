@@ -51,10 +51,27 @@ std::optional<CifTable> table_of(cif::Block& block, const std::string& category)
   return table;
 }
 
-std::vector<CifSite> sites_of_cell(const cif::Block& block) {
+/// Those of the operators that the file lists, in place of those of the group that it names: one
+/// name stands for several choices of the origin, and not every file has one.
+void use_operators(cif::Block& block, gemmi::UnitCell& cell) {
+  for (const char* const tag : {"_space_group_symop_operation_xyz", "_symmetry_equiv_pos_as_xyz"}) {
+    const cif::Column operators = block.find_values(tag);
+    if (operators.length() == 0) continue;
+    cell.images.clear();
+    for (const std::string& text : operators) {
+      const gemmi::Op op = gemmi::parse_triplet(cif::as_string(text));
+      if (op != gemmi::Op::identity())
+        cell.images.push_back(gemmi::Transform{gemmi::rot_as_mat33(op), gemmi::tran_as_vec3(op)});
+    }
+    return;
+  }
+}
+
+std::vector<CifSite> sites_of_cell(cif::Block& block) {
   std::vector<CifSite> sites;
   try {
-    const gemmi::SmallStructure structure = gemmi::make_small_structure_from_block(block);
+    gemmi::SmallStructure structure = gemmi::make_small_structure_from_block(block);
+    use_operators(block, structure.cell);
     for (const gemmi::SmallStructure::Site& site : structure.get_all_unit_cell_sites()) {
       const gemmi::Position place = structure.cell.orthogonalize(site.fract);
       sites.push_back({place.x, place.y, place.z, site.element.name(), site.label});

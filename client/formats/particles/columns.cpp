@@ -27,6 +27,14 @@ float as_float(double value) {
 
 }  // namespace
 
+/// As spreadsheets, R, Python and simulations leave a number out.
+bool is_missing(std::string_view field) {
+  const std::string text = in_small_letters(field);
+  for (const char* const known : {"", "nan", "-nan", "na", "n/a", "null"})
+    if (text == known) return true;
+  return false;
+}
+
 bool is_moderate(double value) {
   constexpr double most = 1e100;
   return std::abs(value) <= most;
@@ -119,11 +127,22 @@ void Columns::add(const std::vector<std::string_view>& fields, int line, Particl
 }
 
 void Columns::add_color_column(std::string_view field, int line, Particles& particles) {
-  if (!is_group_) is_group_ = !number_of(field).has_value();
-  if (*is_group_)
+  const bool is_unknown = is_missing(field);
+  if (!is_group_ && !is_unknown) {
+    is_group_ = !number_of(field).has_value();
+    // Until now all was missing, and taken for numbers.
+    if (*is_group_) particles.groups.assign(particles.values.size(), groups_.number_of(""));
+    if (*is_group_) particles.values.clear();
+  }
+  if (is_group_ == true) {
     particles.groups.push_back(groups_.number_of(field));
-  else
+  } else if (is_unknown) {
+    particles.values.push_back(std::numeric_limits<float>::quiet_NaN());
+    add_omission(particles.omissions, line, "particle is gray: its colour's number is missing",
+                 "particles are gray: their colour's numbers are missing");
+  } else {
     particles.values.push_back(as_float(number(*color_, field, line)));
+  }
 }
 
 void Columns::finish(Particles& particles) const {

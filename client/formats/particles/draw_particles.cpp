@@ -36,29 +36,43 @@ struct Paint {
   std::vector<model::Rgb> colors;          ///< none, or one for each
 };
 
+/// Of what is known of them; nothing if all is the same.
+std::optional<std::pair<float, float>> range_of(const std::vector<float>& values) {
+  std::optional<std::pair<float, float>> range;
+  for (const float value : values)
+    if (!std::isnan(value)) {
+      if (!range) range = {value, value};
+      range = {std::min(range->first, value), std::max(range->second, value)};
+    }
+  if (range && range->first == range->second) range.reset();
+  return range;
+}
+
 /// A material for each of 256 steps of the map that has a value: in a document a third as long as
-/// with a colour for each particle.
+/// with a colour for each particle. Gray are those whose value is unknown.
 Paint mapped(const std::vector<float>& values, const Wishes& wishes, DrawingScale& scale) {
-  if (!scale.range) {
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    scale.range = {*least, *most};
-  }
-  const auto [least, most] = *scale.range;
+  if (!scale.range) scale.range = range_of(values);
+  const auto [least, most] = scale.range.value_or(std::pair(0.0F, 0.0F));
   // Halves: the difference of two large numbers may be too large itself.
   const float width = most / 2 - least / 2;
   constexpr std::size_t steps = 256;
   constexpr std::uint32_t unseen = ~std::uint32_t{0};
-  std::vector<std::uint32_t> material_of_step(steps, unseen);
+  constexpr std::size_t unknown = steps;
+  constexpr std::uint32_t gray = 0x808080;
+  std::vector<std::uint32_t> material_of_step(steps + 1, unseen);
   Paint result;
   result.material_of.reserve(values.size());
   for (const float value : values) {
     const float share = width > 0 ? std::clamp((value / 2 - least / 2) / width, 0.0F, 1.0F) : 0.5F;
-    const auto step = static_cast<std::size_t>(std::lround(share * (steps - 1)));
+    const auto step =
+        std::isnan(value) ? unknown : static_cast<std::size_t>(std::lround(share * (steps - 1)));
     std::uint32_t& material = material_of_step[step];
     if (material == unseen) {
       material = static_cast<std::uint32_t>(result.materials.size());
       const float on_map = static_cast<float>(step) / (steps - 1);
-      result.materials.push_back(material_of(color_on_map(wishes.color_map, on_map), ""));
+      const model::Rgb color =
+          step == unknown ? screen_color(gray) : color_on_map(wishes.color_map, on_map);
+      result.materials.push_back(material_of(color, ""));
     }
     result.material_of.push_back(material);
   }

@@ -17,7 +17,7 @@ struct Particles {
   std::vector<std::uint8_t> elements;  ///< atomic numbers; 0: unknown
   std::vector<double> radii;
   std::vector<model::Rgb> colors;     ///< as screens show them (sRGB)
-  std::vector<float> values;          ///< for a colour map
+  std::vector<float> values;          ///< for a colour map; NaN: unknown
   std::vector<std::uint32_t> groups;  ///< for a colour each: indices into group_names
   std::vector<std::string> group_names;
 
