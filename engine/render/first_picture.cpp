@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/math/block.h"
+#include "engine/measure/stopwatch.h"
 
 namespace raytracer {
 namespace {
@@ -23,10 +24,11 @@ void for_each_block(const Tile& tile, const Visit& visit) {
 /// How long it will take to guess the errors of all blocks, if each tile takes as long as the
 /// first.
 double measure_guessing(const Tracing& tracing, const std::vector<Tile>& tiles) {
-  const Camera& camera = tracing.scene.camera;
-  const Image image(camera.width, camera.height, channel_count(tracing.scene));
-  const Stopwatch watch;
-  for_each_block(tiles[0], [&](const Tile& block) { guess_errors2(image, block, 0); });
+  const Image image(tiles[0].x_end, tiles[0].y_end, channel_count(tracing.scene));
+  const auto guess = [&](const Tile& block) { guess_errors2(image, block, 0); };
+  for_each_block(tiles[0], guess);  // fresh memory is slow, and the picture's will not be fresh
+  const ThreadStopwatch watch;
+  for_each_block(tiles[0], guess);
   const std::size_t at_once = std::min(tracing.pool.thread_count(), tiles.size());
   return watch.elapsed_ms() * static_cast<double>(tiles.size()) / static_cast<double>(at_once);
 }
