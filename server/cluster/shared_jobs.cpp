@@ -127,7 +127,7 @@ std::shared_ptr<const Job> SharedJobs::accept(JobTask task, SceneView view,
     const auto job = std::make_shared<const SharedJob>(record, parts_.store, parts_.news);
     watched_.keep(record.id, job, bytes_of(record));
     threads_.enqueue([this, record, view = std::move(view), own]() mutable {
-      cut_or_render(std::move(record), std::move(view), *own);
+      cut_or_render(std::move(record), view, *own);
     });
     return std::shared_ptr<const Job>(job);
   });
@@ -232,7 +232,7 @@ void SharedJobs::fail(const std::string& id, const std::string& reason, const Ow
   }
 }
 
-void SharedJobs::cut_or_render(JobRecord record, SceneView view, Own& own) {
+void SharedJobs::cut_or_render(JobRecord record, const SceneView& view, Own& own) {
   try {
     // A front that shuts down leaves it to the others.
     if (own.slot.wait_until_admitted()) {
@@ -305,8 +305,8 @@ void SharedJobs::take_over(JobRecord record) {
       else
         record.renderer = parts_.self.renderer;
       if (persist(*own, [&] { return parts_.store.put_job(record); }) && record.task_count == 0) {
-        SceneView view = parts_.scenes.view_of(record);
-        cut_or_render(std::move(record), std::move(view), *own);
+        const SceneView view = parts_.scenes.view_of(record);
+        cut_or_render(std::move(record), view, *own);
         return;
       }
     } catch (const NatsUnavailable&) {  // NOLINT: it is tried again

@@ -81,7 +81,7 @@ class SharedJobs : public Jobs {
   void require_room();
   JobRecord new_record(JobTask task, const SceneView& view, const httplib::Params& query);
   void queue_all(const JobRecord& record);
-  void cut_or_render(JobRecord record, SceneView view, Own& own);
+  void cut_or_render(JobRecord record, const SceneView& view, Own& own);
   void render_here(JobRecord& record, const PreparedScene& scene, Own& own);
   /// Calls step() until NATS has done it, or the job is stopped; false then, or if it says false.
   bool persist(const Own& own, const std::function<bool()>& step);
