@@ -358,7 +358,11 @@ void SharedJobs::remove_leftovers(const std::vector<OpenJob>& open,
     std::set_intersection(refused_.begin(), refused_.end(), known.begin(), known.end(),
                           std::back_inserter(refused));
   }
-  for (const std::string& id : refused) parts_.store.remove_job(id);
+  for (const std::string& id : refused) {
+    parts_.store.remove_job(id);
+    const std::scoped_lock lock(mutex_);
+    refused_.erase(id);
+  }
 }
 
 void SharedJobs::look_after(const std::string& id, const std::vector<Member>& members,

@@ -83,7 +83,7 @@ class SharedJobs : public Jobs {
   void queue_all(const JobRecord& record);
   void cut_or_render(JobRecord record, const SceneView& view, Own& own);
   void render_here(JobRecord& record, const PreparedScene& scene, Own& own);
-  /// Calls step() until NATS has done it, or the job is stopped; false then, or if it says false.
+  /// Calls step() until NATS has done it, or the job is to stop; false then, or if it says false.
   bool persist(const Own& own, const std::function<bool()>& step);
   /// Has the job fail; where even that cannot be stored it is left to whoever looks after it next.
   void fail(const std::string& id, const std::string& reason, const Own& own);

@@ -33,8 +33,10 @@ class ObjFiles : public Assimp::DefaultIOSystem {
 
   Assimp::IOStream* Open(const char* path, const char* mode) override {
     const std::unique_ptr<Assimp::IOStream> file(DefaultIOSystem::Open(path, mode));
-    if (!file) ++missing_;
-    if (!file) return nullptr;
+    if (!file) {
+      ++missing_;
+      return nullptr;
+    }
     std::string text(file->FileSize(), '\0');
     text.resize(file->Read(text.data(), 1, text.size()));
     const std::string known = with_zeros_before_points(text);
@@ -185,8 +187,9 @@ class MeshImport {
     const float strength = (color.r + color.g + color.b) / 3;
     if (strength > 0) material.ks = static_cast<double>(std::min(strength, 1.0F));
     float exponent = 0;
-    if (file.Get(AI_MATKEY_SHININESS, exponent) == aiReturn_SUCCESS && exponent > 0)
-      material.shininess = static_cast<double>(std::min(exponent, 1000.0F));
+    if (file.Get(AI_MATKEY_SHININESS, exponent) == aiReturn_SUCCESS && exponent > 0 &&
+        is_moderate(static_cast<double>(exponent)))
+      material.shininess = static_cast<double>(exponent);
   }
 
   void add(const aiMesh& mesh) {

@@ -25,8 +25,6 @@ float as_float(double value) {
   return static_cast<float>(std::clamp(value, -most, most));
 }
 
-}  // namespace
-
 /// As spreadsheets, R, Python and simulations leave a number out.
 bool is_missing(std::string_view field) {
   const std::string text = in_small_letters(field);
@@ -34,6 +32,8 @@ bool is_missing(std::string_view field) {
     if (text == known) return true;
   return false;
 }
+
+}  // namespace
 
 bool is_moderate(double value) {
   constexpr double most = 1e100;
@@ -130,9 +130,10 @@ void Columns::add_color_column(std::string_view field, int line, Particles& part
   const bool is_unknown = is_missing(field);
   if (!is_group_ && !is_unknown) {
     is_group_ = !number_of(field).has_value();
-    // Until now all was missing, and taken for numbers.
-    if (*is_group_) particles.groups.assign(particles.values.size(), groups_.number_of(""));
-    if (*is_group_) particles.values.clear();
+    if (*is_group_) {  // until now all was missing, and taken for numbers
+      particles.groups.assign(particles.values.size(), groups_.number_of(""));
+      particles.values.clear();
+    }
   }
   if (is_group_ == true) {
     particles.groups.push_back(groups_.number_of(field));
