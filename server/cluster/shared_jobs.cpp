@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 #include "server/cluster/answered.h"
-#include "server/cluster/members.h"
 #include "server/cluster/result.h"
 #include "server/problem.h"
 
@@ -20,7 +18,6 @@ using std::chrono::milliseconds;
 
 constexpr std::size_t most_watched_bytes = 512 << 20;
 constexpr milliseconds before_another_call{250};
-constexpr milliseconds between_rounds{500};
 
 /// What it takes to watch a job: its picture.
 std::size_t bytes_of(const JobRecord& record) {
@@ -62,20 +59,26 @@ SharedJobs::SharedJobs(Parts parts)
         if (const auto own = own_.find(id); own != own_.end())
           parts_.admission.stop(own->second->progress);
       })),
-      threads_(std::numeric_limits<std::size_t>::max()),  // admission bounds them
-      caretaker_([this](const std::stop_token& end) {
-        if (parts_.is_front) look_after_jobs(end);
-      }) {}
+      threads_(std::numeric_limits<std::size_t>::max()) {  // admission bounds them
+  if (!parts_.is_front) return;
+  caretaker_.emplace(Caretaker::Parts{
+      .front = parts_.self.name,
+      .store = parts_.store,
+      .log = parts_.log,
+      .is_in_work = [this](const std::string& id) { return is_own(id); },
+      .is_awaited = [this](const std::string& id) { return is_awaited(id); },
+      .take_over = [this](const JobRecord& record) { take_over(record); },
+  });
+}
 
 SharedJobs::~SharedJobs() {
-  caretaker_.request_stop();
   {
     const std::scoped_lock lock(mutex_);
     closing_ = true;
     for (const auto& [id, own] : own_) parts_.admission.stop(own->progress);
   }
   changed_.notify_all();
-  caretaker_.join();
+  caretaker_.reset();
   threads_.shutdown();
 }
 
@@ -119,9 +122,9 @@ std::shared_ptr<const Job> SharedJobs::accept(JobTask task, SceneView view,
     try {
       parts_.store.put_job(record);
     } catch (...) {
+      if (caretaker_) caretaker_->remove_soon(record.id);
       const std::scoped_lock lock(mutex_);
       own_.erase(record.id);
-      refused_.insert(record.id);
       throw;
     }
     const auto job = std::make_shared<const SharedJob>(record, parts_.store, parts_.news);
@@ -163,7 +166,7 @@ void SharedJobs::end_render(const std::string& id) {
   }
   try {
     parts_.store.remove_job(id);
-  } catch (const std::exception&) {  // NOLINT: look_after() does it later
+  } catch (const std::exception&) {  // NOLINT: the caretaker does it later
   }
 }
 
@@ -291,11 +294,12 @@ void SharedJobs::take_over(JobRecord record) {
   } catch (const HttpError&) {
     return;  // no room here now
   }
-  parts_.log.note(fmt::format("job {} is taken over from {}", record.id, record.front));
   {
     const std::scoped_lock lock(mutex_);
+    if (closing_) return;
     own_.emplace(record.id, own);
   }
+  parts_.log.note(fmt::format("job {} is taken over from {}", record.id, record.front));
   threads_.enqueue([this, record, own]() mutable {
     try {
       record.front = parts_.self.name;
@@ -316,98 +320,6 @@ void SharedJobs::take_over(JobRecord record) {
     const std::scoped_lock lock(mutex_);
     own_.erase(record.id);
   });
-}
-
-void SharedJobs::look_after_jobs(const std::stop_token& end) {
-  while (!end.stop_requested()) {
-    try {
-      // In this order: whatever has a consumer had a record before.
-      const std::vector<OpenJob> open = parts_.store.open_jobs();
-      const std::vector<std::string> ids = parts_.store.job_ids();
-      remove_leftovers(open, ids);
-      std::vector<std::string> open_ids;
-      {
-        const std::scoped_lock lock(mutex_);
-        for (const std::string& id : ids)
-          if (!ended_.contains(id) && !own_.contains(id)) open_ids.push_back(id);
-        std::erase_if(ended_, [&](const std::string& id) {
-          return std::find(ids.begin(), ids.end(), id) == ids.end();
-        });
-      }
-      if (!open_ids.empty()) {
-        const std::vector<Member> members = parts_.store.members();
-        for (const std::string& id : open_ids) look_after(id, members, open);
-      }
-    } catch (const NatsUnavailable&) {  // NOLINT: it comes back
-    } catch (const std::exception& error) {
-      parts_.log.note(fmt::format("jobs cannot be looked after: {}", error.what()));
-    }
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, end, between_rounds, [&] { return closing_; });
-  }
-}
-
-void SharedJobs::remove_leftovers(const std::vector<OpenJob>& open,
-                                  const std::vector<std::string>& ids) {
-  const std::set<std::string> known(ids.begin(), ids.end());
-  for (const OpenJob& job : open)
-    if (!known.contains(job.id)) parts_.store.remove_rest(job.id, job.renderer);
-  std::vector<std::string> refused;
-  {
-    const std::scoped_lock lock(mutex_);
-    std::set_intersection(refused_.begin(), refused_.end(), known.begin(), known.end(),
-                          std::back_inserter(refused));
-  }
-  for (const std::string& id : refused) {
-    parts_.store.remove_job(id);
-    const std::scoped_lock lock(mutex_);
-    refused_.erase(id);
-  }
-}
-
-void SharedJobs::look_after(const std::string& id, const std::vector<Member>& members,
-                            const std::vector<OpenJob>& open) try {
-  const auto record = parts_.store.job(id);
-  if (!record) return;
-  const bool is_of_this = record->front == parts_.self.name;
-  const bool front_lives = is_of_this || lives(members, record->front, parts_.store.limits());
-  if (record->has_client && !(is_of_this ? is_awaited(id) : front_lives))
-    return parts_.store.remove_job(id);
-  const auto has_ended_now = [&] {
-    const std::scoped_lock lock(mutex_);
-    if (!record->has_client) ended_.insert(id);
-    lacking_.erase(id);
-  };
-  if (!record->failure.empty()) return has_ended_now();
-  if (record->task_count == 0) {
-    // Its front has it in work, but for what it was told was not stored when NATS went away.
-    if ((is_of_this || !front_lives) && !is_own(id)) take_over(*record);
-    return;
-  }
-  const std::set<int> done = parts_.store.results(id);
-  if (static_cast<int>(done.size()) >= record->task_count) {
-    parts_.store.close_job(*record);
-    return has_ended_now();
-  }
-  const auto entry =
-      std::find_if(open.begin(), open.end(), [&](const OpenJob& job) { return job.id == id; });
-  const std::uint64_t queued = entry == open.end() ? 0 : entry->waiting + entry->running;
-  const std::size_t missing = static_cast<std::size_t>(record->task_count) - done.size();
-  // Between two looks results come in: only what is lacking twice is lost.
-  const bool lacks = queued < missing;
-  const bool lacked_before = lacks && lacking_.contains(id) && lacking_[id] == missing;
-  lacking_.erase(id);
-  if (lacks) lacking_[id] = missing;
-  if (!lacked_before) return;
-  std::vector<int> tasks;
-  for (int task = 0; task < record->task_count; ++task)
-    if (!done.contains(task)) tasks.push_back(task);
-  parts_.log.note(fmt::format("job {}: {} tasks are queued again", id, tasks.size()));
-  parts_.store.queue_tasks(*record, tasks);
-} catch (const UnreadableRecord& error) {
-  parts_.log.note(fmt::format("job {} is left to others: {}", id, error.what()));
-  const std::scoped_lock lock(mutex_);
-  ended_.insert(id);
 }
 
 }  // namespace raytracer

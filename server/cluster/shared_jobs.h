@@ -2,9 +2,8 @@
 // takes over what it had begun.
 //
 // A job is accepted once its scene and its record are stored. The front that accepted it foresees
-// it; what is short it renders itself, all else it cuts into tasks. Every front looks through the
-// jobs from time to time: those that nobody has cut yet and whose front is silent it takes over;
-// tasks that have neither a result nor a place in the queue it queues again.
+// it; what is short it renders itself, all else it cuts into tasks. Whose front is silent is taken
+// over by another, see caretaker.h.
 #pragma once
 
 #include <chrono>
@@ -13,12 +12,13 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
-#include <thread>
 
 #include "engine/engine.h"
 #include "server/admission.h"
+#include "server/cluster/caretaker.h"
 #include "server/cluster/cut.h"
 #include "server/cluster/news.h"
 #include "server/cluster/prepared_scenes.h"
@@ -87,12 +87,8 @@ class SharedJobs : public Jobs {
   bool persist(const Own& own, const std::function<bool()>& step);
   /// Has the job fail; where even that cannot be stored it is left to whoever looks after it next.
   void fail(const std::string& id, const std::string& reason, const Own& own);
+  /// Does what its front, now silent, left to do.
   void take_over(JobRecord record);
-  void look_after_jobs(const std::stop_token& end);
-  void look_after(const std::string& id, const std::vector<Member>& members,
-                  const std::vector<OpenJob>& open);
-  /// Takes away what removals that were cut off left, and jobs that were refused though stored.
-  void remove_leftovers(const std::vector<OpenJob>& open, const std::vector<std::string>& ids);
   bool is_own(const std::string& id) const;
   bool is_awaited(const std::string& id) const;
 
@@ -101,15 +97,11 @@ class SharedJobs : public Jobs {
   std::condition_variable_any changed_;
   std::map<std::string, std::shared_ptr<Own>> own_;  ///< foreseen or rendered here now
   std::set<std::string> awaited_;                    ///< renders that a client waits for here
-  std::set<std::string> ended_;                      ///< need no looking after
-  std::set<std::string> refused_;                    ///< clients were told so, NATS may have them
-  std::map<std::string, std::size_t>
-      lacking_;  ///< tasks that a job seemed to lack at the last look
   bool closing_ = false;
   LruCache<SharedJob> watched_;
   std::shared_ptr<const void> removals_;
   ThreadPerTask threads_;
-  std::jthread caretaker_;
+  std::optional<Caretaker> caretaker_;  ///< of a front
 };
 
 }  // namespace raytracer
