@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <optional>
 #include <regex>
 #include <vector>
 
@@ -38,11 +40,15 @@ class NumberedFiles : public Film {
 
   std::string media_type() const override { return media_type_; }
 
-  bool has(int frame) const override {
-    return resumes_ && std::filesystem::exists(file(frame).path);  // they appear whole
+  bool has(int frame) override {
+    // They appear whole.
+    const bool is_there = resumes_ && std::filesystem::exists(file(frame).path);
+    if (is_there) kept_ = file(frame);
+    return is_there;
   }
 
   void add(int frame, const std::string& image) override {
+    if (kept_) check_size(*kept_, image);
     file(frame).write(image);
     ++count_;
   }
@@ -53,6 +59,19 @@ class NumberedFiles : public Film {
   }
 
  private:
+  static void check_size(const OutputFile& kept, const std::string& image) {
+    const ImageSize here = image_size(image).value_or(ImageSize{});
+    std::ifstream stream(kept.path, std::ios::binary);
+    std::string head(64, '\0');
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    const ImageSize there = image_size(head).value_or(here);
+    if (there.width_px != here.width_px || there.height_px != here.height_px)
+      throw InputError(fmt::format(
+          "--resume: {} has {} x {} pixels, and the missing frames have {} x {}: remove it, or "
+          "leave --resume out",
+          kept.path.string(), there.width_px, there.height_px, here.width_px, here.height_px));
+  }
+
   OutputFile file(int frame) const {
     return {fmt::format("{}{:0{}}{}", before_, frame, digits_, after_)};
   }
@@ -62,6 +81,7 @@ class NumberedFiles : public Film {
   std::string after_;
   bool resumes_;
   std::string media_type_;
+  std::optional<OutputFile> kept_;  ///< the last frame that was there
   int count_ = 0;
 };
 

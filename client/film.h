@@ -31,7 +31,7 @@ class Film {
   /// What the frames have to be asked for as.
   virtual std::string media_type() const = 0;
   /// Whether the frame is there from an earlier time. They count from 0.
-  virtual bool has(int) const { return false; }
+  virtual bool has(int) { return false; }
   /// In their order. Throws InputError if it cannot be written.
   virtual void add(int frame, const std::string& image) = 0;
   /// After the last one. Says what was made, for people.

@@ -51,6 +51,10 @@ class GzipSource : public TextSource {
         if (inside_) throw InputError(cut_off);
         return 0;
       }
+      if (!inside_ && some[0] == '\0') {  // tapes and blocks are filled up, and gzip takes it
+        packed_.leave(some.size() - 1);
+        continue;
+      }
       stream_.next_in = reinterpret_cast<Bytef*>(some.data());
       stream_.avail_in = static_cast<uInt>(some.size());
       const int result = inflate(&stream_, Z_NO_FLUSH);

@@ -116,6 +116,17 @@ TEST_F(Animate, what_is_there_is_not_rendered_again) {
   EXPECT_EQ(read_file(folder_ / "f-2.png"), "kept");
 }
 
+TEST_F(Animate, frames_of_another_size_are_not_resumed) {
+  const std::string file = folder_.write("atoms.xyz", three_frames);
+  const std::string target = folder_ / "f-%d.png";
+  ASSERT_EQ(animate({file, "--frames", "all", "-o", target}).status, 0);
+  std::filesystem::remove(folder_ / "f-1.png");
+  Command command = client_command({"animate", file, "--frames", "all", "-o", target, "--width",
+                                    "30", "--height", "10", "--samples", "1", "--resume"});
+  expect_input_error(run(command), "f-2.png has 20 x 10 pixels");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "f-1.png"));
+}
+
 TEST_F(Animate, without_a_name_frames_are_numbered_where_one_is) {
   const std::string file = folder_.write("atoms.xyz", three_frames);
   Command command = client_command(

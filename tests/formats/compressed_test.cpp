@@ -69,6 +69,10 @@ TEST_F(Compressed, members_follow_each_other) {
   EXPECT_EQ(read("a.csv.ZST", zstandard(text_) + zstandard("end")), text_ + "end");
 }
 
+TEST_F(Compressed, zeros_that_fill_up_the_last_block_are_no_member) {
+  EXPECT_EQ(read("a.csv.gz", gzipped(text_) + std::string(1000, '\0')), text_);
+}
+
 TEST_F(Compressed, that_is_cut_off_or_damaged_is_refused) {
   for (const auto& [name, packed] : {std::pair{std::string("a.gz"), gzipped(text_)},
                                      std::pair{std::string("a.zst"), zstandard(text_)}}) {

@@ -90,6 +90,21 @@ TEST(Pdb, water_and_alternate_locations_are_left_out_and_counted) {
   EXPECT_EQ(count_of(document(".pdb", text, wishes), "sphere"), 3U);
 }
 
+/// The side chain has its own two places; the hydrogen is known in the second one only. The other
+/// residue that may stand there has atoms which this one has not.
+TEST(Pdb, atoms_of_one_location_only_are_shown) {
+  const std::string text = pdb_atom(1, " CA ", "SER", 'A', 1, 0, "C", 'A') +
+                           pdb_atom(2, " CA ", "SER", 'A', 1, 1, "C", 'B') +
+                           pdb_atom(3, " HG ", "SER", 'A', 1, 2, "H", 'B') +
+                           pdb_atom(4, " CB ", "SER", 'A', 1, 3, "C", 'C') +
+                           pdb_atom(5, " CB ", "SER", 'A', 1, 4, "C", 'D') +
+                           pdb_atom(6, " CG2", "THR", 'A', 1, 5, "C", 'B');
+  const auto frames = read_text(*client::format_of(".pdb"), text);
+  EXPECT_EQ(count_of(document(".pdb", text), "sphere"), 3U);
+  ASSERT_EQ(frames[0].omissions.size(), 1U);
+  EXPECT_EQ(frames[0].omissions[0].count, 3);
+}
+
 TEST(Pdb, water_of_simulations_is_water) {
   for (const char* const name : {"SOL", "TIP", "TP3", "SPC", "WAT"})
     EXPECT_EQ(count_of(document(".pdb", pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C") +

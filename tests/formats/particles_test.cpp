@@ -58,6 +58,32 @@ TEST(Xyz, frames_follow_each_other_under_one_camera) {
   EXPECT_EQ(centers_of(frames[1]).size(), 2U);
 }
 
+TEST(Xyz, labels_of_simulations_name_elements) {
+  const json scene = document(".xyz", "4\n\nOW 0 0 0\nHW1 1 0 0\nCl 5 0 0\nXx 9 0 0\n");
+  EXPECT_EQ(scene.at("materials").size(), 4U);
+  for (const char* const element : {"O", "H", "Cl", "X"})
+    EXPECT_TRUE(scene.at("materials").contains(element)) << element;
+}
+
+TEST(Xyz, frames_without_atoms_are_left_out_and_counted) {
+  const std::string text = "0\nempty\n0\n\n1\n\nC 0 0 0\n0\n\n1\n\nC 1 0 0\n0\n\n";
+  const auto frames = read_text(*client::format_of(".xyz"), text);
+  ASSERT_EQ(frames.size(), 2U);
+  ASSERT_EQ(frames[0].omissions.size(), 1U);
+  EXPECT_EQ(frames[0].omissions[0].count, 2);
+  EXPECT_EQ(frames[1].omissions[0].count, 1);
+  EXPECT_EQ(read_text(*client::format_of(".xyz"), "0\n\n")[0].errors.size(), 1U);
+}
+
+TEST(Lammps, frames_without_atoms_are_left_out_and_counted) {
+  const std::string empty = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\nITEM: ATOMS x y z\n";
+  const auto frames = read_text(*client::format_of(".dump"),
+                                empty + dump_head + "ITEM: ATOMS x y z\n1 1 1\n2 2 2\n" + empty);
+  ASSERT_EQ(frames.size(), 1U);
+  ASSERT_EQ(frames[0].omissions.size(), 1U);
+  EXPECT_EQ(frames[0].omissions[0].count, 1);
+}
+
 TEST(Lammps, places_are_taken_as_they_are_or_in_box_lengths) {
   const auto centers = [](const std::string& columns, const std::string& rows) {
     return centers_of(document(".dump", dump_head + "ITEM: ATOMS " + columns + "\n" + rows));

@@ -25,6 +25,21 @@ void AtomCollector::omit(int line, std::string_view one, std::string_view many) 
   add_omission(particles_.omissions, line, one, many);
 }
 
+/// Whether the atom has been shown in another place, or where it stands another residue has.
+bool AtomCollector::is_second_place(const Atom& atom) {
+  const auto is_same_residue = [&] {
+    return residue_.size() == atom.chain.size() + 1 + atom.number.size() &&
+           residue_.starts_with(atom.chain) && residue_.ends_with(atom.number);
+  };
+  if (!is_same_residue()) {
+    residue_.assign(atom.chain).append(" ").append(atom.number);
+    name_ = atom.residue;
+    shown_.clear();
+  }
+  if (atom.alternate.empty()) return false;
+  return atom.residue != name_ || !shown_.emplace(atom.name).second;
+}
+
 std::optional<std::uint32_t> AtomCollector::add(int line, const Atom& atom, float color_value) {
   const bool is_left_out = !wishes_.with_water && is_water(atom.residue);
   if (is_left_out) {
@@ -34,21 +49,9 @@ std::optional<std::uint32_t> AtomCollector::add(int line, const Atom& atom, floa
   } else {
     water_ = {};
   }
-  // Of a residue that the file has in several places the first one is shown.
-  const auto is_same_residue = [&] {
-    return residue_.size() == atom.chain.size() + 1 + atom.number.size() &&
-           residue_.starts_with(atom.chain) && residue_.ends_with(atom.number);
-  };
-  if (!is_same_residue()) {
-    residue_.assign(atom.chain).append(" ").append(atom.number);
-    alternate_.clear();
-  }
-  if (!atom.alternate.empty()) {
-    if (alternate_.empty()) alternate_ = atom.alternate;
-    if (alternate_ != atom.alternate) {
-      omit(line, "atom in an alternate location left out", "atoms in alternate locations left out");
-      return std::nullopt;
-    }
+  if (is_second_place(atom)) {
+    omit(line, "atom in an alternate location left out", "atoms in alternate locations left out");
+    return std::nullopt;
   }
   Particles& among = is_left_out ? water_ : particles_;
   const auto index = static_cast<std::uint32_t>(among.places.size());

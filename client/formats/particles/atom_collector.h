@@ -1,8 +1,9 @@
 // The atoms of a molecule's model: which of them are shown, and what gives them their colours.
 #pragma once
 
-#include <map>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,7 @@ struct Atom {
   std::string_view chain;
   std::string_view residue;    ///< its name: "GLY", "HOH"
   std::string_view number;     ///< of the residue, with an insertion code
+  std::string_view name;       ///< of the atom within the residue: "CA"
   std::string_view alternate;  ///< empty, or which of several places this is
 };
 
@@ -37,14 +39,16 @@ class AtomCollector {
 
  private:
   void omit(int line, std::string_view one, std::string_view many);
+  bool is_second_place(const Atom& atom);
 
   Wishes wishes_;
   std::optional<std::string> color_column_;
   Particles particles_;
-  Particles water_;        ///< until there is something else
-  GroupNames groups_;      ///< of all models
-  std::string residue_;    ///< the last one's chain and number
-  std::string alternate_;  ///< which is shown of it; empty: not decided
+  Particles water_;                           ///< until there is something else
+  GroupNames groups_;                         ///< of all models
+  std::string residue_;                       ///< the last one's chain and number
+  std::string name_;                          ///< which residue is shown at that number
+  std::set<std::string, std::less<>> shown_;  ///< its atoms
 };
 
 }  // namespace raytracer::client

@@ -103,7 +103,7 @@ void Columns::add(const std::vector<std::string_view>& fields, int line, Particl
                       fmt::format("{} is too far away: at most 1e100", quoted(fields[place_[i]]))};
   }
   particles.places.push_back(place);
-  if (element_) particles.elements.push_back(element_of(fields[*element_]));
+  if (element_) particles.elements.push_back(element_of_label(fields[*element_]));
   if (radius_) {
     const double radius = number(*radius_, fields[*radius_], line) / (is_diameter_ ? 2 : 1);
     if (!(radius > 0 && is_moderate(radius)))

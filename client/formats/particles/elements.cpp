@@ -58,6 +58,13 @@ std::uint8_t element_of(std::string_view word) {
   return number_of(gemmi::find_element(symbol.c_str()));
 }
 
+std::uint8_t element_of_label(std::string_view label) {
+  const std::uint8_t element = element_of(label);
+  constexpr std::string_view common = "HCNOPS";
+  if (element != 0 || label.empty() || common.find(label[0]) == common.npos) return element;
+  return element_of(label.substr(0, 1));
+}
+
 std::string_view symbol_of(std::uint8_t element) {
   return gemmi::element_name(gemmi_element(element));
 }

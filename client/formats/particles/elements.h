@@ -12,6 +12,10 @@ namespace raytracer::client {
 /// than a letter ("C12", "Fe3+"); 0 if it is none. D is hydrogen.
 std::uint8_t element_of(std::string_view word);
 
+/// Also of a label in which the symbol of a common element of one letter is followed by other
+/// letters, as simulations of molecules have them: "OW" and "HW1" of water, "CAL", "NZ".
+std::uint8_t element_of_label(std::string_view label);
+
 std::string_view symbol_of(std::uint8_t element);
 
 /// In ångström: Bondi, J. Phys. Chem. 68, 441 (1964) and Mantina et al., J. Phys. Chem. A 113, 5806

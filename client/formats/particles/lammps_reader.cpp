@@ -41,8 +41,7 @@ std::string_view LammpsReader::value_line() {
 std::size_t LammpsReader::read_count() {
   split_fields(value_line(), fields_);
   const auto count = fields_.size() == 1 ? count_of(fields_[0]) : std::nullopt;
-  if (!count || *count < 1)
-    throw lines_.wrong(fmt::format("{} is no number of atoms", quoted(lines_.line())));
+  if (!count) throw lines_.wrong(fmt::format("{} is no number of atoms", quoted(lines_.line())));
   lines_.advance();
   return *count;
 }
@@ -111,9 +110,10 @@ void LammpsReader::read_columns() {
   lines_.advance();
 }
 
-Particles LammpsReader::next_frame() {
+/// Down to its first atom.
+LammpsReader::Head LammpsReader::read_head() {
+  Head head;
   std::optional<std::size_t> count;
-  std::optional<Cell> cell;
   for (bool are_atoms_next = false; !are_atoms_next;) {
     const std::string_view line = lines_.line();
     if (lines_.at_end()) throw lines_.wrong("the file ends in the middle of a frame");
@@ -124,7 +124,7 @@ Particles LammpsReader::next_frame() {
     if (title.starts_with("NUMBER OF ATOMS")) {
       count = read_count();
     } else if (title.starts_with("BOX BOUNDS")) {
-      cell = read_cell();
+      head.cell = read_cell();
     } else if (title.starts_with("ATOMS")) {
       are_atoms_next = true;
     } else if (title.starts_with("TIMESTEP") || title.starts_with("TIME") ||
@@ -136,13 +136,25 @@ Particles LammpsReader::next_frame() {
     }
   }
   if (!count) throw lines_.wrong("ITEM: NUMBER OF ATOMS is to stand before ITEM: ATOMS");
+  head.count = *count;
   read_columns();
-  if (is_scaled_ && !cell)
+  if (is_scaled_ && !head.cell)
     throw lines_.wrong("places in box lengths need ITEM: BOX BOUNDS before ITEM: ATOMS");
+  return head;
+}
+
+std::optional<Particles> LammpsReader::next_frame() {
   Particles particles;
-  for (std::size_t i = 0; i < *count; ++i) {
+  Head head = read_head();
+  for (; head.count == 0; head = read_head()) {  // what is poured in is not there at the beginning
+    add_omission(particles.omissions, lines_.number(), "frame without atoms left out",
+                 "frames without atoms left out");
+    lines_.skip_blank();
+    if (lines_.at_end()) return std::nullopt;
+  }
+  for (std::size_t i = 0; i < head.count; ++i) {
     if (lines_.at_end() || lines_.line().starts_with(item))
-      throw lines_.wrong(fmt::format("the frame ends after {} of {} atoms", i, *count));
+      throw lines_.wrong(fmt::format("the frame ends after {} of {} atoms", i, head.count));
     split_fields(lines_.line(), fields_);
     columns_->add(fields_, lines_.number(), particles);
     lines_.advance();
@@ -151,9 +163,9 @@ Particles LammpsReader::next_frame() {
   lines_.skip_blank();
   if (is_scaled_)
     for (model::Triple& place : particles.places) {
-      model::Triple sum = cell->corner;
+      model::Triple sum = head.cell->corner;
       for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t k = 0; k < 3; ++k) sum[k] += place[i] * cell->edges[i][k];
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += place[i] * head.cell->edges[i][k];
       place = sum;
     }
   return particles;

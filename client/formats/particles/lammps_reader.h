@@ -15,7 +15,7 @@ namespace raytracer::client {
 class LammpsReader : public ParticleReader {
  public:
   LammpsReader(std::unique_ptr<TextSource> source, const Wishes& wishes);
-  Particles next_frame() override;
+  std::optional<Particles> next_frame() override;
   bool has_more() const override { return !lines_.at_end(); }
 
  private:
@@ -25,6 +25,13 @@ class LammpsReader : public ParticleReader {
     std::array<model::Triple, 3> edges{};
   };
 
+  /// What stands before a frame's atoms.
+  struct Head {
+    std::size_t count = 0;
+    std::optional<Cell> cell;
+  };
+
+  Head read_head();
   std::size_t read_count();
   Cell read_cell();
   void read_columns();

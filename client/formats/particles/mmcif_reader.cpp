@@ -90,20 +90,21 @@ void MmcifReader::read_row(std::size_t row) {
   const std::string residue = value(row, residue_);
   const std::string residue_number = value(row, residue_number_);
   const std::string insertion = value(row, insertion_);
+  const std::string atom = value(row, atom_);
   const std::string alternate = value(row, alternate_);
   const std::string whole_number = residue_number + insertion;
   std::uint8_t element = element_of(value(row, element_));
-  if (element_ < 0) element = element_of(value(row, atom_).substr(0, 1));
+  if (element_ < 0) element = element_of(atom.substr(0, 1));
   float color_value = 0;
   if (color_ >= 0)
     color_value = static_cast<float>(
         std::clamp(number(row, color_), -static_cast<double>(std::numeric_limits<float>::max()),
                    static_cast<double>(std::numeric_limits<float>::max())));
   const auto index =
-      atoms_.add(contents_.sites->line, {place, element, chain, residue, whole_number, alternate},
-                 color_value);
+      atoms_.add(contents_.sites->line,
+                 {place, element, chain, residue, whole_number, atom, alternate}, color_value);
   if (index && has_bonds_)
-    by_name_.try_emplace({chain, residue, residue_number, insertion, value(row, atom_)}, *index);
+    by_name_.try_emplace({chain, residue, residue_number, insertion, atom}, *index);
 }
 
 void MmcifReader::add_bonds(Particles& particles) const {
@@ -149,12 +150,12 @@ Particles MmcifReader::read_cell() {
     const model::Triple place{site.x, site.y, site.z};
     if (!std::all_of(place.begin(), place.end(), is_moderate))
       throw LineError{1, fmt::format("the site {} has no place", client::quoted(site.label))};
-    atoms_.add(1, {place, element_of(site.element), "", "", "", ""}, 0);
+    atoms_.add(1, {place, element_of(site.element), "", "", "", "", ""}, 0);
   }
   return atoms_.take(1);
 }
 
-Particles MmcifReader::next_frame() {
+std::optional<Particles> MmcifReader::next_frame() {
   if (!contents_.sites) return read_cell();
   by_name_.clear();
   const std::string model = value(row_, model_);

@@ -19,7 +19,7 @@ namespace raytracer::client {
 class MmcifReader : public ParticleReader {
  public:
   MmcifReader(std::unique_ptr<TextSource> source, const Wishes& wishes);
-  Particles next_frame() override;
+  std::optional<Particles> next_frame() override;
   bool has_more() const override { return row_ < row_count_; }
 
  private:

@@ -28,9 +28,11 @@ class ParticleScenes : public SceneFile {
     Reading reading;
     try {
       if (!reader_) reader_ = make_reader_();
-      Particles particles = reader_->next_frame();
-      reading.omissions = std::move(particles.omissions);
-      draw_particles(std::move(particles), wishes_, scale_, reading.scene);
+      std::optional<Particles> particles = reader_->next_frame();
+      if (!particles && view_) return std::nullopt;
+      if (!particles) throw LineError{1, "the file has no atoms: its frames are empty"};
+      reading.omissions = std::move(particles->omissions);
+      draw_particles(*std::move(particles), wishes_, scale_, reading.scene);
       if (!view_) view_ = view_of_all(reading.scene, wishes_, upright_);
       arrange(reading.scene, wishes_, *view_);
     } catch (const LineError& error) {

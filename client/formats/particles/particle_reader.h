@@ -1,6 +1,8 @@
 // What the readers of particles have in common.
 #pragma once
 
+#include <optional>
+
 #include "client/formats/particles/particles.h"
 
 namespace raytracer::client {
@@ -12,9 +14,9 @@ class ParticleReader {
   ParticleReader(const ParticleReader&) = delete;
   ParticleReader& operator=(const ParticleReader&) = delete;
 
-  /// The particles of the next frame: at least one. Throws LineError, or InputError for what has no
-  /// line.
-  virtual Particles next_frame() = 0;
+  /// The particles of the next frame that has some: at least one; nothing if none has. Throws
+  /// LineError, or InputError for what has no line.
+  virtual std::optional<Particles> next_frame() = 0;
   virtual bool has_more() const = 0;
 };
 

@@ -132,6 +132,7 @@ void PdbReader::read_atom() {
   atom.chain = field(line, 22, 22);
   atom.residue = field(line, 18, 20);
   atom.number = field(line, 23, 27);
+  atom.name = field(line, 13, 16);
   atom.alternate = field(line, 17, 17);
   float color_value = 0;
   if (const auto& column = atoms_.color_column()) {
@@ -161,7 +162,7 @@ void PdbReader::find_next_model() {
   while (!lines_->at_end() && !is_atom(lines_->line())) lines_->advance();
 }
 
-Particles PdbReader::next_frame() {
+std::optional<Particles> PdbReader::next_frame() {
   by_serial_.clear();
   for (; !lines_->at_end(); lines_->advance()) {
     const std::string_view line = lines_->line();

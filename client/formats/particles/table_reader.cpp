@@ -29,7 +29,7 @@ void TableReader::split() {
     throw LineError{first, "a quotation mark is not closed"};
 }
 
-Particles TableReader::next_frame() {
+std::optional<Particles> TableReader::next_frame() {
   const auto skip_comments = [this] {
     lines_.skip_blank();
     while (!lines_.at_end() && lines_.line().starts_with('#')) {

@@ -14,7 +14,7 @@ namespace raytracer::client {
 class TableReader : public ParticleReader {
  public:
   TableReader(std::unique_ptr<TextSource> source, char separator, const Wishes& wishes);
-  Particles next_frame() override;
+  std::optional<Particles> next_frame() override;
   bool has_more() const override { return false; }
 
  private:

@@ -68,7 +68,7 @@ XyzReader::XyzReader(std::unique_ptr<TextSource> source, const Wishes& wishes)
 std::size_t XyzReader::read_count() {
   split_fields(lines_.line(), fields_);
   const auto count = fields_.size() == 1 ? count_of(fields_[0]) : std::nullopt;
-  if (!count || *count < 1)
+  if (!count)
     throw lines_.wrong(
         fmt::format("{} is no number of atoms, with which a frame begins", quoted(lines_.line())));
   lines_.advance();
@@ -84,10 +84,17 @@ void XyzReader::read_comment() {
   lines_.advance();
 }
 
-Particles XyzReader::next_frame() {
-  const std::size_t count = read_count();
-  read_comment();
+std::optional<Particles> XyzReader::next_frame() {
   Particles particles;
+  std::size_t count = read_count();
+  for (; count == 0; count = read_count()) {
+    add_omission(particles.omissions, lines_.number(), "frame without atoms left out",
+                 "frames without atoms left out");
+    lines_.advance();  // its comment
+    lines_.skip_blank();
+    if (lines_.at_end()) return std::nullopt;
+  }
+  read_comment();
   for (std::size_t i = 0; i < count; ++i) {
     if (lines_.at_end())
       throw lines_.wrong(fmt::format("the file ends after {} of {} atoms", i, count));

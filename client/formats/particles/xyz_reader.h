@@ -16,7 +16,7 @@ namespace raytracer::client {
 class XyzReader : public ParticleReader {
  public:
   XyzReader(std::unique_ptr<TextSource> source, const Wishes& wishes);
-  Particles next_frame() override;
+  std::optional<Particles> next_frame() override;
   bool has_more() const override { return !lines_.at_end(); }
 
  private:
