@@ -71,6 +71,13 @@ struct FaceRectangle {
   }
 };
 
+namespace light_cube {
+
+/// From a cube's middle to its corner, in halves of its side; a little more.
+inline constexpr double root_three = 1.7321;
+
+}  // namespace light_cube
+
 /// A box as it is seen from the origin through a face of the cube around that.
 class BoxInFace {
  public:
@@ -107,8 +114,7 @@ class BoxInFace {
   double least_along() const {
     const double square =
         u_.least() * u_.least() + v_.least() * v_.least() + along_.least() * along_.least();
-    constexpr double root_three = 1.7321;
-    return std::max(along_.low, std::sqrt(square) / root_three);
+    return std::max(along_.low, std::sqrt(square) / light_cube::root_three);
   }
 
  private:
@@ -232,7 +238,7 @@ struct PlannedCube {
     const BoxInFace outer(box, face);
     const FaceRectangle most = outer.rectangle(turn);
     const FaceRectangle& window = windows[of];
-    const double wider = std::min(margin / outer.least_along(), 4.0);
+    const double wider = wider_by(outer.least_along());
     const auto index = [&](double place, int more) {
       const double cell = place * static_cast<double>(cube.cells_per_unit) + more;
       return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(cube.side)));
@@ -247,18 +253,25 @@ struct PlannedCube {
             row + index(std::min(place_of(pixels.y_end) + v_wider, most.v_high) - window.v_low, 1)};
   }
 
-  /// What of a face's view a cell is, in rows as `cells` counts them, a little generously.
-  PixelRectangle pixels(int face, int column, int row) const {
+  /// What of a face's view may belong to a cell, in rows as `cells` counts them, of what is so far
+  /// from the light or farther.
+  PixelRectangle pixels(int face, int column, int row, double distance) const {
     const FaceRectangle& window = windows[static_cast<std::size_t>(face)];
     const double cell = 1 / static_cast<double>(cube.cells_per_unit);
-    const auto pixel = [&](double low, double count) {
-      return light_cube::pixel_of(low + count * cell);
+    const double wider = cell / 1000 + wider_by(distance / light_cube::root_three);
+    const auto low = [&](double begin, double extent, int count) {
+      return light_cube::pixel_of(begin + count * cell - wider - turn * extent);
     };
-    constexpr double more = 1e-3;
+    const auto high = [&](double begin, double extent, int count) {
+      return light_cube::pixel_of(begin + (count + 1) * cell + wider + turn * extent);
+    };
     const int own = row - face * cube.side;
-    return {pixel(window.u_low, column - more), pixel(window.v_low, own - more),
-            pixel(window.u_low, column + 1 + more), pixel(window.v_low, own + 1 + more)};
+    return {low(window.u_low, window.width(), column), low(window.v_low, window.height(), own),
+            high(window.u_low, window.width(), column), high(window.v_low, window.height(), own)};
   }
+
+  /// By how much of a face a point may miss its cell, so far along the face's axis.
+  double wider_by(double along) const { return std::min(margin / along, 4.0); }
 };
 
 /// Cells that suit the primitives, at least one of which there is, none of them farther from the

@@ -109,7 +109,9 @@ PointLists<T> build_point_lists(const Vec3& light, std::span<const Primitive> pr
       outline = screen_outline(view, seen_from(primitives[whole.primitive], light));
     return [&, face, outline](int column, int row) {
       Entry entry = whole;
-      if (outline && !outline->reach(planned.pixels(face, column, row))) entry.top = Entry::nowhere;
+      const double distance = -static_cast<double>(whole.top);
+      if (outline && !outline->reach(planned.pixels(face, column, row, distance)))
+        entry.top = Entry::nowhere;
       return entry;
     };
   };

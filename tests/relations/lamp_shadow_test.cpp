@@ -171,6 +171,50 @@ TEST(LampShadow, of_a_far_lamp_has_no_holes_where_triangles_meet) {
   }
 }
 
+/// Triangles a million times farther away than what they shade: their places are 1e-10 apart, and a
+/// pixel is 2e-11 wide.
+TEST(LampShadow, of_far_triangles_has_no_holes_where_they_meet) {
+  constexpr double far = 1e6;
+  const Vec3 along{std::sqrt(0.5), std::sqrt(0.5), 0};
+  const Vec3 aside{std::sqrt(0.5), -std::sqrt(0.5), 0};
+  const Vec3 up{0, 0, 1};
+  std::mt19937 random(6);  // the same numbers everywhere
+  const auto near = [&](double middle) {
+    return middle + 0.2 * (static_cast<double>(random()) / 4294967295.0 - 0.5);
+  };
+  for (int fan = 0; fan < 8; ++fan) {
+    const Vec3 seen{near(0), near(0), near(0)};
+    std::vector<Vec3> corners{seen + far * along};
+    for (const Vec3& corner : {aside, -0.5 * aside + 0.8 * up, -0.5 * aside - 0.8 * up})
+      corners.push_back(seen + far * (near(1) * corner + near(1) * along));
+    for (const json& light :
+         {point_json(seen + 3 * far * along, 100 * far * far), distant_json(-along)}) {
+      const auto scene_with = [&](std::vector<std::array<int, 3>> triangles, double fov) {
+        return document(camera_json(64, 64, fov, seen + 3 * along + 4 * up, seen),
+                        {plane_json(seen, along), mesh_json(corners, std::move(triangles))},
+                        {light});
+      };
+      const json open = scene_with({{0, 1, 2}, {0, 2, 3}}, 0.1);
+      EXPECT_GT(count_lit(image_of(in_precision(open, "double"))), 500);
+      for (const char* precision : {"single", "double"})
+        EXPECT_EQ(count_lit(image_of(in_precision(
+                      scene_with({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}, 64 * 2e-11 / 5), precision))),
+                  0)
+            << precision << ", fan " << fan << ", " << light.dump();
+    }
+  }
+}
+
+/// As flat as it sees a triangle, a lamp stands above it.
+TEST(LampShadow, of_a_vast_triangle_under_a_low_lamp_is_whole) {
+  const json floor = mesh_json({{-1e12, 0, -1e12}, {1e12, 0, -1e12}, {0, 0, 1e12}}, {{0, 1, 2}});
+  const json text =
+      document(camera_json(40, 30, 0.8, {0, -2, -5}, {0, -3, 0}),
+               {floor, plane_json({0, -3, 0}, {0, 1, 0})}, {point_json({0, 0.5, 0}, 400)});
+  for (const char* precision : {"auto", "double"})
+    EXPECT_EQ(count_lit(image_of(in_precision(text, precision))), 0) << precision;
+}
+
 /// A lamp in a tilted plane that passes near the eye lights what is before it.
 TEST(LampShadow, of_the_plane_that_the_lamp_is_in_is_none) {
   const Vec3 normal{1, 2, 3};

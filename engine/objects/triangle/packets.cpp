@@ -9,6 +9,10 @@
 namespace raytracer {
 namespace {
 
+/// What a side's place is generous by, as a share of its corners' coordinates: so many roundings
+/// has the distance from it of a point that may be much nearer to the eye.
+constexpr double place_noise = 8 * std::numeric_limits<double>::epsilon();
+
 struct Point {
   double u;
   double v;
@@ -21,16 +25,18 @@ struct EdgeLine {
   double offset;
 };
 
-/// The line from p to q, through the middle between them. Of q and p it is the opposite to the bit,
-/// so that nothing lies outside of both triangles that share it.
-EdgeLine edge_line(const Point& p, const Point& q) {
+/// The line from p to q, through the middle between them. Of q and p it is the opposite to the bit
+/// but for what both are generous by, so that nothing lies outside of both triangles that share it.
+/// `sign` is -1 where the inner side is the other one.
+EdgeLine edge_line(const Point& p, const Point& q, double sign) {
   const double u = q.u - p.u;
   const double v = q.v - p.v;
   const double size = std::sqrt(u * u + v * v);
-  const double scale = size > 0 ? 1 / size : 0;
+  const double scale = size > 0 ? sign / size : 0;
   const EdgeLine slopes{-v * scale, u * scale, 0};
+  const double noise = place_noise * (std::abs(p.u + q.u) + std::abs(p.v + q.v));
   return {slopes.u_slope, slopes.v_slope,
-          -0.5 * (slopes.u_slope * (p.u + q.u) + slopes.v_slope * (p.v + q.v))};
+          noise - 0.5 * (slopes.u_slope * (p.u + q.u) + slopes.v_slope * (p.v + q.v))};
 }
 
 /// Of a triangle that the light sees as a line or a point everything is outside.
@@ -50,10 +56,10 @@ TriangleOutline<T> outline(const LightAxes& axes, const PackedTriangle& triangle
     return lines;
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    const EdgeLine line = edge_line(corners[i], corners[(i + 1) % 3]);
-    lines.u_slopes[i] = static_cast<T>(sign * line.u_slope);
-    lines.v_slopes[i] = static_cast<T>(sign * line.v_slope);
-    lines.offsets[i] = static_cast<T>(sign * line.offset);
+    const EdgeLine line = edge_line(corners[i], corners[(i + 1) % 3], sign);
+    lines.u_slopes[i] = static_cast<T>(line.u_slope);
+    lines.v_slopes[i] = static_cast<T>(line.v_slope);
+    lines.offsets[i] = static_cast<T>(line.offset);
   }
   return lines;
 }
@@ -70,11 +76,11 @@ bool reaches(const TriangleOutline<T>& lines, T u, T v, T half) {
 }
 
 /// The planes through a light and a triangle's sides: of one that two triangles share the opposite
-/// for the other, to the bit. Nothing is inside if the light is in the triangle's own plane, or
-/// sees two corners at one place.
+/// for the other, to the bit but for what both are generous by. Nothing is inside if the light is
+/// in the triangle's own plane, or sees two corners at one place.
 template <typename T>
 TriangleShadow<T> shadow_of(const Vec3& light, const PackedTriangle& t) {
-  constexpr double noise = 4096 * std::numeric_limits<double>::epsilon();
+  constexpr double noise = 64 * std::numeric_limits<double>::epsilon();
   TriangleShadow<T> none;
   none.normals.fill({});
   none.offsets.fill(T(1));
@@ -93,7 +99,8 @@ TriangleShadow<T> shadow_of(const Vec3& light, const PackedTriangle& t) {
     if (!(length(across) > 0)) return none;
     const Vec3 normal = sign * unit(across);
     shadow.normals[i] = narrowed<T>(normal);
-    shadow.offsets[i] = static_cast<T>(0.5 * dot(normal, t.vertices[i] + t.vertices[next]));
+    const Vec3 middle = 0.5 * (t.vertices[i] + t.vertices[next]);
+    shadow.offsets[i] = static_cast<T>(dot(normal, middle) - 2 * place_noise * length(middle));
   }
   shadow.normals[3] = narrowed<T>(away);
   shadow.offsets[3] = static_cast<T>(dot(away, t.vertices[0]));
