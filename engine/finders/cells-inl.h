@@ -84,7 +84,8 @@ HWY_INLINE hn::Mask<D> occluded_by_each(D d, const Columns& casters, std::size_t
   return dark;
 }
 
-/// Lanes of `lit` whose light a caster of their own cell hides.
+/// Lanes of `lit` whose light a caster of their own cell hides. test.is_past(d, cell, count, i,
+/// values) says for which points a cell's caster i, and all behind it, are past what may hide them.
 template <class D, class Grid, class Test, class V, std::size_t size, class M = hn::Mask<D>>
 HWY_NOINLINE M occluded_in_cells(D d, const Grid& grid, V cell_of_lane, const Test& test,
                                  const V (&values)[size], M lit) {
@@ -92,12 +93,16 @@ HWY_NOINLINE M occluded_in_cells(D d, const Grid& grid, V cell_of_lane, const Te
   constexpr std::size_t most_lanes = hn::MaxLanes(D());
   HWY_ALIGN T stored[size][most_lanes];
   for (std::size_t i = 0; i < size; ++i) hn::Store(values[i], d, stored[i]);
+  constexpr std::size_t often = 8;  // it is asked whether a cell's other casters matter
   M dark = hn::Lt(values[0], values[0]);
   std::uint64_t dark_alone = 0;
   const auto test_together = [&](std::size_t begin, std::size_t end, M lanes) HWY_ATTR {
     const T* const cell = grid.casters.cell(begin);
     const std::size_t count = end - begin;
     for (std::size_t i = 0; i < count; ++i) {
+      if (i % often == often - 1 &&
+          hn::AllFalse(d, hn::AndNot(hn::Or(dark, test.is_past(d, cell, count, i, values)), lanes)))
+        break;
       const auto all = [&](std::size_t column)
                            HWY_ATTR { return hn::Set(d, cell[column * count + i]); };
       dark = hn::Or(dark, hn::And(lanes, test(d, all, values)));
@@ -106,14 +111,10 @@ HWY_NOINLINE M occluded_in_cells(D d, const Grid& grid, V cell_of_lane, const Te
   const auto test_alone = [&](std::size_t begin, std::size_t end, std::size_t lane) HWY_ATTR {
     const T* const cell = grid.casters.cell(begin);
     const std::size_t count = end - begin;
-    T own[size];
     V own_values[size];
-    for (std::size_t i = 0; i < size; ++i) {
-      own[i] = stored[i][lane];
-      own_values[i] = hn::Set(d, own[i]);
-    }
+    for (std::size_t i = 0; i < size; ++i) own_values[i] = hn::Set(d, stored[i][lane]);
     for (std::size_t i = 0; i < count; i += most_lanes) {
-      if (test.is_past(cell, count, i, own)) break;
+      if (hn::AllTrue(d, test.is_past(d, cell, count, i, own_values))) break;
       const auto next = [&](std::size_t column)
                             HWY_ATTR { return hn::LoadU(d, cell + column * count + i); };
       const M hides = hn::And(test(d, next, own_values), hn::FirstN(d, count - i));

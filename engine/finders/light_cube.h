@@ -213,6 +213,18 @@ struct Seen {
   }
 };
 
+/// How wide cells are to be, against what is seen, where much lies one behind the other. A cell k
+/// times as wide as what is seen, of which `depth` cover each place, has depth (1 + k)^2 entries,
+/// and each primitive comes into (1 + 1 / k)^2 cells.
+inline double width_where_crowded(const Seen& seen, double area) {
+  constexpr double few = 16;                // a packet
+  constexpr double most_entries = 1 << 17;  // are sorted in a few milliseconds
+  const double count = std::max(seen.count, 1.0);
+  const double depth = seen.areas / area;
+  const double of_entries = std::max(std::sqrt(most_entries / count) - 1, 0.1);
+  return std::max(std::sqrt(few / depth) - 1, 1 / of_entries);
+}
+
 }  // namespace light_cube
 
 /// Where cells begin and how wide they are, in double; and who is seen through which face.
@@ -322,10 +334,10 @@ PlannedCube<T> plan_light_cube(const Vec3& light, std::span<const Primitive> pri
   const double count = std::max(seen.count, 1.0);
   // What is seen along a line would have more cells than are worth clearing.
   const double most_across = std::min(widths.most_across, 2 * std::sqrt(count));
-  const double cell =
-      std::max({widths.per_primitive * std::sqrt(area / count),
-                widths.of_area * std::sqrt(seen.areas / count), widths.of_side * seen.sides / count,
-                widest / most_across, not_zero});
+  const double of_area = std::min(widths.of_area, light_cube::width_where_crowded(seen, area));
+  const double cell = std::max(
+      {widths.per_primitive * std::sqrt(area / count), of_area * std::sqrt(seen.areas / count),
+       widths.of_side * seen.sides / count, widest / most_across, not_zero});
   planned.cube.cells_per_unit = static_cast<T>(1 / cell);
   planned.cube.side = static_cast<int>(widest / cell) + 1;
   planned.cube.is_far = is_far_light(light, reach);

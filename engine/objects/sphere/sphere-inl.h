@@ -194,9 +194,11 @@ struct DiscTest {
   }
 
   /// Whether this entry of a cell in order, and all behind it, are farther from the light.
-  HWY_INLINE bool is_past(const T* cell, std::size_t count, std::size_t i,
-                          const T (&point)[size]) const {
-    return count > CasterGrid<Caster, T>::few && cell[Caster::column_w * count + i] <= point[w];
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE hn::Mask<D> is_past(D d, const T* cell, std::size_t count, std::size_t i,
+                                 const V (&point)[size]) const {
+    if (count <= CasterGrid<Caster, T>::few) return hn::Lt(point[w], point[w]);
+    return hn::Le(hn::Set(d, cell[Caster::column_w * count + i]), point[w]);
   }
 };
 
@@ -215,10 +217,12 @@ struct AxisDiscTest {
     return hn::And(hn::Gt(ahead, hn::Zero(d)),
                    DiscTest<T>::stands_in_line(d, get, point[u], point[v], point[id]));
   }
-  HWY_INLINE bool is_past(const T* cell, std::size_t count, std::size_t i,
-                          const T (&point)[size]) const {
-    return point[side] > 0 && count > CasterGrid<Caster, T>::few &&
-           cell[Caster::column_w * count + i] <= point[w];
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE hn::Mask<D> is_past(D d, const T* cell, std::size_t count, std::size_t i,
+                                 const V (&point)[size]) const {
+    if (count <= CasterGrid<Caster, T>::few) return hn::Lt(point[w], point[w]);
+    return hn::And(hn::Gt(point[side], hn::Zero(d)),
+                   hn::Le(hn::Set(d, cell[Caster::column_w * count + i]), point[w]));
   }
   /// Whether discs stand before any point of the window.
   template <class D, class Get, class V = hn::Vec<D>>
@@ -257,9 +261,10 @@ struct BallTest {
   }
 
   /// Whether this entry of a cell, and all behind it, are beyond the point.
-  HWY_INLINE bool is_past(const T* cell, std::size_t count, std::size_t i,
-                          const T (&point)[size]) const {
-    return cell[Caster::column_nearest * count + i] > point[path];
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE hn::Mask<D> is_past(D d, const T* cell, std::size_t count, std::size_t i,
+                                 const V (&point)[size]) const {
+    return hn::Gt(hn::Set(d, cell[Caster::column_nearest * count + i]), point[path]);
   }
 };
 
