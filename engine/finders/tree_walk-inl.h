@@ -88,9 +88,11 @@ struct NodeRay {
   bool backwards[3];
 };
 
+/// By what share of its place, more than enough.
+inline constexpr float narrowing_slack = 4 * std::numeric_limits<float>::epsilon();
+
 template <typename T>
 HWY_INLINE NodeRay node_ray_of(const Triple<T>& from, const Triple<T>& inverse) {
-  constexpr float slack = 4 * std::numeric_limits<float>::epsilon();
   const NodeTag d;
   const auto moved = [&](T place, T slope, float share) HWY_ATTR {
     const auto narrowed = static_cast<float>(place);
@@ -101,8 +103,8 @@ HWY_INLINE NodeRay node_ray_of(const Triple<T>& from, const Triple<T>& inverse) 
     return V3<NodeVec>{moved(from.x, inverse.x, share), moved(from.y, inverse.y, share),
                        moved(from.z, inverse.z, share)};
   };
-  return {all(slack),
-          all(-slack),
+  return {all(narrowing_slack),
+          all(-narrowing_slack),
           {hn::Set(d, static_cast<float>(inverse.x)), hn::Set(d, static_cast<float>(inverse.y)),
            hn::Set(d, static_cast<float>(inverse.z))},
           {inverse.x < 0, inverse.y < 0, inverse.z < 0}};

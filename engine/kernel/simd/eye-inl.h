@@ -157,18 +157,17 @@ HWY_NOINLINE void shade_by_light_sets(D d, const EyeRays<D>& eye, const Hits<T>&
   }
 }
 
-/// The colours of what packets have hit, and of what the rays see that follow. If light sets
-/// differ, the packets are those of a block, and nothing is fetched.
+/// The colours of what packets have hit; the rays that follow are queued. If light sets differ, the
+/// packets are those of a block, and nothing is fetched.
 template <class D, class Followed, typename T = hn::TFromD<D>>
-HWY_INLINE void shade_and_follow(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t count,
-                                 const LightSets<T>& light_sets, bool fetches, Followed& followed,
-                                 SampleColours<T>& colours) {
+HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t count,
+                           const LightSets<T>& light_sets, bool fetches, Followed& followed,
+                           SampleColours<T>& colours) {
   followed.light_set = light_sets.followed;
   if (HWY_UNLIKELY(light_sets.differ))
     shade_by_light_sets(d, eye, hits, light_sets, followed, colours);
   else
     shade_packets(d, eye, hits, count, light_sets, fetches, followed, colours);
-  if (eye.scene().max_depth > 0) trace_followed(eye.scene(), followed, colours);
 }
 
 /// The same with the queue that the scene needs.
@@ -177,23 +176,36 @@ HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Hits<T>& hits, std:
                            const LightSets<T>& light_sets, bool fetches, RayQueues<T>& queues,
                            SampleColours<T>& colours) {
   if (HWY_UNLIKELY(eye.scene().transmits))
-    shade_and_follow(d, eye, hits, count, light_sets, fetches, queues.branching, colours);
+    shade_hits(d, eye, hits, count, light_sets, fetches, queues.branching, colours);
   else
-    shade_and_follow(d, eye, hits, count, light_sets, fetches, queues.single, colours);
+    shade_hits(d, eye, hits, count, light_sets, fetches, queues.single, colours);
 }
 
-/// The colours that packets of rays from the eye see, not yet clamped; at most as many as a block
-/// has pixels. If `fetches`, what shading a packet will need is fetched before its turn. `rays` has
-/// count() packets, and for the i-th of them, if is_in(i), direction(d, i), the active(d, i) lanes,
-/// and the candidates(i) of what they go through; image_point(k) of the k-th ray; and light_sets().
+/// Adds what the rays see that have been queued to the colours of their blocks.
+template <typename T>
+HWY_INLINE void trace_queued(const PacketScene<T>& scene, RayQueues<T>& queues,
+                             SampleColours<T>* colours) {
+  if (scene.max_depth == 0) return;
+  if (HWY_UNLIKELY(scene.transmits))
+    trace_followed(scene, queues.branching, colours);
+  else
+    trace_followed(scene, queues.single, colours);
+}
+
+/// The colours that packets of rays from the eye see, not yet clamped, but for the rays that
+/// follow, which are queued; at most as many packets as a block has pixels. If `fetches`, what
+/// shading a packet will need is fetched before its turn. `rays` has count() packets, and for the
+/// i-th of them, if is_in(i), direction(d, i), the active(d, i) lanes, and the candidates(i) of
+/// what they go through; image_point(k) of the k-th ray; light_sets(); and first_pixel(), its first
+/// pixel's number among those that are queued together.
 ///
 /// All packets are intersected before any is shaded: chains of dependent operations stay short, and
 /// the processor overlaps several packets.
 ///
 /// `cover`, if there is one, gets 1 where a ray has met something, else 0.
 template <class D, class Rays, typename T = hn::TFromD<D>>
-HWY_NOINLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool fetches,
-                                RayQueues<T>& queues, SampleColours<T>& colours, T* cover) {
+HWY_NOINLINE void trace_from_eye(D d, const EyeRays<D>& eye, const Rays& rays, bool fetches,
+                                 RayQueues<T>& queues, SampleColours<T>& colours, T* cover) {
   using V = hn::Vec<D>;
   constexpr int lanes = PacketShape<D>::lanes;
   const PacketScene<T>& scene = eye.scene();
@@ -209,19 +221,36 @@ HWY_NOINLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bo
     const auto active = rays.active(d, i);
     auto&& candidates = rays.candidates(i);
     const Hit<V> hit = eye.intersect(d, candidates, direction, active);
-    store(d, direction, hit, hn::Iota(d, static_cast<T>(at)), active, scene.has_own_normals, at,
-          hits);
+    const V pixel = hn::Iota(d, static_cast<T>(rays.first_pixel() + at));
+    store(d, direction, hit, pixel, active, scene.has_own_normals, at, hits);
     if (cover != nullptr)
       hn::Store(hn::IfThenElseZero(hn::Ge(hit.id, hn::Zero(d)), hn::Set(d, T(1))), d, cover + at);
   }
-  const bool may_doubt = may_be_inexact<T> && scene.exact.scene;
-  if (may_doubt) std::fill_n(colours.doubt, block_pixels, T(0));
-  const LightSets<T> light_sets = rays.light_sets();
-  shade_hits(d, eye, hits, static_cast<std::size_t>(rays.count()), light_sets, fetches, queues,
-             colours);
+  if (may_be_inexact<T> && scene.exact.scene) std::fill_n(colours.doubt, block_pixels, T(0));
+  shade_hits(d, eye, hits, static_cast<std::size_t>(rays.count()), rays.light_sets(), fetches,
+             queues, colours);
+}
+
+/// Traces those of some blocks' samples again that are doubtful once all is known: see
+/// trace_doubtful_again().
+template <class D, class RaysOf, class CoverOf, typename T = hn::TFromD<D>>
+HWY_INLINE void trace_doubtful(D d, const PacketScene<T>& scene, std::size_t block_count,
+                               const RaysOf& rays_of, const CoverOf& cover_of,
+                               SampleColours<T>* colours) {
   if constexpr (may_be_inexact<T>)
-    if (may_doubt && !light_sets.followed.is_recorded())
-      trace_doubtful_again(d, *scene.exact.scene, rays, light_sets, colours, cover);
+    if (scene.exact.scene && !rays_of(0).light_sets().followed.is_recorded())
+      trace_doubtful_again(d, *scene.exact.scene, block_count, rays_of, cover_of, colours);
+}
+
+/// The whole colours of packets by themselves.
+template <class D, class Rays, typename T = hn::TFromD<D>>
+HWY_INLINE void trace_packets(D d, const EyeRays<D>& eye, const Rays& rays, bool fetches,
+                              RayQueues<T>& queues, SampleColours<T>& colours, T* cover) {
+  trace_from_eye(d, eye, rays, fetches, queues, colours, cover);
+  trace_queued(eye.scene(), queues, &colours);
+  trace_doubtful(
+      d, eye.scene(), 1, [&](std::size_t) -> const Rays& { return rays; },
+      [&](std::size_t) { return cover; }, &colours);
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

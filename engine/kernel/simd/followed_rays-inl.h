@@ -1,120 +1,12 @@
-// The queue of rays that follow others, in memory side by side.
+// The queue of rays that follow others.
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "engine/math/ray.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
-
-/// A packet of rays that follow others, or come from the eye.
-template <class V>
-struct Packet {
-  RayOrigin<V> from;
-  V3<V> direction;
-  V weight;     ///< of what they see in their pixels
-  V pixel;      ///< its index in the block
-  V followers;  ///< how many rays may still follow, one after another
-  V solids;     ///< of how many of these that let rays through they are inside
-  PathError<V> error;
-  LightSet<hn::TFromV<V>> light_set{};  ///< of places on soft lights
-};
-
-/// The order that puts the lanes of `mask`, at least one, first. Made once for all values to be
-/// stored: Highway's Compress copies a table at each call, and CompressStore is slow on some
-/// processors.
-template <class D, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE auto compressing_order(D d, M mask) {
-  constexpr std::size_t most_lanes = hn::MaxLanes(D());
-  uint8_t bytes[8] = {};
-  hn::StoreMaskBits(d, mask, bytes);
-  HWY_ALIGN hwy::MakeSigned<T> order[most_lanes] = {};
-  std::size_t count = 0;
-  for (std::size_t lane = 0; lane < most_lanes; ++lane) {
-    order[count] = static_cast<hwy::MakeSigned<T>>(lane);
-    count += bytes[lane / 8] >> (lane % 8) & 1U;
-  }
-  return hn::SetTableIndices(d, order);
-}
-
-/// Rays that are traced together, those that still matter side by side. Where none branch, nothing
-/// lets rays through: they are inside of none.
-template <typename T, bool branch>
-class RayBatch {
- public:
-  /// The shipped glass takes 1.2 times as long with 64, 1.05 with 256. Where none branch, no more
-  /// follow than came: columns that lie close together save the processor's tables of pages.
-  static constexpr std::size_t most = branch ? 1024 : block_pixels;
-
-  std::size_t count() const { return count_; }
-  void clear() { count_ = 0; }
-  bool has_room_for(std::size_t more) const { return count_ + more <= most; }
-
-  /// Adds the lanes of `mask`, at least one; there must be room for all lanes.
-  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-  HWY_INLINE void add(D d, const Packet<V>& rays, M mask) {
-    const auto first_of_mask = compressing_order(d, mask);
-    const auto keep = [&](std::size_t column, V values) HWY_ATTR {
-      hn::StoreU(hn::TableLookupLanes(values, first_of_mask), d, columns_[column] + count_);
-    };
-    const auto keep_all = [&](std::size_t column, const V3<V>& values) HWY_ATTR {
-      keep(column, values.x);
-      keep(column + 1, values.y);
-      keep(column + 2, values.z);
-    };
-    keep_all(0, rays.direction);
-    keep_all(3, rays.from.point);
-    keep_all(6, rays.from.normal);
-    keep_all(9, {rays.from.id, rays.from.u, rays.from.v});
-    keep_all(12, {rays.weight, rays.pixel, rays.followers});
-    if constexpr (may_be_inexact<T>) {
-      keep(15, rays.error.place);
-      keep(16, rays.error.direction);
-    }
-    if constexpr (branch) keep(17, rays.solids);
-    count_ += count_true(d, mask);
-  }
-
-  /// The rays from the i-th on. Lanes that are not `active` hold zeros: kept from becoming indices
-  /// or NaN traps.
-  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-  HWY_INLINE Packet<V> packet(D d, std::size_t i, M active, const LightSet<T>& light_set) const {
-    const auto at = [&](std::size_t column) HWY_ATTR {
-      if (!is_kept(column)) return hn::Zero(d);
-      return hn::IfThenElseZero(active, hn::LoadU(d, columns_[column] + i));
-    };
-    return {{{at(3), at(4), at(5)}, {at(6), at(7), at(8)}, at(9), at(10), at(11)},
-            {at(0), at(1), at(2)},
-            at(12),
-            at(13),
-            at(14),
-            at(17),
-            {at(15), at(16)},
-            light_set};
-  }
-
-  /// Moves others here, for which there must be room.
-  void append(RayBatch& others) {
-    for (std::size_t i = 0; i < column_count; ++i)
-      if (is_kept(i)) std::copy_n(others.columns_[i], others.count_, columns_[i] + count_);
-    count_ += std::exchange(others.count_, 0);
-  }
-
- private:
-  static constexpr std::size_t column_count = 18;
-  static constexpr bool is_kept(std::size_t column) {
-    if (column == 17) return branch;
-    return column < 15 || may_be_inexact<T>;
-  }
-
-  std::size_t count_ = 0;
-  // An odd number of cache lines each: columns that begin in one set would displace each other.
-  alignas(64) T columns_[column_count][most + 64 / sizeof(T)];
-};
 
 /// The queue of rays to be followed. They are taken in batches, the latest first, so that few wait
 /// however many there are in all. Of what follows a batch, rays that go on through surfaces come
@@ -126,10 +18,15 @@ class FollowedRays {
   static constexpr bool branches = branch;
   LightSet<T> light_set{};  ///< of all
 
-  /// Without memory if it is not needed.
-  explicit FollowedRays(bool is_needed) {
-    if (is_needed)
-      for (auto* const batch : {&taken_, &next_, &mirrored_}) batch->reset(new Batch);
+  /// Without memory if the scene has none.
+  explicit FollowedRays(const PacketScene<T>& scene) {
+    if (scene.max_depth == 0 || scene.transmits != branch) return;
+    taken_.reset(new Batch);
+    next_.reset(new Batch);
+    if constexpr (branch)
+      mirrored_.reset(new Batch);
+    else if (has_streams(scene))
+      hits_.reset(new BatchHits<T, Batch::most>);
   }
 
   /// Adds the lanes of `mask`, at least one, that mirrors send on or that go through surfaces.
@@ -155,6 +52,21 @@ class FollowedRays {
     return taken_->count();
   }
 
+  /// Whether the rays taken are worth being found all at once, which is done then.
+  bool find_at_once(const PacketScene<T>& scene) {
+    if constexpr (!branch)
+      if (hits_ && taken_->count() >= BatchHits<T, Batch::most>::many) {
+        hits_->find(scene, *taken_);
+        return true;
+      }
+    return false;
+  }
+  /// What the rays from the i-th on have met then.
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE Hit<V> hits(D d, const PacketScene<T>& scene, std::size_t i) const {
+    return hits_->packet(d, scene, i);
+  }
+
   /// The rays taken, from the i-th on.
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
   HWY_INLINE Packet<V> packet(D d, std::size_t i, M active) const {
@@ -173,6 +85,7 @@ class FollowedRays {
   std::unique_ptr<Batch> next_;
   std::unique_ptr<Batch> mirrored_;            ///< that come after the next, where rays branch
   std::vector<std::unique_ptr<Batch>> aside_;  ///< full ones, the latest last
+  std::unique_ptr<BatchHits<T, Batch::most>> hits_;  ///< of streams
 };
 
 /// The queues of a thread, of which a scene needs one at most.
@@ -181,8 +94,7 @@ struct RayQueues {
   FollowedRays<T, false> single;
   FollowedRays<T, true> branching;
 
-  explicit RayQueues(const PacketScene<T>& scene)
-      : single(scene.max_depth > 0 && !scene.transmits), branching(scene.transmits) {}
+  explicit RayQueues(const PacketScene<T>& scene) : single(scene), branching(scene) {}
 };
 
 }  // namespace raytracer::HWY_NAMESPACE

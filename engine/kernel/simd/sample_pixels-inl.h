@@ -38,6 +38,7 @@ class PixelPackets {
 
   HWY_INLINE int count() const { return static_cast<int>((samples_.count + lanes - 1) / lanes); }
   static constexpr bool is_in(int /*i*/) { return true; }
+  static constexpr std::size_t first_pixel() { return 0; }
   /// A contract's places on soft lights are in one set.
   static LightSets<T> light_sets() { return LightSets<T>({}); }
   HWY_INLINE Candidates& candidates(int /*i*/) const { return candidates_; }

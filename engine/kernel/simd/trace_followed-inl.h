@@ -148,7 +148,7 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
 /// Adds the colours that a packet's rays see to their pixels, and by how much they may be off.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE void add_to_pixels(D d, const PacketScene<T>& scene, const V3<V>& colour, V doubt,
-                              const Packet<V>& packet, M active, SampleColours<T>& colours) {
+                              const Packet<V>& packet, M active, SampleColours<T>* colours) {
   alignas(64) T pixels[hn::MaxLanes(D())];
   alignas(64) T weighted[4][hn::MaxLanes(D())];
   hn::Store(packet.pixel, d, pixels);
@@ -159,28 +159,33 @@ HWY_INLINE void add_to_pixels(D d, const PacketScene<T>& scene, const V3<V>& col
   const bool may_doubt = may_be_inexact<T> && scene.exact.scene;
   const std::size_t count = count_true(d, active);
   for (std::size_t lane = 0; lane < count; ++lane) {
-    const auto pixel = static_cast<std::size_t>(pixels[lane]);
-    colours.red[pixel] += weighted[0][lane];
-    colours.green[pixel] += weighted[1][lane];
-    colours.blue[pixel] += weighted[2][lane];
-    if (may_doubt) colours.doubt[pixel] += weighted[3][lane];
+    const auto of_all = static_cast<std::size_t>(pixels[lane]);
+    SampleColours<T>& to = colours[of_all / block_pixels];
+    const std::size_t pixel = of_all % block_pixels;
+    to.red[pixel] += weighted[0][lane];
+    to.green[pixel] += weighted[1][lane];
+    to.blue[pixel] += weighted[2][lane];
+    if (may_doubt) to.doubt[pixel] += weighted[3][lane];
   }
 }
 
-/// Follows rays to the scene's depth and adds what they see.
+/// Follows rays to the scene's depth and adds what they see to the colours of their blocks.
 template <class Followed, typename T>
 HWY_NOINLINE void trace_followed(const PacketScene<T>& scene, Followed& followed,
-                                 SampleColours<T>& colours) {
+                                 SampleColours<T>* colours) {
   const hn::ScalableTag<T> d;
-  while (const std::size_t count = followed.take())
+  while (const std::size_t count = followed.take()) {
+    const bool are_found = followed.find_at_once(scene);
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
       const auto active = hn::FirstN(d, count - i);
       const auto packet = followed.packet(d, i, active);
-      const auto hit = find_hits<Followed>(d, scene, packet, active);
+      const auto hit =
+          are_found ? followed.hits(d, scene, i) : find_hits<Followed>(d, scene, packet, active);
       auto doubt = hn::Zero(d);
       const auto colour = shade_packet(d, scene, packet, hit, active, followed, &doubt);
       add_to_pixels(d, scene, colour, doubt, packet, active, colours);
     }
+  }
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

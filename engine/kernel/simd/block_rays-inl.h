@@ -1,0 +1,105 @@
+// The rays from the eye through a block's pixels.
+
+#include <cstddef>
+
+#include "engine/kernel/simd/render_tile.h"
+#include "engine/lights/light_places.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer::HWY_NAMESPACE {
+
+/// The rays from the eye through a block's pixels.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+class BlockRays {
+ public:
+  HWY_INLINE BlockRays(D d, const PacketScene<T>& scene, const Block& block, double jitter)
+      : eye(d, scene), block_(block), offsets_(d), jitter_(jitter), height_(scene.view.height) {}
+
+  /// Through `sample` of the packet's pixels.
+  HWY_INLINE V3<V> direction(D d, const PacketPlace<D>& place, const SamplePoint& sample) const {
+    V right = offsets_.x;
+    V down = offsets_.y;
+    if (jitter_ > 0) {
+      const Jitters<D> jitters(d, place);
+      const auto across = static_cast<T>(away_from_middle(sample.x, jitter_));
+      const auto up = static_cast<T>(away_from_middle(sample.y, jitter_));
+      right = hn::MulAdd(jitters.x, hn::Set(d, across), right);
+      down = hn::NegMulAdd(jitters.y, hn::Set(d, up), down);
+    }
+    return eye.direction(d, block_.x_begin + place.x + sample.x,
+                         height_ - 1 - block_.y_begin - place.y + sample.y, right, down);
+  }
+
+  /// As direction()'s, of one pixel: from the image's lower left corner, in pixels.
+  HWY_INLINE SamplePoint image_point(const PixelPlace<D>& pixel, const SamplePoint& sample) const {
+    const SamplePoint moved = jitter_of(pixel.x, pixel.y);
+    return {block_.x_begin + pixel.x + sample.x + away_from_middle(sample.x, jitter_) * moved.x,
+            height_ - 1 - block_.y_begin - pixel.y + sample.y +
+                away_from_middle(sample.y, jitter_) * moved.y};
+  }
+
+  /// The lanes whose pixels are in the block.
+  HWY_INLINE hn::Mask<D> active(D d, const PacketPlace<D>& place) const {
+    return hn::And(hn::Lt(offsets_.x, hn::Set(d, static_cast<T>(block_.width - place.x))),
+                   hn::Lt(offsets_.y, hn::Set(d, static_cast<T>(block_.height - place.y))));
+  }
+
+  const EyeRays<D> eye;
+
+ private:
+  Block block_;
+  LaneOffsets<D> offsets_;
+  double jitter_;
+  int height_;
+};
+
+/// A block's packets at one sample's place.
+template <class D, typename T = hn::TFromD<D>>
+class SamplePackets {
+ public:
+  HWY_INLINE SamplePackets(const BlockRays<D>& rays, BlockCandidates<T>& candidates,
+                           const Block& block, const SamplePoint& sample,
+                           const LightSet<T>& light_set, std::size_t first_pixel)
+      : rays_(rays),
+        candidates_(candidates),
+        block_(block),
+        sample_(sample),
+        light_set_(light_set),
+        first_pixel_(first_pixel) {}
+
+  static constexpr int count() { return PacketShape<D>::packets; }
+  HWY_INLINE std::size_t first_pixel() const { return first_pixel_; }
+  /// Pixels differ from each other by their place in a square of 2 x 2, if there are several sets.
+  HWY_INLINE LightSets<T> light_sets() const {
+    LightSets<T> sets(light_set_);
+    const int count = rays_.eye.scene().light_sets;
+    sets.differ = count > 1;
+    const int sample = static_cast<int>(light_set_.index);
+    for (int i = 0; i < 4; ++i)
+      sets.of_quarters[i].index =
+          static_cast<std::size_t>(light_set_of(i % 2, i / 2, sample, count));
+    return sets;
+  }
+  HWY_INLINE bool is_in(int i) const { return PacketPlace<D>(i).is_in(block_); }
+  HWY_INLINE SubtileCandidates<T> candidates(int i) const {
+    return {candidates_, PacketPlace<D>(i).subtile()};
+  }
+  HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
+    return rays_.direction(d, PacketPlace<D>(i), sample_);
+  }
+  HWY_INLINE hn::Mask<D> active(D d, int i) const { return rays_.active(d, PacketPlace<D>(i)); }
+  HWY_INLINE SamplePoint image_point(int ray) const {
+    return rays_.image_point(PixelPlace<D>(ray), sample_);
+  }
+
+ private:
+  const BlockRays<D>& rays_;
+  BlockCandidates<T>& candidates_;
+  const Block& block_;
+  const SamplePoint& sample_;
+  LightSet<T> light_set_;
+  std::size_t first_pixel_;
+};
+
+}  // namespace raytracer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
