@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <mutex>
@@ -119,22 +120,33 @@ TEST_F(Haproxy, post_that_a_front_has_begun_is_not_repeated) {
     EXPECT_TRUE(index == busy || !is_running(index)) << index;
 }
 
+/// The fronts that answer eight requests: one that a busy machine keeps from answering a check is
+/// passed over for a moment, so several are asked for again.
+std::set<std::string> fronts_of(const std::function<httplib::Result(int)>& ask) {
+  std::set<std::string> fronts;
+  for (int attempt = 0; attempt < 5 && fronts.size() != 1; ++attempt) {
+    fronts.clear();
+    for (int i = 1; i <= 8; ++i) fronts.insert(front_of(ask(i)));
+  }
+  return fronts;
+}
+
 TEST_F(Haproxy, equal_scenes_go_to_one_front_by_query_or_header) {
   httplib::Client http = client();
   std::set<std::string> by_query;
   std::set<std::string> by_header;
   for (const std::string& name : shipped) {
-    std::set<std::string> fronts;
-    for (int samples = 1; samples <= 8; ++samples)
-      fronts.insert(front_of(http.Get("/render?width=8&height=6&scene=" + name +
-                                      "&samples=" + std::to_string(samples))));
-    EXPECT_EQ(fronts.size(), 1U) << name;
-    by_query.merge(fronts);
-    for (int samples = 1; samples <= 8; ++samples)
-      fronts.insert(front_of(http.Post("/render?samples=" + std::to_string(samples),
-                                       {{"Scene-Digest", name}}, scene, "application/json")));
-    EXPECT_EQ(fronts.size(), 1U) << name;
-    by_header.merge(fronts);
+    const std::set<std::string> of_query = fronts_of([&](int samples) {
+      return http.Get(fmt::format("/render?width=8&height=6&scene={}&samples={}", name, samples));
+    });
+    EXPECT_EQ(of_query.size(), 1U) << name;
+    by_query.insert(of_query.begin(), of_query.end());
+    const std::set<std::string> of_header = fronts_of([&](int samples) {
+      return http.Post(fmt::format("/render?samples={}", samples), {{"Scene-Digest", name}}, scene,
+                       "application/json");
+    });
+    EXPECT_EQ(of_header.size(), 1U) << name;
+    by_header.insert(of_header.begin(), of_header.end());
   }
   EXPECT_GT(by_query.size(), 1U);
   EXPECT_EQ(by_query, by_header) << "the same name is the same scene";

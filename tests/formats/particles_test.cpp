@@ -209,7 +209,7 @@ TEST(Particles, each_error_has_its_line_and_says_what_is_wrong) {
   const std::vector<ParticleMistake> table{
       {".xyz", "", 1, "'' is no number of atoms"},
       {".xyz", "x\n", 1, "'x' is no number of atoms"},
-      {".xyz", "0\n\n", 1, "'0' is no number of atoms"},
+      {".xyz", "0\n\n", 1, "the file has no atoms"},
       {".xyz", "99999999999\n\n", 1, "is no number of atoms"},
       {".xyz", "3\n\nC 0 0 0\nC 0 0 1\n", 4, "the file ends after 2 of 3 atoms"},
       {".xyz", "2\n\nC 0 0 0\nC 0 zero 1\n", 4,

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/scene_plan.h"
+#include "tests/support/scenes.h"
 #include "tests/variants/compare.h"
 #include "tests/variants/image_by.h"
 #include "tests/variants/random_documents.h"
@@ -132,6 +133,36 @@ TEST(Finders, find_mirrored_spheres_that_boxes_hardly_hold_apart) {
     for (const InstructionSet& set : supported_instruction_sets())
       EXPECT_EQ(count_wrong(image_on(set, Precision::double_precision, scene), expected), 0)
           << lights << " on " << set.name;
+  }
+}
+
+/// Rays that follow others are taken through trees together: those of a block, of eight, and of
+/// what is left of a tile.
+TEST(Finders, find_the_same_for_the_rays_of_one_block_and_of_many) {
+  const std::string mirror = R"({"reflectivity": 0.6})";
+  const std::string floor = R"({"type": "plane", "point": [0, -5, 0], "normal": [0, 1, 0],
+      "material": {"reflectivity": 0.4}})";
+  const std::string lattice = R"({"type": "sphere_square", "center": [0, -4, 0], "n": 9,
+      "radius": 0.3, "axes": "xz", "material": {"reflectivity": 0.5}})";
+  for (const std::string& objects :
+       {random_spheres(300, 0.5, mirror) + "," + random_cylinders(60, mirror) + "," + floor,
+        random_triangles(200, mirror) + "," + lattice}) {
+    Scene scene = with_objects(objects, distant_lights);
+    scene.camera.width = 210;
+    scene.camera.height = 90;
+    const Image expected = reference_image(scene);
+    for (const Precision precision : {Precision::single_precision, Precision::double_precision})
+      for (const InstructionSet& set : supported_instruction_sets()) {
+        scene.render.precision = precision;
+        Plan plan = make_plan(scene, this_machine());
+        plan.instruction_set = set;
+        const Image of_blocks = image_by(plan, scene, 2, 16);
+        const Image of_one_tile = image_by(plan, scene, 2, 256);
+        EXPECT_EQ(count_different(of_blocks, of_one_tile), 0) << set.name;
+        if (precision == Precision::double_precision) {
+          EXPECT_EQ(count_wrong(image_by(plan, scene, 1, 256), expected), 0) << set.name;
+        }
+      }
   }
 }
 
