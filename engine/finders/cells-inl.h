@@ -100,9 +100,10 @@ HWY_NOINLINE M occluded_in_cells(D d, const Grid& grid, V cell_of_lane, const Te
     const T* const cell = grid.casters.cell(begin);
     const std::size_t count = end - begin;
     for (std::size_t i = 0; i < count; ++i) {
-      if (i % often == often - 1 &&
-          hn::AllFalse(d, hn::AndNot(hn::Or(dark, test.is_past(d, cell, count, i, values)), lanes)))
-        break;
+      if (i % often == often - 1) {
+        const M matters = hn::AndNot(test.is_past(d, cell, count, i, values), lit);
+        if (hn::AllFalse(d, hn::AndNot(dark, hn::And(lanes, matters)))) break;
+      }
       const auto all = [&](std::size_t column)
                            HWY_ATTR { return hn::Set(d, cell[column * count + i]); };
       dark = hn::Or(dark, hn::And(lanes, test(d, all, values)));

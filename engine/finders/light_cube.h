@@ -217,7 +217,7 @@ struct Seen {
 /// times as wide as what is seen, of which `depth` cover each place, has depth (1 + k)^2 entries,
 /// and each primitive comes into (1 + 1 / k)^2 cells.
 inline double width_where_crowded(const Seen& seen, double area) {
-  constexpr double few = 16;                // a packet
+  constexpr double few = 16;
   constexpr double most_entries = 1 << 17;  // are sorted in a few milliseconds
   const double count = std::max(seen.count, 1.0);
   const double depth = seen.areas / area;

@@ -58,7 +58,7 @@ Placed<Entry> place(const PlannedCube<T>& planned, std::span<const Primitive> pr
 template <typename Caster, typename T, typename Primitive, typename Make>
 PointGrid<Caster, T> build_point_grid(const Vec3& light, std::span<const Primitive> primitives,
                                       double reach, const Make& make, WorkerPool& pool) {
-  // About as many cells as primitives, but none narrower than twice the mean width.
+  // About as many cells as primitives, but none narrower than twice the mean width, unless crowded.
   constexpr CellWidths widths{.per_primitive = 1, .of_area = 2, .of_side = 0, .most_across = 1024};
   const auto planned = plan_light_cube<T>(light, primitives, reach, widths, pool);
   PointGrid<Caster, T> grid{planned.cube, {}, {}};

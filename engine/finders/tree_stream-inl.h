@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
+
+#include "engine/memory/aligned_array.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -24,17 +26,22 @@ class StreamRays {
   alignas(64) T t[most];   ///< of the nearest hit
   alignas(64) T id[most];  ///< -1: none
 
-  /// The rays from the i-th on.
+  /// What the rays from the i-th on have met.
   template <class D, class V = hn::Vec<D>>
-  HWY_INLINE void set(D d, std::size_t i, const TreeRays<V>& rays, const Hit<V>& hit) {
+  HWY_INLINE void set_hit(D d, std::size_t i, const Hit<V>& hit) {
     hn::Store(hit.t, d, t + i);
     hn::Store(hit.id, d, id + i);
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) note_hit(i + lane);
+  }
+
+  /// Where they go; to be called once it is known what they have met.
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE void set_ray(D d, std::size_t i, const TreeRays<V>& rays) {
     const V3<V>& from = rays.from.point;
     const V3<V>& inverse = rays.inverse;
     set_axis(d, i, 0, from.x, inverse.x);
     set_axis(d, i, 1, from.y, inverse.y);
     set_axis(d, i, 2, from.z, inverse.z);
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) note_hit(i + lane);
   }
 
   /// To be called once a ray's t is less than it was.
@@ -55,8 +62,9 @@ class StreamRays {
         const NodeVec high = hn::Mul(
             hn::Sub(hn::LoadU(d, node.high[axis].data() + i), hn::Set(d, from_high(axis)[ray])),
             inverse);
-        t_begin = hn::Max(t_begin, hn::Min(low, high));
-        t_end = hn::Min(t_end, hn::Max(low, high));
+        // Of what is no number the second is taken: such a box is entered.
+        t_begin = hn::Max(hn::Min(low, high), t_begin);
+        t_end = hn::Min(hn::Max(low, high), t_end);
       }
       const auto enter = hn::Le(
           t_begin, hn::Min(hn::Mul(t_end, hn::Set(d, generous<float>)), hn::Set(d, reach_[ray])));
@@ -71,17 +79,17 @@ class StreamRays {
   static constexpr bool is_narrowed = sizeof(T) != sizeof(float);
 
   template <class D, class V = hn::Vec<D>>
-  HWY_INLINE void set_axis(D d, std::size_t i, std::size_t axis, V from, V inverse) {
-    alignas(64) T from_lanes[hn::MaxLanes(D())];
-    alignas(64) T inverse_lanes[hn::MaxLanes(D())];
-    hn::Store(from, d, from_lanes);
-    hn::Store(inverse, d, inverse_lanes);
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-      const auto narrow = static_cast<float>(from_lanes[lane]);
-      const float slack = is_narrowed ? narrowing_slack * std::abs(narrow) : 0;
-      from_low_[axis][i + lane] = narrow + slack;
-      if constexpr (is_narrowed) from_high_[axis][i + lane] = narrow - slack;
-      inverse_[axis][i + lane] = static_cast<float>(inverse_lanes[lane]);
+  HWY_INLINE void set_axis(D, std::size_t i, std::size_t axis, V from, V inverse) {
+    const hn::Rebind<float, D> singles;
+    if constexpr (is_narrowed) {
+      const auto narrow = hn::DemoteTo(singles, from);
+      const auto slack = hn::Mul(hn::Set(singles, narrowing_slack), hn::Abs(narrow));
+      hn::Store(hn::Add(narrow, slack), singles, from_low_[axis] + i);
+      hn::Store(hn::Sub(narrow, slack), singles, from_high_[axis] + i);
+      hn::Store(hn::DemoteTo(singles, inverse), singles, inverse_[axis] + i);
+    } else {
+      hn::Store(from, singles, from_low_[axis] + i);
+      hn::Store(inverse, singles, inverse_[axis] + i);
     }
   }
   HWY_INLINE const float* from_high(std::size_t axis) const {
@@ -105,10 +113,10 @@ class StreamLists {
   /// Room for so many from `begin` on.
   HWY_INLINE Number* room(std::size_t begin, std::size_t count) {
     const std::size_t end = begin + count + beyond;
-    if (numbers_.size() < end) numbers_.resize(2 * end);
-    return numbers_.data() + begin;
+    if (capacity_ < end) enlarge(begin, 2 * end);
+    return numbers_.get() + begin;
   }
-  HWY_INLINE const Number* from(std::size_t begin) const { return numbers_.data() + begin; }
+  HWY_INLINE const Number* from(std::size_t begin) const { return numbers_.get() + begin; }
 
   /// Of the list in hand, of so many: a bit for each box of a node that a ray enters.
   HWY_INLINE std::uint8_t* entered(std::size_t count) {
@@ -117,7 +125,16 @@ class StreamLists {
   }
 
  private:
-  std::vector<Number> numbers_;
+  /// Keeps the first `kept` numbers.
+  HWY_NOINLINE void enlarge(std::size_t kept, std::size_t capacity) {
+    AlignedArray<Number> larger = make_aligned_array<Number>(capacity);
+    std::copy_n(numbers_.get(), kept, larger.get());
+    numbers_ = std::move(larger);
+    capacity_ = capacity;
+  }
+
+  AlignedArray<Number> numbers_;
+  std::size_t capacity_ = 0;
   std::vector<std::uint8_t> entered_;
 };
 

@@ -22,13 +22,17 @@ template <typename T>
 HWY_INLINE bool has_streams(const PacketScene<T>& scene) {
   if (scene.max_depth == 0 || scene.transmits) return false;
   bool streams = false;
-  for_each_geometry(scene, [&](const auto& geometry) { streams |= is_streamed(geometry); });
+  for_each_geometry(scene,
+                    [&](const auto& geometry) HWY_ATTR { streams |= is_streamed(geometry); });
   return streams;
 }
 
-/// Of batches of up to `most`. Packets whose rays keep together go through trees as such; the rest
+/// Rays that follow are traced together of so many blocks, where some go through trees as streams.
+inline constexpr std::size_t blocks_at_once = 8;
+
+/// Packets whose rays keep together go through trees as such; the rest
 /// of the batch goes as a stream.
-template <typename T, std::size_t most>
+template <typename T>
 class BatchHits {
  public:
   /// Fewer are taken through trees packet by packet.
@@ -49,10 +53,12 @@ class BatchHits {
       const auto hit = keeps_together ? find_followed(d, scene, from, direction, far_away, active)
                                       : find_followed(d, scene, from, direction, far_away, active,
                                                       OutsideStreams());
-      rays_.set(d, i, tree_rays(d, from, direction), hit);
-      if (!keeps_together)
+      rays_.set_hit(d, i, hit);
+      if (!keeps_together) {
+        rays_.set_ray(d, i, tree_rays(d, from, direction));
         for (std::size_t ray = i; ray < std::min(i + hn::Lanes(d), batch.count()); ++ray)
           streamed_.push_back(static_cast<StreamLists::Number>(ray));
+      }
       if (!scene.has_own_normals) continue;
       const hn::Vec<decltype(d)> own[] = {hit.u, hit.v, hit.normal.x, hit.normal.y, hit.normal.z};
       for (std::size_t column = 0; column < own_columns; ++column)
@@ -88,6 +94,8 @@ class BatchHits {
   };
 
   static constexpr std::size_t own_columns = 5;
+
+  static constexpr std::size_t most = blocks_at_once * block_pixels;
 
   StreamRays<T, most> rays_;
   alignas(64) T own_[own_columns][most];  ///< u, v and normal, of kinds that compute them

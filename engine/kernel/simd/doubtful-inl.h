@@ -8,7 +8,7 @@ namespace raytracer::HWY_NAMESPACE {
 
 /// Where samples are, and which of their blocks' they are.
 struct DoubtfulSamples {
-  /// Few blocks have more together.
+  /// The blocks that are traced together seldom have more.
   static constexpr std::size_t most = 2 * block_pixels;
 
   std::size_t count = 0;

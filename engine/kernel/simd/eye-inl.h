@@ -8,7 +8,7 @@ namespace raytracer::HWY_NAMESPACE {
 /// What packets have hit, one after another; nothing, with an id of -1, where a lane has no ray.
 template <typename T>
 struct Hits {
-  alignas(64) T pixel[block_pixels];  ///< its index in the block
+  alignas(64) T pixel[block_pixels];  ///< its number among those that are queued together
   alignas(64) T direction_x[block_pixels], direction_y[block_pixels], direction_z[block_pixels];
   alignas(64) T t[block_pixels], id[block_pixels], u[block_pixels], v[block_pixels];
   alignas(64) T normal_x[block_pixels], normal_y[block_pixels], normal_z[block_pixels];
@@ -193,7 +193,7 @@ HWY_INLINE void trace_queued(const PacketScene<T>& scene, RayQueues<T>& queues,
 }
 
 /// The colours that packets of rays from the eye see, not yet clamped, but for the rays that
-/// follow, which are queued; at most as many packets as a block has pixels. If `fetches`, what
+/// follow, which are queued; at most as many rays as a block has pixels. If `fetches`, what
 /// shading a packet will need is fetched before its turn. `rays` has count() packets, and for the
 /// i-th of them, if is_in(i), direction(d, i), the active(d, i) lanes, and the candidates(i) of
 /// what they go through; image_point(k) of the k-th ray; light_sets(); and first_pixel(), its first

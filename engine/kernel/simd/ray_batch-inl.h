@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/math/ray.h"
+#include "engine/memory/aligned_array.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -15,15 +16,12 @@ struct Packet {
   RayOrigin<V> from;
   V3<V> direction;
   V weight;     ///< of what they see in their pixels
-  V pixel;      ///< its index in the block
+  V pixel;      ///< its number among those whose rays are queued together
   V followers;  ///< how many rays may still follow, one after another
   V solids;     ///< of how many of these that let rays through they are inside
   PathError<V> error;
   LightSet<hn::TFromV<V>> light_set{};  ///< of places on soft lights
 };
-
-/// Rays that follow are traced together of so many blocks, where none branches.
-inline constexpr std::size_t blocks_at_once = 8;
 
 /// The order that puts the lanes of `mask`, at least one, first. Made once for all values to be
 /// stored: Highway's Compress copies a table at each call, and CompressStore is slow on some
@@ -47,20 +45,22 @@ HWY_INLINE auto compressing_order(D d, M mask) {
 template <typename T, bool branch>
 class RayBatch {
  public:
-  /// The shipped glass takes 1.2 times as long with 64, 1.05 with 256. Where none branch, no more
-  /// follow than came.
-  static constexpr std::size_t most = branch ? 1024 : blocks_at_once * block_pixels;
+  /// For so many rays, a multiple of the lanes.
+  explicit RayBatch(std::size_t most)
+      : most_(most),
+        stride_(most + 64 / sizeof(T)),
+        values_(make_aligned_array<T>(column_count * stride_)) {}
 
   std::size_t count() const { return count_; }
   void clear() { count_ = 0; }
-  bool has_room_for(std::size_t more) const { return count_ + more <= most; }
+  bool has_room_for(std::size_t more) const { return count_ + more <= most_; }
 
   /// Adds the lanes of `mask`, at least one; there must be room for all lanes.
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
   HWY_INLINE void add(D d, const Packet<V>& rays, M mask) {
     const auto first_of_mask = compressing_order(d, mask);
     const auto keep = [&](std::size_t column, V values) HWY_ATTR {
-      hn::StoreU(hn::TableLookupLanes(values, first_of_mask), d, columns_[column] + count_);
+      hn::StoreU(hn::TableLookupLanes(values, first_of_mask), d, of_column(column) + count_);
     };
     const auto keep_all = [&](std::size_t column, const V3<V>& values) HWY_ATTR {
       keep(column, values.x);
@@ -86,7 +86,7 @@ class RayBatch {
   HWY_INLINE Packet<V> packet(D d, std::size_t i, M active, const LightSet<T>& light_set) const {
     const auto at = [&](std::size_t column) HWY_ATTR {
       if (!is_kept(column)) return hn::Zero(d);
-      return hn::IfThenElseZero(active, hn::LoadU(d, columns_[column] + i));
+      return hn::IfThenElseZero(active, hn::LoadU(d, of_column(column) + i));
     };
     return {{{at(3), at(4), at(5)}, {at(6), at(7), at(8)}, at(9), at(10), at(11)},
             {at(0), at(1), at(2)},
@@ -101,7 +101,7 @@ class RayBatch {
   /// Ray i in all lanes, for trees.
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE TreeRays<V> ray(D d, std::size_t i) const {
-    const auto at = [&](std::size_t column) HWY_ATTR { return hn::Set(d, columns_[column][i]); };
+    const auto at = [&](std::size_t column) HWY_ATTR { return hn::Set(d, of_column(column)[i]); };
     const V3<V> direction{at(0), at(1), at(2)};
     const V none = hn::Zero(d);
     return {{{at(3), at(4), at(5)}, {at(6), at(7), at(8)}, at(9), none, none},
@@ -113,7 +113,7 @@ class RayBatch {
   /// Moves others here, for which there must be room.
   void append(RayBatch& others) {
     for (std::size_t i = 0; i < column_count; ++i)
-      if (is_kept(i)) std::copy_n(others.columns_[i], others.count_, columns_[i] + count_);
+      if (is_kept(i)) std::copy_n(others.of_column(i), others.count_, of_column(i) + count_);
     count_ += std::exchange(others.count_, 0);
   }
 
@@ -124,9 +124,15 @@ class RayBatch {
     return column < 15 || may_be_inexact<T>;
   }
 
+  HWY_INLINE T* of_column(std::size_t column) { return values_.get() + column * stride_; }
+  HWY_INLINE const T* of_column(std::size_t column) const {
+    return values_.get() + column * stride_;
+  }
+
+  std::size_t most_;
+  std::size_t stride_;  ///< an odd number of cache lines: columns would displace each other
   std::size_t count_ = 0;
-  // An odd number of cache lines each: columns that begin in one set would displace each other.
-  alignas(64) T columns_[column_count][most + 64 / sizeof(T)];
+  AlignedArray<T> values_;  ///< column by column
 };
 
 }  // namespace raytracer::HWY_NAMESPACE

@@ -1,10 +1,10 @@
 // Tiles of an image.
 
-#include <hwy/aligned_allocator.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <new>
+
+#include "engine/memory/aligned_array.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -30,10 +30,10 @@ class BlockGroup {
   /// traced together than a block has.
   explicit BlockGroup(const TileTask<T>& task)
       : task_(task),
-        queues_(task.scene),
         most_(size_for(task)),
-        colours_(hwy::AllocateAligned<SampleColours<T>>(most_)),
-        blocks_(hwy::AllocateAligned<SampledBlock<T>>(most_)) {}
+        queues_(task.scene, most_),
+        colours_(make_aligned_array<SampleColours<T>>(most_)),
+        blocks_(make_aligned_array<SampledBlock<T>>(most_)) {}
 
   void add(const Block& block, const BlockCandidates<T>& candidates, BeyondRange& beyond) {
     new (&blocks_[count_]) SampledBlock<T>(task_, block, candidates, count_);
@@ -63,10 +63,10 @@ class BlockGroup {
   }
 
   const TileTask<T>& task_;
-  RayQueues<T> queues_;
   std::size_t most_;
-  hwy::AlignedFreeUniquePtr<SampleColours<T>[]> colours_;
-  hwy::AlignedFreeUniquePtr<SampledBlock<T>[]> blocks_;  ///< nothing of which has to be destroyed
+  RayQueues<T> queues_;
+  AlignedArray<SampleColours<T>> colours_;
+  AlignedArray<SampledBlock<T>> blocks_;
   std::size_t count_ = 0;
 };
 
@@ -102,7 +102,7 @@ void record_blocks(const PacketScene<T>& scene, const SamplePattern& pattern, co
   using D = hn::ScalableTag<T>;
   const D d;
   ledger.begin(PacketShape<D>::lanes);
-  RayQueues<T> queues(scene);
+  RayQueues<T> queues(scene, 1);
   SampleColours<T> colours;
   for (int y = tile.y_begin; y < tile.y_end; y += tile.block_step)
     for (int x = tile.x_begin; x < tile.x_end; x += tile.block_step) {

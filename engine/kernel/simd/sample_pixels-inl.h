@@ -163,7 +163,7 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
     });
   NarrowedEntries found;
   const bool has_cover = pixels.channels == 4;
-  RayQueues<T> queues(scene);
+  RayQueues<T> queues(scene, 1);
   PixelSums<T> sums;
   std::fill_n(sums.is_number, block_pixels, true);
   for (std::size_t begin = 0; begin < pattern.points.size(); begin += block_pixels) {

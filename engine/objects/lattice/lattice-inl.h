@@ -78,7 +78,9 @@ HWY_INLINE void intersect_own(D d, const Geometry<LatticeKind, T>& lattices,
     const V to_cells = hn::Set(d, lattice.cells_per_unit);
     const V3<V> eye = broadcast(d, lattice.eye);
     const V3<V> slope = along_lattice(lattice, direction);
-    const V t_max = hn::Mul(hit_t, to_cells);
+    // Generous: whether it is nearer than what else is met is decided below, whoever is asked
+    // first.
+    const V t_max = hn::Mul(hit_t, hn::Mul(to_cells, hn::Set(d, generous<T>)));
     const V id = hn::Set(d, lattice.id);
     CellHit<V, M> found;
     if (!leaves_cell && is_outside_slab(lattice)) {
