@@ -94,6 +94,7 @@ std::string curve_csv(const std::string& text) {
     std::string csv = fmt::format("{},{}\n", fmt::join(settings, ","), fmt::join(figures, ","));
     for (const Json& point : json.at("points")) {
       std::vector<std::string> cells;
+      cells.reserve(settings.size() + figures.size());
       for (const char* const key : settings)
         cells.push_back(word_of(point.at("settings").value(key, Json(""))));
       for (const char* const key : figures) cells.push_back(point.at(key).dump());

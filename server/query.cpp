@@ -94,6 +94,7 @@ const Row& row_of(std::string_view name) {
 
 std::vector<std::string_view> query_names() {
   std::vector<std::string_view> names;
+  names.reserve(std::size(rows));
   for (const Row& row : rows) names.push_back(row.name);
   return names;
 }

@@ -22,7 +22,8 @@ class Rows {
     const T first = lanes[hn::FindFirstTrue(d, active)];
     is_shared_ = hn::AllTrue(d, hn::Or(hn::Not(active), hn::Eq(numbers, hn::Set(d, first))));
     shared_ = table + static_cast<std::size_t>(first);
-    constexpr auto width = static_cast<T>(sizeof(Row) / sizeof(T));
+    constexpr std::size_t values_in_row = sizeof(Row) / sizeof(T);
+    constexpr auto width = static_cast<T>(values_in_row);
     static_assert(std::has_single_bit(sizeof(Row)), "a T holds every product with the width");
     begins_ = hn::ConvertTo(hn::RebindToSigned<D>(),
                             hn::Mul(hn::IfThenElseZero(active, numbers), hn::Set(d, width)));

@@ -149,9 +149,8 @@ class CoarseTracing {
       if (tracing_.progress.stop) return {};
       // Only what is complete may stand for others: where it was begun, blocks have themselves.
       if (!is_done) break;
-      for (std::size_t block = 0; block < picture_.coarseness.size(); ++block)
-        picture_.coarseness[block] =
-            std::min(picture_.coarseness[block], static_cast<std::uint8_t>(step));
+      for (std::uint8_t& coarseness : picture_.coarseness)
+        coarseness = std::min(coarseness, static_cast<std::uint8_t>(step));
     }
     ++tracing_.passes_done;
     show();

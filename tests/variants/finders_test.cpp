@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/reference_plan.h"
 #include "tests/support/scene_plan.h"
 #include "tests/support/scenes.h"
 #include "tests/variants/compare.h"
@@ -98,9 +99,11 @@ TEST(Finders, find_what_hides_soft_lights_alike_by_every_finder) {
   const std::string ground =
       R"(, {"type": "sphere", "center": [0, -2003, 0], "radius": 2000, "material": {}})";
   for (const auto& [objects, lights] :
-       {std::pair(random_spheres(60, 0.6, mirror) + "," + random_cylinders(4, matt), sky),
-        std::pair(random_spheres(900, 0.1, matt) + ground, sky + "," + sun),
-        std::pair(random_spheres(60, 0.6, matt) + "," + random_cones(4, matt), sun)}) {
+       {std::pair(fmt::format("{},{}", random_spheres(60, 0.6, mirror), random_cylinders(4, matt)),
+                  sky),
+        std::pair(random_spheres(900, 0.1, matt) + ground, fmt::format("{},{}", sky, sun)),
+        std::pair(fmt::format("{},{}", random_spheres(60, 0.6, matt), random_cones(4, matt)),
+                  sun)}) {
     Scene scene = with_objects(objects, lights);
     scene.camera.width = 90;
     scene.camera.height = 60;

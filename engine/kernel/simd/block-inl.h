@@ -35,7 +35,8 @@ struct PacketShape {
   /// The place of the block's pixel (x, y), packet by packet.
   static constexpr std::size_t index_of(int x, int y) {
     const int packet = y / height * packets_across + x / width;
-    return static_cast<std::size_t>(packet * lanes + y % height * width + x % width);
+    const int ray = packet * lanes + y % height * width + x % width;
+    return static_cast<std::size_t>(ray);
   }
 };
 

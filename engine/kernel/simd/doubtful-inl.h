@@ -9,7 +9,7 @@ namespace raytracer::HWY_NAMESPACE {
 /// Where samples are, and which of their blocks' they are.
 struct DoubtfulSamples {
   /// The blocks that are traced together seldom have more.
-  static constexpr std::size_t most = 2 * block_pixels;
+  static constexpr std::size_t most = std::size_t{2} * block_pixels;
 
   std::size_t count = 0;
   alignas(64) double x[most];  ///< from the image's lower left corner, in pixels
