@@ -143,7 +143,9 @@ std::optional<TaskMessage> TaskRunner::next_task(Sources& sources) {
 }
 
 void TaskRunner::work_on(TaskMessage message) {
-  const auto [id, task] = ClusterStore::task_of(message.subject());
+  const auto named = ClusterStore::task_of(message.subject());
+  const std::string& id = named.first;  // by names of their own: clang 14 captures no binding
+  const int task = named.second;
   std::list<Running>::iterator running;
   {
     const std::scoped_lock lock(mutex_);
