@@ -130,15 +130,17 @@ TEST(OwnProcess, what_it_throws_or_suffers_is_an_error) {
               return "slept";
             }),
             "slept");
-  // A second of the processor's; where others have half of that and more, two by the clock.
-  const std::string endless = message([]() -> std::string {
-    for (volatile bool forever = true; forever;) {
-    }
-    return "";
-  });
-  EXPECT_TRUE(endless == "takes longer to read than 1 s; is it damaged?" ||
-              endless == "takes longer to read than 2 s; is it damaged?")
-      << endless;
+  // A second of the processor's. Where others have it for longer than that, two by the clock are
+  // over first: then it is tried again.
+  std::string endless;
+  for (int i = 0; i < 5 && (i == 0 || endless == "takes longer to read than 2 s; is it damaged?");
+       ++i)
+    endless = message([]() -> std::string {
+      for (volatile bool forever = true; forever;) {
+      }
+      return "";
+    });
+  EXPECT_EQ(endless, "takes longer to read than 1 s; is it damaged?");
 #ifndef __SANITIZE_ADDRESS__
   EXPECT_EQ(message([] { return std::string(std::size_t{1} << 30, 'x'); }),
             "needs more memory than 256 MB");

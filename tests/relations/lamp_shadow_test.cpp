@@ -140,34 +140,62 @@ TEST(LampShadow, of_a_triangle_is_hardly_wider_than_it_is) {
   EXPECT_GE(lit, exact - 9 * 16);
 }
 
+/// Numbers around others, the same everywhere.
+class Near {
+ public:
+  explicit Near(unsigned seed) : random_(seed) {}
+  double operator()(double middle) {
+    return middle + 0.2 * (static_cast<double>(random_()) / 4294967295.0 - 0.5);
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+/// Three triangles around a corner that they share, before a light, and a plane that they shade.
+struct Fan {
+  static inline const Vec3 along{std::sqrt(0.5), std::sqrt(0.5), 0};  ///< towards the light
+  static inline const Vec3 aside{std::sqrt(0.5), -std::sqrt(0.5), 0};
+  static inline const Vec3 up{0, 0, 1};
+
+  std::vector<Vec3> corners;
+  Vec3 shaded;  ///< in the shadow of the shared corner
+
+  /// `height`: how far they reach towards the light, against how far across.
+  Fan(const Vec3& middle, const Vec3& of_plane, double size, double height, Near& near)
+      : corners{middle}, shaded(of_plane) {
+    for (const Vec3& corner : {aside, -0.5 * aside + 0.8 * up, -0.5 * aside - 0.8 * up}) {
+      const double across = near(1);
+      corners.push_back(middle + size * (across * corner + near(height) * along));
+    }
+  }
+
+  json scene(const json& light, double fov, bool is_open) const {
+    std::vector<std::array<int, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
+    if (!is_open) triangles.push_back({0, 3, 1});
+    return document(camera_json(64, 64, fov, shaded + 3 * along + 4 * up, shaded),
+                    {plane_json(shaded, along), mesh_json(corners, triangles)}, {light});
+  }
+};
+
+void expect_no_holes(const Fan& fan, const json& light, double fov) {
+  for (const char* precision : {"single", "double"})
+    EXPECT_EQ(count_lit(image_of(in_precision(fan.scene(light, fov, false), precision))), 0)
+        << precision << ", " << light.dump();
+}
+
 /// Places at a lamp's distance are 1e-4 apart here, and a pixel is 1e-5 wide: a side belongs to
 /// both of its triangles all the same, and a corner to all.
 TEST(LampShadow, of_a_far_lamp_has_no_holes_where_triangles_meet) {
   constexpr double far = 1e12;
-  const Vec3 along{std::sqrt(0.5), std::sqrt(0.5), 0};
-  const Vec3 aside{std::sqrt(0.5), -std::sqrt(0.5), 0};
-  const Vec3 up{0, 0, 1};
-  std::mt19937 random(5);  // the same numbers everywhere
-  const auto near = [&](double middle) {
-    return middle + 0.2 * (static_cast<double>(random()) / 4294967295.0 - 0.5);
-  };
-  for (int fan = 0; fan < 8; ++fan) {
+  constexpr double fov = 64e-5 / 5;
+  const json light = point_json(far * Fan::along, 12 * far * far);
+  Near near(5);
+  for (int i = 0; i < 8; ++i) {
     const Vec3 middle{near(0), near(0), near(0)};
-    std::vector<Vec3> corners{middle};
-    for (const Vec3& corner : {aside, -0.5 * aside + 0.8 * up, -0.5 * aside - 0.8 * up})
-      corners.push_back(near(1) * corner + near(0) * along);
-    const Vec3 seen = middle - 10 * along;
-    const auto scene_with = [&](std::vector<std::array<int, 3>> triangles) {
-      return document(camera_json(64, 64, 64e-5 / 5, seen + 3 * along + 4 * up, seen),
-                      {plane_json(seen, along), mesh_json(corners, std::move(triangles))},
-                      {point_json(far * along, 12 * far * far)});
-    };
-    EXPECT_GT(count_lit(image_of(scene_with({{0, 1, 2}, {0, 2, 3}}))), 500);
-    for (const char* precision : {"single", "double"})
-      EXPECT_EQ(count_lit(image_of(
-                    in_precision(scene_with({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}), precision))),
-                0)
-          << precision << ", fan " << fan;
+    const Fan fan(middle, middle - 10 * Fan::along, 1, 0, near);
+    EXPECT_GT(count_lit(image_of(fan.scene(light, fov, true))), 500);
+    expect_no_holes(fan, light, fov);
   }
 }
 
@@ -175,32 +203,15 @@ TEST(LampShadow, of_a_far_lamp_has_no_holes_where_triangles_meet) {
 /// pixel is 2e-11 wide.
 TEST(LampShadow, of_far_triangles_has_no_holes_where_they_meet) {
   constexpr double far = 1e6;
-  const Vec3 along{std::sqrt(0.5), std::sqrt(0.5), 0};
-  const Vec3 aside{std::sqrt(0.5), -std::sqrt(0.5), 0};
-  const Vec3 up{0, 0, 1};
-  std::mt19937 random(6);  // the same numbers everywhere
-  const auto near = [&](double middle) {
-    return middle + 0.2 * (static_cast<double>(random()) / 4294967295.0 - 0.5);
-  };
-  for (int fan = 0; fan < 8; ++fan) {
-    const Vec3 seen{near(0), near(0), near(0)};
-    std::vector<Vec3> corners{seen + far * along};
-    for (const Vec3& corner : {aside, -0.5 * aside + 0.8 * up, -0.5 * aside - 0.8 * up})
-      corners.push_back(seen + far * (near(1) * corner + near(1) * along));
+  Near near(6);
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 shaded{near(0), near(0), near(0)};
+    const Fan fan(shaded + far * Fan::along, shaded, far, 0, near);
     for (const json& light :
-         {point_json(seen + 3 * far * along, 100 * far * far), distant_json(-along)}) {
-      const auto scene_with = [&](std::vector<std::array<int, 3>> triangles, double fov) {
-        return document(camera_json(64, 64, fov, seen + 3 * along + 4 * up, seen),
-                        {plane_json(seen, along), mesh_json(corners, std::move(triangles))},
-                        {light});
-      };
-      const json open = scene_with({{0, 1, 2}, {0, 2, 3}}, 0.1);
-      EXPECT_GT(count_lit(image_of(in_precision(open, "double"))), 500);
-      for (const char* precision : {"single", "double"})
-        EXPECT_EQ(count_lit(image_of(in_precision(
-                      scene_with({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}, 64 * 2e-11 / 5), precision))),
-                  0)
-            << precision << ", fan " << fan << ", " << light.dump();
+         {point_json(shaded + 3 * far * Fan::along, 100 * far * far), distant_json(-Fan::along)}) {
+      const json open = in_precision(fan.scene(light, 0.1, true), "double");
+      EXPECT_GT(count_lit(image_of(open)), 500);
+      expect_no_holes(fan, light, 64 * 2e-11 / 5);
     }
   }
 }
