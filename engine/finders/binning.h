@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "engine/math/parts.h"
 #include "engine/memory/page_allocator.h"
 #include "engine/parallel/chunks.h"
 
@@ -53,6 +54,12 @@ struct BinGrid {
     return {begin(cells.x_begin), begin(cells.y_begin), end(cells.x_end), end(cells.y_end)};
   }
 };
+
+/// By so much an array of parts is longer than what it holds: as the longest vector of them.
+inline constexpr std::size_t most_parts_read = 64;
+
+/// Of a bin of 4 x 4 cells the parts, which are its cells, that lie in `cells`.
+Parts parts_in(const CellRectangle& cells, int column, int row);
 
 /// An item on its way to its bins.
 template <typename Entry>

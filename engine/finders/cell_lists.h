@@ -18,34 +18,56 @@ template <typename T>
 struct ListedCaster {
   T top;  ///< how far it reaches towards the light
   std::uint32_t primitive;
-
-  /// Where it turns out not to touch the cell: behind all others, where none looks for it.
-  static constexpr T nowhere = std::numeric_limits<T>::lowest();
 };
 
-/// The names of all cells.
+/// The names of all cells. Which parts of its cell a primitive may cover is kept apart, so that
+/// many are looked through at once.
 template <typename T>
 struct CellLists {
   std::vector<std::uint32_t> begins;  ///< of each cell, row by row, and the end of the last
   LargeArray<ListedCaster<T>> entries;
+  LargeArray<Parts> parts;  ///< of each entry; vectors that begin with any of them may be read
 };
 
-/// As sort_into_bins().
+namespace cell_lists {
+
+/// An entry on its way to its cell.
+template <typename T>
+struct Entry {
+  ListedCaster<T> caster;
+  Parts parts;
+};
+
+/// Whether what covers a rectangle of so many parts leaves out enough of them for its outline to be
+/// looked at.
+inline bool has_use_of_outline(const CellRectangle& parts) {
+  constexpr int few = 3;
+  return parts.x_end - parts.x_begin > few && parts.y_end - parts.y_begin > few;
+}
+
+}  // namespace cell_lists
+
+/// As sort_into_bins(), into cells of 4 x 4 parts; entries are cell_lists::Entry.
 template <typename T, typename Place, typename EntriesOf>
-CellLists<T> list_in_cells(std::size_t item_count, const BinGrid& cells, WorkerPool& pool,
+CellLists<T> list_in_cells(std::size_t item_count, int columns, int rows, WorkerPool& pool,
                            const Place& place, const EntriesOf& entries_of) {
-  using Entry = ListedCaster<T>;
+  using Entry = cell_lists::Entry<T>;
   CellLists<T> lists;
   const auto arrange = [](std::span<Entry> cell) {
     std::sort(cell.begin(), cell.end(),
-              [](const Entry& a, const Entry& b) { return a.top > b.top; });
+              [](const Entry& a, const Entry& b) { return a.caster.top > b.caster.top; });
   };
   lists.begins = sort_into_bins<Entry>(
-      item_count, cells, pool, place, entries_of, arrange,
-      [&](std::size_t count) { lists.entries.resize(count); },
+      item_count, BinGrid{columns, rows, 2}, pool, place, entries_of, arrange,
+      [&](std::size_t count) {
+        lists.entries.resize(count);
+        lists.parts.resize(count + most_parts_read);
+      },
       [&](std::size_t first, std::span<const Entry> cell) {
-        std::copy(cell.begin(), cell.end(),
-                  lists.entries.begin() + static_cast<std::ptrdiff_t>(first));
+        for (std::size_t i = 0; i < cell.size(); ++i) {
+          lists.entries[first + i] = cell[i].caster;
+          lists.parts[first + i] = cell[i].parts;
+        }
       });
   return lists;
 }

@@ -129,33 +129,60 @@ HWY_NOINLINE M occluded_in_cells(D d, const Grid& grid, V cell_of_lane, const Te
   return hn::And(lit, hn::Or(dark, mask_of(d, dark_alone)));
 }
 
+/// Where lanes look for what may hide them: in which cells, and in which of their parts, as
+/// part_at() numbers them.
+template <class V>
+struct ListPlaces {
+  V cell;
+  V part;
+};
+
 /// Lanes of `lit` that something that their cell lists hides from the light: hides(primitive,
 /// lanes, hidden) says whether it hides any of lanes, and which. `w` is how near to the light their
 /// points are, as the entries' tops count it.
 template <class D, class Hides, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
-HWY_NOINLINE M occluded_in_lists(D d, const CellLists<T>& lists, V cell_of_lane, V w, M lit,
-                                 const Hides& hides) {
+HWY_NOINLINE M occluded_in_lists(D d, const CellLists<T>& lists, const ListPlaces<V>& places, V w,
+                                 M lit, const Hides& hides) {
   HWY_ALIGN T cells[hn::MaxLanes(D())];
-  hn::Store(cell_of_lane, d, cells);
+  HWY_ALIGN T parts[hn::MaxLanes(D())];
+  hn::Store(places.cell, d, cells);
+  hn::Store(places.part, d, parts);
   const V highest = hn::Set(d, std::numeric_limits<T>::max());
   M dark = hn::Lt(w, w);
+  // Those of a cell that begin at `entry` and may touch one of the parts; how many they were.
+  const auto look_through = [&](std::size_t entry, std::size_t end, Parts wanted, T least_w,
+                                M& rest) HWY_ATTR {
+    const std::size_t count = std::min(end - entry, entries_at_once);
+    for (std::uint64_t here = entries_that_touch(lists.parts.data() + entry, count, wanted);
+         here != 0; here &= here - 1) {
+      const ListedCaster<T>& caster =
+          lists.entries[entry + hwy::Num0BitsBelowLS1Bit_Nonzero64(here)];
+      // This one and all behind it are farther from the light.
+      if (caster.top <= least_w) return end;
+      M hidden = rest;
+      if (!hides(caster.primitive, rest, hidden)) continue;
+      dark = hn::Or(dark, hidden);
+      rest = hn::AndNot(hidden, rest);
+      if (hn::AllFalse(d, rest)) return end;
+    }
+    return entry + count;
+  };
   while (!hn::AllFalse(d, lit)) {
     // All lanes in the first one's cell.
     const T cell = cells[hn::FindFirstTrue(d, lit)];
-    M rest = hn::And(lit, hn::Eq(cell_of_lane, hn::Set(d, cell)));
+    M rest = hn::And(lit, hn::Eq(places.cell, hn::Set(d, cell)));
     lit = hn::AndNot(rest, lit);
-    const T least_w = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(rest, w, highest)));
     const auto index = static_cast<std::size_t>(cell);
-    for (std::size_t i = lists.begins[index]; i < lists.begins[index + 1]; ++i) {
-      const ListedCaster<T>& entry = lists.entries[i];
-      if (entry.top <= least_w) break;  // this one and all behind it are farther from the light
-      M hidden = rest;
-      if (!hides(entry.primitive, rest, hidden)) continue;
-      dark = hn::Or(dark, hidden);
-      rest = hn::AndNot(hidden, rest);
-      if (hn::AllFalse(d, rest)) break;
-    }
+    std::size_t entry = lists.begins[index];
+    const std::size_t end = lists.begins[index + 1];
+    if (entry == end) continue;
+    const T least_w = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(rest, w, highest)));
+    unsigned wanted = 0;
+    for (std::uint64_t left = bits_of(d, rest); left != 0; left &= left - 1)
+      wanted |= 1U << static_cast<unsigned>(parts[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)]);
+    while (entry != end && lists.entries[entry].top > least_w && !hn::AllFalse(d, rest))
+      entry = look_through(entry, end, static_cast<Parts>(wanted), least_w, rest);
   }
   return dark;
 }

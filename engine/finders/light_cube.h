@@ -172,7 +172,9 @@ namespace light_cube {
 /// So many that no margin of a projection counts.
 inline constexpr int pixels_across_face = 1 << 30;
 
-inline double pixel_of(double place) { return 0.5 * (place + 1) * pixels_across_face; }
+inline constexpr double pixels_across_unit = 0.5 * pixels_across_face;
+
+inline double pixel_of(double place) { return (place + 1) * pixels_across_unit; }
 inline double place_of(double pixel) { return pixel * (2.0 / pixels_across_face) - 1; }
 
 /// The view from the light through a face.
@@ -241,9 +243,10 @@ struct PlannedCube {
   std::array<View, cube_faces> views;
   std::vector<Projection> projections;  ///< of the views
 
-  /// Where something comes on a face that is `seen` from the light, in that box.
+  /// Where something comes on a face that is `seen` from the light, in that box: in cells or, of
+  /// cells cut into `parts` x `parts`, in parts.
   template <typename Primitive>
-  CellRectangle cells(const Primitive& seen, const Box& box, int face) const {
+  CellRectangle cells(const Primitive& seen, const Box& box, int face, int parts = 1) const {
     const auto of = static_cast<std::size_t>(face);
     const PixelRectangle pixels = footprint(projections[of], seen);
     if (!(pixels.x_begin < pixels.x_end && pixels.y_begin < pixels.y_end)) return {};
@@ -251,35 +254,40 @@ struct PlannedCube {
     const FaceRectangle most = outer.rectangle(turn);
     const FaceRectangle& window = windows[of];
     const double wider = wider_by(outer.least_along());
+    const int side = parts * cube.side;
     const auto index = [&](double place, int more) {
-      const double cell = place * static_cast<double>(cube.cells_per_unit) + more;
-      return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(cube.side)));
+      const double cell = place * static_cast<double>(cube.cells_per_unit) * parts + more;
+      return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(side)));
     };
     const double u_wider = wider + turn * window.width();
     const double v_wider = wider + turn * window.height();
     using light_cube::place_of;
-    const int row = face * cube.side;
+    const int row = face * side;
     return {index(std::max(place_of(pixels.x_begin) - u_wider, most.u_low) - window.u_low, 0),
             row + index(std::max(place_of(pixels.y_begin) - v_wider, most.v_low) - window.v_low, 0),
             index(std::min(place_of(pixels.x_end) + u_wider, most.u_high) - window.u_low, 1),
             row + index(std::min(place_of(pixels.y_end) + v_wider, most.v_high) - window.v_low, 1)};
   }
 
-  /// What of a face's view may belong to a cell, in rows as `cells` counts them, of what is so far
-  /// from the light or farther.
-  PixelRectangle pixels(int face, int column, int row, double distance) const {
+  /// The outline of something in a face's view that is so far from the light or farther, against
+  /// cells, generous by how much more of the view may belong to those.
+  template <std::size_t count>
+  PartOutline<count> in_cells(const std::array<Line, count>& outline, int face,
+                              double distance) const {
     const FaceRectangle& window = windows[static_cast<std::size_t>(face)];
     const double cell = 1 / static_cast<double>(cube.cells_per_unit);
-    const double wider = cell / 1000 + wider_by(distance / light_cube::root_three);
-    const auto low = [&](double begin, double extent, int count) {
-      return light_cube::pixel_of(begin + count * cell - wider - turn * extent);
-    };
-    const auto high = [&](double begin, double extent, int count) {
-      return light_cube::pixel_of(begin + (count + 1) * cell + wider + turn * extent);
-    };
-    const int own = row - face * cube.side;
-    return {low(window.u_low, window.width(), column), low(window.v_low, window.height(), own),
-            high(window.u_low, window.width(), column), high(window.v_low, window.height(), own)};
+    const double wider = cell / 1000 + wider_by(distance / light_cube::root_three) +
+                         turn * std::max(window.width(), window.height());
+    using light_cube::pixels_across_unit;
+    return {outline, cell * pixels_across_unit, cell * pixels_across_unit,
+            wider * pixels_across_unit + projection_margin_px};
+  }
+  /// Where in the face's view a cell begins, in rows as `cells` counts them.
+  std::array<double, 2> pixel(int face, int column, int row) const {
+    const FaceRectangle& window = windows[static_cast<std::size_t>(face)];
+    const double cell = 1 / static_cast<double>(cube.cells_per_unit);
+    return {light_cube::pixel_of(window.u_low + column * cell),
+            light_cube::pixel_of(window.v_low + (row - face * cube.side) * cell)};
   }
 
   /// By how much of a face a point may miss its cell, so far along the face's axis.

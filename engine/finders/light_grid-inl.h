@@ -19,28 +19,28 @@ HWY_INLINE LightPlaces<V, M> places_on(D d, const LightPlane<T>& plane, const V3
           dot(point, broadcast(d, plane.axes[2]))};
 }
 
-/// Which column or row of cells a coordinate is in.
+/// A coordinate in cells, as it is across columns or rows.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V cell_along(D d, const LightPlane<T>& plane, V coordinate, T low) {
-  return hn::Floor(hn::Mul(hn::Sub(coordinate, hn::Set(d, low)), hn::Set(d, plane.cells_per_unit)));
+HWY_INLINE V in_cells(D d, const LightPlane<T>& plane, V coordinate, T low) {
+  return hn::Mul(hn::Sub(coordinate, hn::Set(d, low)), hn::Set(d, plane.cells_per_unit));
 }
 
 /// The cells that hold the points.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V cell_of(D d, const LightPlane<T>& plane, const LightPlaces<V, M>& at) {
-  return hn::MulAdd(cell_along(d, plane, at.v, plane.v_low),
+  return hn::MulAdd(hn::Floor(in_cells(d, plane, at.v, plane.v_low)),
                     hn::Set(d, static_cast<T>(plane.columns)),
-                    cell_along(d, plane, at.u, plane.u_low));
+                    hn::Floor(in_cells(d, plane, at.u, plane.u_low)));
 }
 
 /// Lanes whose points are on the plane's cells: beside them nothing stands before the light.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M is_on_plane(D d, const LightPlane<T>& plane, const LightPlaces<V, M>& at) {
-  const auto is_within = [&](V cell, int count) HWY_ATTR {
-    return hn::And(hn::Ge(cell, hn::Zero(d)), hn::Lt(cell, hn::Set(d, static_cast<T>(count))));
+  const auto is_within = [&](V place, int count) HWY_ATTR {
+    return hn::And(hn::Ge(place, hn::Zero(d)), hn::Lt(place, hn::Set(d, static_cast<T>(count))));
   };
-  return hn::And(is_within(cell_along(d, plane, at.u, plane.u_low), plane.columns),
-                 is_within(cell_along(d, plane, at.v, plane.v_low), plane.rows));
+  return hn::And(is_within(in_cells(d, plane, at.u, plane.u_low), plane.columns),
+                 is_within(in_cells(d, plane, at.v, plane.v_low), plane.rows));
 }
 
 /// Lanes of `lit` that something that their cell of the grid lists hides from the light, as
@@ -49,8 +49,11 @@ template <class D, class Hides, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE M occluded_by_listed(D d, const ListGrid<T>& grid, const LightPlaces<V, M>& at, M lit,
                                 const Hides& hides) {
-  return occluded_in_lists(d, grid.cells, cell_of(d, grid.plane, at), at.w,
-                           hn::And(lit, is_on_plane(d, grid.plane, at)), hides);
+  const LightPlane<T>& plane = grid.plane;
+  const V part =
+      part_at(d, in_cells(d, plane, at.u, plane.u_low), in_cells(d, plane, at.v, plane.v_low));
+  return occluded_in_lists(d, grid.cells, ListPlaces<V>{cell_of(d, plane, at), part}, at.w,
+                           hn::And(lit, is_on_plane(d, plane, at)), hides);
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "engine/finders/binning.h"
+#include "engine/math/parts.h"
 #include "engine/math/triple.h"
 #include "engine/parallel/chunks.h"
 
@@ -32,6 +33,22 @@ using LightAxes = std::array<Vec3, 3>;
 inline LightAxes light_axes(const Vec3& towards) {
   const OrthonormalBasis plane = orthonormal_basis(towards);
   return {plane.u, plane.v, towards};
+}
+
+/// Of what is nowhere farther than `radius` from the line along `axis` (unit) through `point`, as
+/// the light sees it.
+inline std::array<Line, 2> strip_outline(const LightAxes& axes, const Vec3& point, const Vec3& axis,
+                                         double radius) {
+  const Vec3 across = cross(axes[2], axis);
+  const double size = length(across);
+  if (!(size > 1e-6)) return {};  // seen from its end: the line has no direction
+  const Vec3 k = across / size;
+  constexpr double turned = 8 * std::numeric_limits<double>::epsilon();
+  radius += turned / size * length(point);
+  const double place = dot(point, k);
+  const double u = dot(k, axes[0]);
+  const double v = dot(k, axes[1]);
+  return {{{radius - place, u, v}, {radius + place, -u, -v}}};
 }
 
 template <typename T>
@@ -70,16 +87,18 @@ struct PlannedPlane {
   double cells_per_unit;
   double margin;  ///< by which extents are enlarged: a point finds its cell in T
 
-  /// The cells that an extent touches.
-  CellRectangle cells(const ShadowExtent& e) const {
-    const auto index = [this](double offset, int most) {
+  /// The cells that an extent touches, or of cells cut into `parts` x `parts` the parts.
+  CellRectangle cells(const ShadowExtent& e, int parts = 1) const {
+    const double width = cell / parts;
+    const auto index = [&](double offset, int most) {
       return static_cast<int>(
-          std::min(std::max(0.0, offset * cells_per_unit), static_cast<double>(most)));
+          std::min(std::max(0.0, offset * cells_per_unit * parts), static_cast<double>(most)));
     };
-    return {index(e.u_low - margin - u_low, plane.columns - 1),
-            index(e.v_low - margin - v_low, plane.rows - 1),
-            index(e.u_high + margin - u_low + cell, plane.columns),
-            index(e.v_high + margin - v_low + cell, plane.rows)};
+    const int columns = parts * plane.columns;
+    const int rows = parts * plane.rows;
+    return {index(e.u_low - margin - u_low, columns - 1), index(e.v_low - margin - v_low, rows - 1),
+            index(e.u_high + margin - u_low + width, columns),
+            index(e.v_high + margin - v_low + width, rows)};
   }
 };
 

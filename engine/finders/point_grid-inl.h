@@ -5,11 +5,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// The cells of the light's cube in which the points are seen, for the lanes of `lit`, at least
-/// one. Takes those out of `lit` that are seen where nothing else is.
+/// Where points are seen from a light: in cells, from a face's first.
+template <class V>
+struct CubePlaces {
+  V face;
+  V column;
+  V row;
+};
+
+/// Where the points are seen, for the lanes of `lit`, at least one. Takes those out of `lit` that
+/// are seen where nothing else is.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V cells_around(D d, const LightCube<T>& cube, const Triple<T>& light, const V3<V>& point,
-                          M& lit) {
+HWY_INLINE CubePlaces<V> places_around(D d, const LightCube<T>& cube, const Triple<T>& light,
+                                       const V3<V>& point, M& lit) {
   const V zero = hn::Zero(d);
   const V3<V> out = sub(point, broadcast(d, light));
   const V3<V> size{hn::Abs(out.x), hn::Abs(out.y), hn::Abs(out.z)};
@@ -29,17 +37,24 @@ HWY_INLINE V cells_around(D d, const LightCube<T>& cube, const Triple<T>& light,
     at = point;
     w = pick(point.x, point.y, point.z);
   }
-  const auto cell = [&](V across, T Face::*slope, T Face::*start) HWY_ATTR {
+  const auto in_cells = [&](V across, T Face::*slope, T Face::*start) HWY_ATTR {
     const V beyond = hn::Sub(hn::NegMulAdd(begin(d, slope), w, across), begin(d, start));
-    return hn::Floor(hn::Mul(beyond, cells_per_unit));
+    return hn::Mul(beyond, cells_per_unit);
   };
-  const V column = cell(pick(at.y, at.z, at.x), &Face::u_slope, &Face::u_start);
-  const V row = cell(pick(at.z, at.x, at.y), &Face::v_slope, &Face::v_start);
+  const V column = in_cells(pick(at.y, at.z, at.x), &Face::u_slope, &Face::u_start);
+  const V row = in_cells(pick(at.z, at.x, at.y), &Face::v_slope, &Face::v_start);
   const V side = hn::Set(d, static_cast<T>(cube.side));
   const V least = hn::Min(column, row);
   const V most = hn::Max(column, row);
   lit = hn::And(lit, hn::And(hn::Ge(least, zero), hn::Lt(most, side)));
-  return hn::MulAdd(hn::MulAdd(face, side, row), side, column);
+  return {face, column, row};
+}
+
+/// The cells of the light's cube that hold them.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V cell_of(D d, const LightCube<T>& cube, const CubePlaces<V>& at) {
+  const V side = hn::Set(d, static_cast<T>(cube.side));
+  return hn::MulAdd(hn::MulAdd(at.face, side, hn::Floor(at.row)), side, hn::Floor(at.column));
 }
 
 /// Lanes of `lit` that something that their cell around the light lists hides from it, as
@@ -49,8 +64,9 @@ template <class D, class Hides, class V = hn::Vec<D>, class M = hn::Mask<D>,
 HWY_INLINE M occluded_by_listed(D d, const PointLists<T>& lists, const Triple<T>& light,
                                 const ShadowRays<V>& rays, M lit, const Hides& hides) {
   if (hn::AllFalse(d, lit)) return lit;
-  const V cell = cells_around(d, lists.cube, light, rays.from.point, lit);
-  return occluded_in_lists(d, lists.cells, cell, hn::Neg(rays.path), lit, hides);
+  const CubePlaces<V> at = places_around(d, lists.cube, light, rays.from.point, lit);
+  const ListPlaces<V> places{cell_of(d, lists.cube, at), part_at(d, at.column, at.row)};
+  return occluded_in_lists(d, lists.cells, places, hn::Neg(rays.path), lit, hides);
 }
 
 /// Rays from a point light to where shadow rays to it begin.

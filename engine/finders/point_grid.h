@@ -36,17 +36,17 @@ struct PointLists {
 namespace point_grid {
 
 /// Where the `item`th pair of a primitive and a face comes, the primitives' faces one after
-/// another: visit(index, box around it) gives the entry. What is not seen through the face comes
-/// nowhere.
+/// another, as PlannedCube::cells() has it: visit(index, box around it) gives the entry. What is
+/// not seen through the face comes nowhere.
 template <typename Entry, typename T, typename Primitive, typename Visit>
 Placed<Entry> place(const PlannedCube<T>& planned, std::span<const Primitive> primitives,
-                    std::size_t item, const Visit& visit) {
+                    std::size_t item, int parts, const Visit& visit) {
   const auto face = static_cast<int>(item % cube_faces);
   const std::size_t index = item / cube_faces;
   if ((planned.faces[index] >> face & 1U) == 0) return {};
   const Primitive seen = seen_from(primitives[index], planned.light);
   const Box box = enlarged(bounds(seen), planned.margin);
-  const CellRectangle cells = planned.cells(seen, box, face);
+  const CellRectangle cells = planned.cells(seen, box, face, parts);
   if (cells.empty()) return {};
   return {cells, visit(index, box)};
 }
@@ -63,9 +63,8 @@ PointGrid<Caster, T> build_point_grid(const Vec3& light, std::span<const Primiti
   const auto planned = plan_light_cube<T>(light, primitives, reach, widths, pool);
   PointGrid<Caster, T> grid{planned.cube, {}, {}};
   const auto place = [&](std::size_t item) {
-    return point_grid::place<Caster>(planned, primitives, item, [&](std::size_t index, const Box&) {
-      return make(primitives[index]);
-    });
+    const auto visit = [&](std::size_t index, const Box&) { return make(primitives[index]); };
+    return point_grid::place<Caster>(planned, primitives, item, 1, visit);
   };
   const auto entries_of = [](const Caster& caster, const CellRectangle&) {
     return [&caster](int, int) { return caster; };
@@ -88,35 +87,39 @@ PointGrid<Caster, T> build_point_grid(const Vec3& light, std::span<const Primiti
 template <typename T, typename Primitive>
 PointLists<T> build_point_lists(const Vec3& light, std::span<const Primitive> primitives,
                                 double reach, WorkerPool& pool) {
-  using Entry = ListedCaster<T>;
+  using Entry = cell_lists::Entry<T>;
   // Of six faces, so that single counts all their cells: less than 2^24.
   constexpr CellWidths widths{
-      .per_primitive = 0.7, .of_area = 0.4, .of_side = 0.2, .most_across = 1600};
+      .per_primitive = 1.4, .of_area = 0.8, .of_side = 0.4, .most_across = 1600};
   const auto planned = plan_light_cube<T>(light, primitives, reach, widths, pool);
   const auto place = [&](std::size_t item) {
-    return point_grid::place<Entry>(
-        planned, primitives, item, [&](std::size_t index, const Box& box) -> Entry {
-          constexpr double nearer = 1 - PlannedCube<T>::turn;
-          return {static_cast<T>(-nearer * distance_of(box)), static_cast<std::uint32_t>(index)};
-        });
+    const auto visit = [&](std::size_t index, const Box& box) -> Entry {
+      constexpr double nearer = 1 - PlannedCube<T>::turn;
+      return {{static_cast<T>(-nearer * distance_of(box)), static_cast<std::uint32_t>(index)}, 0};
+    };
+    return point_grid::place<Entry>(planned, primitives, item, parts_across, visit);
   };
-  const auto entries_of = [&](const Entry& whole, const CellRectangle& cells) {
-    const int face = cells.y_begin / planned.cube.side;
+  const auto entries_of = [&](const Entry& whole, const CellRectangle& parts) {
+    const int face = parts.y_begin / (parts_across * planned.cube.side);
     const View& view = planned.views[static_cast<std::size_t>(face)];
-    using Outline = decltype(screen_outline(view, primitives[0]));
+    using Outline = decltype(PartOutline(screen_outline(view, primitives[0]), 0, 0, 0));
     std::optional<Outline> outline;
-    if (cells.x_end - cells.x_begin > 2 && cells.y_end - cells.y_begin > 2)
-      outline = screen_outline(view, seen_from(primitives[whole.primitive], light));
-    return [&, face, outline](int column, int row) {
+    if (cell_lists::has_use_of_outline(parts))
+      outline.emplace(planned.in_cells(
+          screen_outline(view, seen_from(primitives[whole.caster.primitive], light)), face,
+          -static_cast<double>(whole.caster.top)));
+    return [&planned, whole, parts, face, outline](int column, int row) {
       Entry entry = whole;
-      const double distance = -static_cast<double>(whole.top);
-      if (outline && !outline->reach(planned.pixels(face, column, row, distance)))
-        entry.top = Entry::nowhere;
+      entry.parts = parts_in(parts, column, row);
+      if (outline) {
+        const auto [x, y] = planned.pixel(face, column, row);
+        entry.parts &= outline->parts_reached(x, y);
+      }
       return entry;
     };
   };
-  return {planned.cube, list_in_cells<T>(cube_faces * primitives.size(), planned.cube.cells(), pool,
-                                         place, entries_of)};
+  return {planned.cube, list_in_cells<T>(cube_faces * primitives.size(), planned.cube.side,
+                                         cube_faces * planned.cube.side, pool, place, entries_of)};
 }
 
 }  // namespace raytracer

@@ -20,17 +20,6 @@ CellRectangle subtiles_touched(const PixelRectangle& pixels, const BinGrid& bloc
           index(pixels.x_end + subtile_side, columns), index(pixels.y_end + subtile_side, rows)};
 }
 
-std::uint16_t subtile_mask(const CellRectangle& subtiles, int column, int row) {
-  const int x_begin = std::max(subtiles.x_begin - subtiles_across * column, 0);
-  const int x_end = std::min(subtiles.x_end - subtiles_across * column, subtiles_across);
-  const int y_begin = std::max(subtiles.y_begin - subtiles_across * row, 0);
-  const int y_end = std::min(subtiles.y_end - subtiles_across * row, subtiles_across);
-  const unsigned in_row = ((1U << x_end) - 1U) & ~((1U << x_begin) - 1U);
-  unsigned mask = 0;
-  for (int y = y_begin; y < y_end; ++y) mask |= in_row << (subtiles_across * y);
-  return static_cast<std::uint16_t>(mask);
-}
-
 void sort_by_distance(std::span<BinnedEntry> entries) {
   constexpr std::size_t few = 48;
   constexpr int digit_bits = 8;

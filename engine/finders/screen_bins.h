@@ -29,9 +29,9 @@ struct ScreenEntry {
 /// Those of a block, nearest first.
 struct BlockEntries {
   std::span<const ScreenEntry> entries;
-  /// Which of the block's subtiles each may touch: bit subtiles_across * row + column, row 0 on
-  /// top. Vectors that begin with any of them may be read.
-  const std::uint16_t* subtiles = nullptr;
+  /// Which of the block's subtiles each may touch: as Parts has them, row 0 on top. Vectors that
+  /// begin with any of them may be read.
+  const Parts* subtiles = nullptr;
 };
 
 /// Entries by block, blocks row by row from the top. What an entry may touch is kept apart, so that
@@ -40,7 +40,7 @@ struct ScreenBins {
   BinGrid blocks{};
   std::vector<std::uint32_t> begins;  ///< of each block, and the end of the last
   LargeArray<ScreenEntry> entries;
-  LargeArray<std::uint16_t> subtiles;  ///< as in BlockEntries
+  LargeArray<Parts> subtiles;  ///< as in BlockEntries
 
   /// Those of the block at (column, row); nothing if nothing was entered anywhere.
   BlockEntries block(int column, int row) const {
@@ -54,15 +54,16 @@ struct ScreenBins {
 /// Of what finds its own parts: only the parts of each block that may show some of it.
 struct ScreenMask {
   BinGrid blocks{};
-  std::vector<std::uint16_t>
-      subtiles;  ///< of each block, as in BlockEntries; empty if there is none
+  std::vector<Parts> subtiles;  ///< of each block, as in BlockEntries; empty if there is none
 
-  std::uint16_t block(int column, int row) const {
-    return subtiles.empty() ? std::uint16_t{0} : subtiles[blocks.index(column, row)];
+  Parts block(int column, int row) const {
+    return subtiles.empty() ? Parts{0} : subtiles[blocks.index(column, row)];
   }
 };
 
 namespace screen_bins {
+
+static_assert(subtiles_across == parts_across);  // so a block's subtiles are its parts
 
 inline BinGrid blocks_of(const View& view) {
   return {static_cast<int>(blocks_along(view.width)), static_cast<int>(blocks_along(view.height)),
@@ -72,10 +73,6 @@ inline BinGrid blocks_of(const View& view) {
 /// The subtiles of an image of so many blocks that the rectangle touches.
 CellRectangle subtiles_touched(const PixelRectangle& pixels, const BinGrid& blocks);
 
-/// The subtiles of the block at (column, row) that lie in `subtiles`, which counts subtiles of the
-/// image.
-std::uint16_t subtile_mask(const CellRectangle& subtiles, int column, int row);
-
 /// The pixels of the block at (column, row).
 inline PixelRectangle block_pixels(int column, int row) {
   const double x = static_cast<double>(column) * block_side;
@@ -83,27 +80,10 @@ inline PixelRectangle block_pixels(int column, int row) {
   return {x, y, x + block_side, y + block_side};
 }
 
-/// Those of a block's subtiles that an outline reaches.
-template <typename Outline>
-std::uint16_t subtiles_reached(const Outline& outline, const PixelRectangle& block,
-                               std::uint16_t mask) {
-  if (!outline.reach(block)) return 0;
-  unsigned reached = 0;
-  for (int row = 0; row < subtiles_across; ++row)
-    for (int column = 0; column < subtiles_across; ++column) {
-      const unsigned subtile = 1U << (subtiles_across * row + column);
-      const double x = block.x_begin + subtile_side * column;
-      const double y = block.y_begin + subtile_side * row;
-      if ((mask & subtile) != 0 && outline.reach({x, y, x + subtile_side, y + subtile_side}))
-        reached |= subtile;
-    }
-  return static_cast<std::uint16_t>(reached);
-}
-
 /// An entry on its way to its block.
 struct BinnedEntry {
   ScreenEntry entry;
-  std::uint16_t subtiles;  ///< as in BlockEntries
+  Parts subtiles;  ///< as in BlockEntries
 };
 
 /// Nearest first. Distances are not negative: their order is that of their bits, and a radix sort
@@ -141,7 +121,6 @@ template <typename Primitive, typename Number>
 ScreenBins build_screen_bins(const View& view, std::span<const Primitive> primitives,
                              const Number& number, WorkerPool& pool) {
   using namespace screen_bins;
-  constexpr std::size_t padding = 64;  // longer than any vector of subtiles
   ScreenBins bins;
   bins.blocks = blocks_of(view);
   const Projection projection(view);
@@ -164,19 +143,21 @@ ScreenBins build_screen_bins(const View& view, std::span<const Primitive> primit
       BinnedEntry binned = whole;
       if constexpr (HasScreenDepth<Primitive>)
         binned.entry.nearest *= per_depth[bins.blocks.index(column, row)];
-      binned.subtiles = subtile_mask(subtiles, column, row);
+      binned.subtiles = parts_in(subtiles, column, row);
       return binned;
     };
     if constexpr (HasScreenOutline<Primitive>) {
       const bool is_large = subtiles.x_end - subtiles.x_begin > subtiles_across &&
                             subtiles.y_end - subtiles.y_begin > subtiles_across;
-      using Outline = decltype(screen_outline(view, primitives[0]));
+      using Outline = decltype(PartOutline(screen_outline(view, primitives[0]), 0, 0, 0));
       std::optional<Outline> outline;
-      if (is_large) outline = screen_outline(view, primitives[whole.entry.primitive]);
+      if (is_large)
+        outline.emplace(screen_outline(view, primitives[whole.entry.primitive]), block_side,
+                        block_side, projection_margin_px);
       return [entry_in, outline](int column, int row) {
         BinnedEntry binned = entry_in(column, row);
         if (outline)
-          binned.subtiles = subtiles_reached(*outline, block_pixels(column, row), binned.subtiles);
+          binned.subtiles &= outline->parts_reached(column * block_side, row * block_side);
         return binned;
       };
     } else {
@@ -187,7 +168,7 @@ ScreenBins build_screen_bins(const View& view, std::span<const Primitive> primit
       primitives.size(), bins.blocks, pool, place, entries_of, &sort_by_distance,
       [&](std::size_t count) {
         bins.entries.resize(count);
-        bins.subtiles.resize(count + padding);
+        bins.subtiles.resize(count + most_parts_read);
       },
       [&](std::size_t first, std::span<const BinnedEntry> block) {
         for (std::size_t i = 0; i < block.size(); ++i) {
@@ -212,7 +193,7 @@ ScreenMask build_screen_mask(const View& view, std::span<const Primitive> primit
     const CellRectangle blocks = mask.blocks.bins_of(subtiles);
     for (int row = blocks.y_begin; row < blocks.y_end; ++row)
       for (int column = blocks.x_begin; column < blocks.x_end; ++column)
-        mask.subtiles[mask.blocks.index(column, row)] |= subtile_mask(subtiles, column, row);
+        mask.subtiles[mask.blocks.index(column, row)] |= parts_in(subtiles, column, row);
   }
   return mask;
 }

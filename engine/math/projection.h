@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "engine/math/box.h"
+#include "engine/math/parts.h"
 #include "engine/math/vec.h"
 #include "engine/math/view.h"
 
@@ -74,52 +75,29 @@ class Projection {
   double most_distance_per_depth_;
 };
 
-/// What planes through the eye leave of the image: of a triangle three, of a long thing two.
+/// What planes through the eye leave of the image, whose normals, of any length, are `inward`,
+/// towards what is seen.
 template <std::size_t count>
-class ScreenSides {
- public:
-  /// `inward` are the planes' normals, of any length, towards what is seen.
-  ScreenSides(const View& view, const std::array<Vec3, count>& inward) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const double right = dot(inward[i], view.right);
-      const double up = dot(inward[i], view.up);
-      sides_[i] = {dot(inward[i], view.forward) - right + up, 2 * right / view.width,
-                   -2 * up / view.height};
-    }
+std::array<Line, count> screen_lines(const View& view, const std::array<Vec3, count>& inward) {
+  std::array<Line, count> sides;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double right = dot(inward[i], view.right);
+    const double up = dot(inward[i], view.up);
+    sides[i] = {dot(inward[i], view.forward) - right + up, 2 * right / view.width,
+                -2 * up / view.height};
   }
-
-  /// Whether something of the rectangle may be left.
-  bool reach(const PixelRectangle& pixels) const {
-    const double x = 0.5 * (pixels.x_begin + pixels.x_end);
-    const double y = 0.5 * (pixels.y_begin + pixels.y_end);
-    const double half_width = 0.5 * (pixels.x_end - pixels.x_begin) + projection_margin_px;
-    const double half_height = 0.5 * (pixels.y_end - pixels.y_begin) + projection_margin_px;
-    return std::all_of(sides_.begin(), sides_.end(), [&](const Side& side) {
-      return side.at_origin + side.per_column * x + side.per_row * y +
-                 std::abs(side.per_column) * half_width + std::abs(side.per_row) * half_height >=
-             0;
-    });
-  }
-
- private:
-  /// Positive inside, linear over the image.
-  struct Side {
-    double at_origin;
-    double per_column;
-    double per_row;
-  };
-  std::array<Side, count> sides_;
-};
+  return sides;
+}
 
 /// The sides of a triangle, which part what it may cover from what it does not.
-inline ScreenSides<3> triangle_sides(const View& view, const std::array<Vec3, 3>& corners) {
+inline std::array<Line, 3> triangle_sides(const View& view, const std::array<Vec3, 3>& corners) {
   // By the sides themselves: corners that are far away differ by little.
   const auto& [a, b, c] = corners;
   const double sign = dot(cross(b - a, c - a), a) < 0 ? -1 : 1;
   std::array<Vec3, 3> inward;
   for (std::size_t i = 0; i < 3; ++i)
     inward[i] = sign * cross(corners[i], corners[(i + 1) % 3] - corners[i]);
-  return {view, inward};
+  return screen_lines(view, inward);
 }
 
 }  // namespace raytracer

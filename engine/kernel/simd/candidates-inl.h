@@ -11,21 +11,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// So many entries are looked through at a time.
-inline constexpr std::size_t entries_at_once = 64;
-
 /// Of a block's entries from `begin` on, at most `entries_at_once`: a bit for each that the subtile
 /// may show.
 HWY_INLINE std::uint64_t entries_in_subtile(const BlockEntries& block, int subtile,
                                             std::size_t begin) {
-  const hn::CappedTag<std::uint16_t, 16> d;
-  constexpr std::size_t lanes = hn::MaxLanes(decltype(d)());
-  const auto bit = hn::Set(d, static_cast<std::uint16_t>(1U << subtile));
-  const std::size_t count = std::min(entries_at_once, block.entries.size() - begin);
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < count; i += lanes)
-    bits |= bits_of(d, hn::TestBit(hn::LoadU(d, block.subtiles + begin + i), bit)) << i;
-  return count < entries_at_once ? bits & ((std::uint64_t{1} << count) - 1) : bits;
+  return entries_that_touch(block.subtiles + begin,
+                            std::min(entries_at_once, block.entries.size() - begin),
+                            static_cast<Parts>(1U << subtile));
 }
 
 /// Calls visit(primitive) for those of a block that one of its 4 x 4 subtiles may show: near to

@@ -8,6 +8,7 @@
 #include "engine/packets/rows-inl.h"
 #include "engine/packets/hit-inl.h"
 #include "engine/packets/flat-inl.h"
+#include "engine/finders/parts-inl.h"
 #include "engine/finders/cells-inl.h"
 #include "engine/finders/light_grid-inl.h"
 #include "engine/finders/light_sweep-inl.h"

@@ -6,15 +6,15 @@
 
 namespace raytracer {
 
-ScreenSides<2> screen_outline(const View& view, const PackedCone& c) {
+std::array<Line, 2> screen_outline(const View& view, const PackedCone& c) {
   // A tangent plane passes through the eye where its normal n, across the axis, has F.n = girth.
   const AxisBasis own(c);
   const double distance = c.cosine * length(c.foot);
   const double along = -(c.girth_at_foot / distance + 1e-9);  // generous by more than rounding
-  if (!(std::abs(along) < 1)) return {view, {Vec3{}, Vec3{}}};
+  if (!(std::abs(along) < 1)) return screen_lines<2>(view, {});
   const Vec3 inward = c.sine * c.axis - (c.cosine * along) * own.towards;
   const Vec3 aside = (c.cosine * std::sqrt((1 - along) * (1 + along))) * own.across;
-  return {view, {inward + aside, inward - aside}};
+  return screen_lines<2>(view, {inward + aside, inward - aside});
 }
 
 ShadowExtent shadow_extent(const PackedCone& c, const LightAxes& axes) {
@@ -79,19 +79,11 @@ ConeLightView<T> PacketLayout<ConeKind, T>::light_view(std::span<const PackedCon
     return {{}, lamp_view<PacketLayout, T>(cones, light.place, finder, numbers, pool)};
   }
   if (finder_of(finders, ray_kind_of(light)) != Finder::light_grid) return {};
-  const LightAxes axes = light_axes(light.place);
-  // Beside the axis' line as the light sees it nothing is farther than the larger radius.
-  const auto touches = [&](std::uint32_t i, T u, T v, T half) {
+  const auto outline_of = [axes = light_axes(light.place), cones](std::size_t i) {
     const PackedCone& c = cones[i];
-    const Vec3 beside = cross(light.place, c.axis);
-    if (!(length(beside) > 1e-6)) return true;
-    const Vec3 k = unit(beside);
-    const double ku = dot(k, axes[0]);
-    const double kv = dot(k, axes[1]);
-    const double away = std::abs(ku * u + kv * v - dot(c.foot, k));
-    return away <= c.largest_radius() + half * (std::abs(ku) + std::abs(kv) + 1e-3);
+    return strip_outline(axes, c.foot, c.axis, c.largest_radius());
   };
-  return {build_list_grid<T>(light.place, cones, touches, pool), {}};
+  return {build_list_grid<T>(light.place, cones, outline_of, pool), {}};
 }
 
 template struct PacketLayout<ConeKind, float>;

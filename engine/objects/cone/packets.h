@@ -51,7 +51,7 @@ struct ConeLightView {
 };
 
 /// The planes through the eye that touch the endless cone; all of the image where there are none.
-ScreenSides<2> screen_outline(const View& view, const PackedCone& cone);
+std::array<Line, 2> screen_outline(const View& view, const PackedCone& cone);
 
 ShadowExtent shadow_extent(const PackedCone& cone, const LightAxes& axes);
 

@@ -42,15 +42,15 @@ double disc_reach(const PackedCylinder& c, const Vec3& along) {
 
 }  // namespace
 
-ScreenSides<2> screen_outline(const View& view, const PackedCylinder& c) {
+std::array<Line, 2> screen_outline(const View& view, const PackedCylinder& c) {
   const AxisBasis own(c);
   const double distance = length(c.foot);
   // Generous by more than rounding; an eye within sees it everywhere.
   const double sine = std::min(c.radius / distance * (1 + 1e-9), 1.0);
-  if (!(c.eye_c > 0) || !(sine < 1)) return {view, {Vec3{}, Vec3{}}};
+  if (!(c.eye_c > 0) || !(sine < 1)) return screen_lines<2>(view, {});
   const Vec3 inward = sine * own.towards;
   const Vec3 aside = std::sqrt((1 - sine) * (1 + sine)) * own.across;
-  return {view, {inward + aside, inward - aside}};
+  return screen_lines<2>(view, {inward + aside, inward - aside});
 }
 
 ShadowExtent shadow_extent(const PackedCylinder& c, const LightAxes& axes) {
@@ -110,18 +110,11 @@ CylinderLightView<T> PacketLayout<CylinderKind, T>::light_view(
       view.shadows[i] = shadow_of<T>(cylinders[i], light.place);
   });
   if (finder_of(finders, ray_kind_of(light)) != Finder::light_grid) return view;
-  const LightAxes axes = light_axes(light.place);
-  // Beside the axis' line as the light sees it nothing is farther than the radius.
-  const auto touches = [&](std::uint32_t i, T u, T v, T half) {
-    const CylinderShadow<T>& shadow = view.shadows[i];
-    const Vec3 k{shadow.k.x, shadow.k.y, shadow.k.z};
-    const double ku = dot(k, axes[0]);
-    const double kv = dot(k, axes[1]);
-    const double beside =
-        std::abs(ku * u + kv * v - shadow.x) - half * (std::abs(ku) + std::abs(kv));
-    return beside <= std::sqrt(static_cast<double>(shadow.radius2)) + half * 1e-3;
+  const auto outline_of = [axes = light_axes(light.place), cylinders](std::size_t i) {
+    const PackedCylinder& c = cylinders[i];
+    return strip_outline(axes, c.foot, c.axis, c.radius);
   };
-  view.grid = build_list_grid<T>(light.place, cylinders, touches, pool);
+  view.grid = build_list_grid<T>(light.place, cylinders, outline_of, pool);
   return view;
 }
 

@@ -64,7 +64,7 @@ struct CylinderLightView {
 };
 
 /// The planes through the eye that touch the endless cylinder; all of the image from within it.
-ScreenSides<2> screen_outline(const View& view, const PackedCylinder& cylinder);
+std::array<Line, 2> screen_outline(const View& view, const PackedCylinder& cylinder);
 
 ShadowExtent shadow_extent(const PackedCylinder& cylinder, const LightAxes& axes);
 

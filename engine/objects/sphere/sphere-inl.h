@@ -290,7 +290,8 @@ HWY_INLINE M occluded_by(D d, const Geometry<SphereKind, T>& spheres, const Pack
     return hn::And(lit,
                    occluded_by_each(d, view.balls.casters, view.balls.begins[1], test, values));
   if (hn::AllFalse(d, lit)) return lit;
-  const V cell = cells_around(d, view.balls.cube, light.place, point, lit);
+  const V cell =
+      cell_of(d, view.balls.cube, places_around(d, view.balls.cube, light.place, point, lit));
   return occluded_in_cells(d, view.balls, cell, test, values, lit);
 }
 

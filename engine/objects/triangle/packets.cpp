@@ -18,25 +18,18 @@ struct Point {
   double v;
 };
 
-/// u_slope u + v_slope v + offset is the distance to the line, positive on the inner side.
-struct EdgeLine {
-  double u_slope;
-  double v_slope;
-  double offset;
-};
-
 /// The line from p to q, through the middle between them. Of q and p it is the opposite to the bit
 /// but for what both are generous by, so that nothing lies outside of both triangles that share it.
 /// `sign` is -1 where the inner side is the other one.
-EdgeLine edge_line(const Point& p, const Point& q, double sign) {
+Line edge_line(const Point& p, const Point& q, double sign) {
   const double u = q.u - p.u;
   const double v = q.v - p.v;
   const double size = std::sqrt(u * u + v * v);
   const double scale = size > 0 ? sign / size : 0;
-  const EdgeLine slopes{-v * scale, u * scale, 0};
+  const double per_u = -v * scale;
+  const double per_v = u * scale;
   const double noise = place_noise * (std::abs(p.u + q.u) + std::abs(p.v + q.v));
-  return {slopes.u_slope, slopes.v_slope,
-          noise - 0.5 * (slopes.u_slope * (p.u + q.u) + slopes.v_slope * (p.v + q.v))};
+  return {noise - 0.5 * (per_u * (p.u + q.u) + per_v * (p.v + q.v)), per_u, per_v};
 }
 
 /// Of a triangle that the light sees as a line or a point everything is outside.
@@ -56,23 +49,20 @@ TriangleOutline<T> outline(const LightAxes& axes, const PackedTriangle& triangle
     return lines;
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    const EdgeLine line = edge_line(corners[i], corners[(i + 1) % 3], sign);
-    lines.u_slopes[i] = static_cast<T>(line.u_slope);
-    lines.v_slopes[i] = static_cast<T>(line.v_slope);
-    lines.offsets[i] = static_cast<T>(line.offset);
+    const Line line = edge_line(corners[i], corners[(i + 1) % 3], sign);
+    lines.u_slopes[i] = static_cast<T>(line.per_x);
+    lines.v_slopes[i] = static_cast<T>(line.per_y);
+    lines.offsets[i] = static_cast<T>(line.at_origin);
   }
   return lines;
 }
 
-/// Whether a triangle's lines leave it something of the square around (u, v).
 template <typename T>
-bool reaches(const TriangleOutline<T>& lines, T u, T v, T half) {
+std::array<Line, 3> lines_of(const TriangleOutline<T>& outline) {
+  std::array<Line, 3> lines;
   for (std::size_t i = 0; i < 3; ++i)
-    if (lines.u_slopes[i] * u + lines.v_slopes[i] * v + lines.offsets[i] +
-            (std::abs(lines.u_slopes[i]) + std::abs(lines.v_slopes[i])) * half <
-        0)
-      return false;
-  return true;
+    lines[i] = {outline.offsets[i], outline.u_slopes[i], outline.v_slopes[i]};
+  return lines;
 }
 
 /// The planes through a light and a triangle's sides: of one that two triangles share the opposite
@@ -175,10 +165,8 @@ TriangleLightView<T> PacketLayout<TriangleKind, T>::light_view(
   });
   view.grid.plane.axes = in_precision<T>(axes);
   if (finder != Finder::light_grid) return view;
-  const auto touches = [&view](std::uint32_t triangle, T u, T v, T half) {
-    return reaches(view.outlines[triangle], u, v, half);
-  };
-  view.grid = build_list_grid<T>(light.place, triangles, touches, pool);
+  const auto outline_of = [&view](std::size_t i) { return lines_of(view.outlines[i]); };
+  view.grid = build_list_grid<T>(light.place, triangles, outline_of, pool);
   return view;
 }
 

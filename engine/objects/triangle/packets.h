@@ -79,7 +79,7 @@ inline double screen_depth(const Projection& projection, const PackedTriangle& t
   return std::max(0.0, std::min({projection.depth(a), projection.depth(b), projection.depth(c)}));
 }
 
-inline ScreenSides<3> screen_outline(const View& view, const PackedTriangle& t) {
+inline std::array<Line, 3> screen_outline(const View& view, const PackedTriangle& t) {
   return triangle_sides(view, t.vertices);
 }
 
