@@ -50,13 +50,17 @@ check:
 	run-clang-tidy -quiet -j $(JOBS) -p build-check '^$(CURDIR)/(engine|server|client|tests)/'
 
 # Directories of their own: the two cannot be combined, and neither with the ordinary build.
+# A sanitizer opens libraries in a program's place, and does not look where that would.
+beside = LD_LIBRARY_PATH="$(CURDIR)/$(1)"
 sanitize:
-	$(call test_in,build-sanitize,-DRAYTRACER_SANITIZE=address$(comma)undefined)
+	$(call test_in,build-sanitize,-DRAYTRACER_SANITIZE=address$(comma)undefined,\
+	  $(call beside,build-sanitize))
 
 # Debian's cpp-httplib is not instrumented: what it synchronizes looks unsynchronized.
 tsan_options = suppressions=$(CURDIR)/tests/tsan.supp halt_on_error=1
 tsan:
-	$(call test_in,build-tsan,-DRAYTRACER_SANITIZE=thread,TSAN_OPTIONS="$(tsan_options)")
+	$(call test_in,build-tsan,-DRAYTRACER_SANITIZE=thread,\
+	  TSAN_OPTIONS="$(tsan_options)" $(call beside,build-tsan))
 
 # The peers are only for these three, so they have a directory of their own. $(1) is the target.
 define with_peers

@@ -9,8 +9,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include "engine/math/parts.h"
@@ -55,11 +57,38 @@ struct BinGrid {
   }
 };
 
-/// By so much an array of parts is longer than what it holds: as the longest vector of them.
-inline constexpr std::size_t most_parts_read = 64;
+/// By so many more than it holds an array of parts is longer: vectors may begin with its last.
+inline constexpr std::size_t parts_padding = 64;
 
 /// Of a bin of 4 x 4 cells the parts, which are its cells, that lie in `cells`.
 Parts parts_in(const CellRectangle& cells, int column, int row);
+
+/// Which parts of such bins something may touch: those in a rectangle of cells and, where that has
+/// so many that an outline leaves some of them out, in its outline.
+template <typename Outline>
+class TouchedParts {
+ public:
+  /// make_outline() gives its PartOutline.
+  template <typename MakeOutline>
+  TouchedParts(const CellRectangle& cells, const MakeOutline& make_outline) : cells_(cells) {
+    constexpr int few = 3;
+    if (cells.x_end - cells.x_begin > few && cells.y_end - cells.y_begin > few)
+      outline_.emplace(make_outline());
+  }
+
+  /// Of the bin at (column, row), which begins at (x, y) as the outline counts.
+  Parts of_bin(int column, int row, double x, double y) const {
+    const Parts in_rectangle = parts_in(cells_, column, row);
+    return outline_ ? in_rectangle & outline_->parts_reached(x, y) : in_rectangle;
+  }
+
+ private:
+  CellRectangle cells_;
+  std::optional<Outline> outline_;
+};
+template <typename MakeOutline>
+TouchedParts(const CellRectangle&, const MakeOutline&)
+    -> TouchedParts<std::invoke_result_t<MakeOutline>>;
 
 /// An item on its way to its bins.
 template <typename Entry>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -38,13 +37,6 @@ struct Entry {
   Parts parts;
 };
 
-/// Whether what covers a rectangle of so many parts leaves out enough of them for its outline to be
-/// looked at.
-inline bool has_use_of_outline(const CellRectangle& parts) {
-  constexpr int few = 3;
-  return parts.x_end - parts.x_begin > few && parts.y_end - parts.y_begin > few;
-}
-
 }  // namespace cell_lists
 
 /// As sort_into_bins(), into cells of 4 x 4 parts; entries are cell_lists::Entry.
@@ -61,7 +53,7 @@ CellLists<T> list_in_cells(std::size_t item_count, int columns, int rows, Worker
       item_count, BinGrid{columns, rows, 2}, pool, place, entries_of, arrange,
       [&](std::size_t count) {
         lists.entries.resize(count);
-        lists.parts.resize(count + most_parts_read);
+        lists.parts.resize(count + parts_padding);
       },
       [&](std::size_t first, std::span<const Entry> cell) {
         for (std::size_t i = 0; i < cell.size(); ++i) {

@@ -150,11 +150,15 @@ HWY_NOINLINE M occluded_in_lists(D d, const CellLists<T>& lists, const ListPlace
   hn::Store(places.part, d, parts);
   const V highest = hn::Set(d, std::numeric_limits<T>::max());
   M dark = hn::Lt(w, w);
-  // Those of a cell that begin at `entry` and may touch one of the parts; how many they were.
-  const auto look_through = [&](std::size_t entry, std::size_t end, Parts wanted, T least_w,
-                                M& rest) HWY_ATTR {
+  // Tries those from `entry` on that may touch one of the parts that lanes are in. Returns where to
+  // go on: at `end` if no more of the cell matter.
+  const auto look_through = [&](std::size_t entry, std::size_t end, T least_w, M& rest) HWY_ATTR {
+    unsigned wanted = 0;
+    for (std::uint64_t left = bits_of(d, rest); left != 0; left &= left - 1)
+      wanted |= 1U << static_cast<unsigned>(parts[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)]);
     const std::size_t count = std::min(end - entry, entries_at_once);
-    for (std::uint64_t here = entries_that_touch(lists.parts.data() + entry, count, wanted);
+    for (std::uint64_t here =
+             entries_that_touch(lists.parts.data() + entry, count, static_cast<Parts>(wanted));
          here != 0; here &= here - 1) {
       const ListedCaster<T>& caster =
           lists.entries[entry + hwy::Num0BitsBelowLS1Bit_Nonzero64(here)];
@@ -178,11 +182,8 @@ HWY_NOINLINE M occluded_in_lists(D d, const CellLists<T>& lists, const ListPlace
     const std::size_t end = lists.begins[index + 1];
     if (entry == end) continue;
     const T least_w = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(rest, w, highest)));
-    unsigned wanted = 0;
-    for (std::uint64_t left = bits_of(d, rest); left != 0; left &= left - 1)
-      wanted |= 1U << static_cast<unsigned>(parts[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)]);
-    while (entry != end && lists.entries[entry].top > least_w && !hn::AllFalse(d, rest))
-      entry = look_through(entry, end, static_cast<Parts>(wanted), least_w, rest);
+    while (entry != end && lists.entries[entry].top > least_w)
+      entry = look_through(entry, end, least_w, rest);
   }
   return dark;
 }

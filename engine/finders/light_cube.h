@@ -244,9 +244,9 @@ struct PlannedCube {
   std::vector<Projection> projections;  ///< of the views
 
   /// Where something comes on a face that is `seen` from the light, in that box: in cells or, of
-  /// cells cut into `parts` x `parts`, in parts.
+  /// cells cut into `across` x `across` parts, in those.
   template <typename Primitive>
-  CellRectangle cells(const Primitive& seen, const Box& box, int face, int parts = 1) const {
+  CellRectangle cells(const Primitive& seen, const Box& box, int face, int across) const {
     const auto of = static_cast<std::size_t>(face);
     const PixelRectangle pixels = footprint(projections[of], seen);
     if (!(pixels.x_begin < pixels.x_end && pixels.y_begin < pixels.y_end)) return {};
@@ -254,9 +254,9 @@ struct PlannedCube {
     const FaceRectangle most = outer.rectangle(turn);
     const FaceRectangle& window = windows[of];
     const double wider = wider_by(outer.least_along());
-    const int side = parts * cube.side;
+    const int side = across * cube.side;
     const auto index = [&](double place, int more) {
-      const double cell = place * static_cast<double>(cube.cells_per_unit) * parts + more;
+      const double cell = place * static_cast<double>(cube.cells_per_unit) * across + more;
       return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(side)));
     };
     const double u_wider = wider + turn * window.width();
@@ -272,11 +272,11 @@ struct PlannedCube {
   /// The outline of something in a face's view that is so far from the light or farther, against
   /// cells, generous by how much more of the view may belong to those.
   template <std::size_t count>
-  PartOutline<count> in_cells(const std::array<Line, count>& outline, int face,
-                              double distance) const {
+  PartOutline<count> against_cells(const std::array<Line, count>& outline, int face,
+                                   double distance) const {
     const FaceRectangle& window = windows[static_cast<std::size_t>(face)];
     const double cell = 1 / static_cast<double>(cube.cells_per_unit);
-    const double wider = cell / 1000 + wider_by(distance / light_cube::root_three) +
+    const double wider = outline_noise * cell + wider_by(distance / light_cube::root_three) +
                          turn * std::max(window.width(), window.height());
     using light_cube::pixels_across_unit;
     return {outline, cell * pixels_across_unit, cell * pixels_across_unit,
@@ -291,7 +291,11 @@ struct PlannedCube {
   }
 
   /// By how much of a face a point may miss its cell, so far along the face's axis.
-  double wider_by(double along) const { return std::min(margin / along, 4.0); }
+  double wider_by(double along) const {
+    constexpr double all = 4;
+    const double wider = margin / along;
+    return wider < all ? wider : all;  // all too where it is no number
+  }
 };
 
 /// Cells that suit the primitives, at least one of which there is, none of them farther from the
@@ -305,10 +309,10 @@ PlannedCube<T> plan_light_cube(const Vec3& light, std::span<const Primitive> pri
   const double rounded = 32 * std::numeric_limits<double>::epsilon() * length(light);
   PlannedCube<T> planned{{}, light, turn * reach + rounded, {}, {}, {}, {}};
   planned.faces.resize(primitives.size());
-  std::array<light_cube::Seen, 16> parts;
-  const std::size_t part_count = primitives.size() < few_items ? 1 : parts.size();
-  for_each_chunk(primitives.size(), part_count, pool,
-                 [&](std::size_t part, std::size_t begin, std::size_t end) {
+  std::array<light_cube::Seen, 16> shares;
+  const std::size_t share_count = primitives.size() < few_items ? 1 : shares.size();
+  for_each_chunk(primitives.size(), share_count, pool,
+                 [&](std::size_t share, std::size_t begin, std::size_t end) {
                    light_cube::Seen own;
                    for (std::size_t i = begin; i < end; ++i) {
                      const Box box =
@@ -322,10 +326,10 @@ PlannedCube<T> plan_light_cube(const Vec3& light, std::span<const Primitive> pri
                      }
                      planned.faces[i] = static_cast<std::uint8_t>(faces);
                    }
-                   parts[part] = own;
+                   shares[share] = own;
                  });
   light_cube::Seen seen;
-  for (const light_cube::Seen& part : parts) seen.include(part);
+  for (const light_cube::Seen& share : shares) seen.include(share);
 
   double area = 0;
   double widest = 0;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -85,17 +84,11 @@ ListGrid<T> build_list_grid(const Vec3& towards, std::span<const Primitive> prim
     return {planned.cells(extent, parts_across), {{top, static_cast<std::uint32_t>(i)}, 0}};
   };
   const auto entries_of = [&](const Entry& whole, const CellRectangle& parts) {
-    const double cell = planned.cell;
-    using Outline = decltype(PartOutline(outline_of(0), 0, 0, 0));
-    std::optional<Outline> outline;
-    if (cell_lists::has_use_of_outline(parts))
-      outline.emplace(outline_of(whole.caster.primitive), cell, cell, 1e-3 * cell + planned.margin);
-    return [&planned, whole, parts, outline](int column, int row) {
+    const TouchedParts touched(
+        parts, [&] { return planned.against_cells(outline_of(whole.caster.primitive)); });
+    return [&planned, whole, touched](int column, int row) {
       Entry entry = whole;
-      entry.parts = parts_in(parts, column, row);
-      if (outline)
-        entry.parts &= outline->parts_reached(planned.u_low + column * planned.cell,
-                                              planned.v_low + row * planned.cell);
+      entry.parts = touched.of_bin(column, row, planned.u_begin(column), planned.v_begin(row));
       return entry;
     };
   };

@@ -1,7 +1,7 @@
 // The plane across a distant light's direction, cut into cells.
 //
 // All rays to the light are parallel: what may stand before a point is what covers its place on
-// this plane. Every primitive is entered into the cells that its outline may touch.
+// this plane. Every primitive is entered into the cells that its rectangle touches.
 #pragma once
 
 #include <algorithm>
@@ -17,6 +17,9 @@
 #include "engine/parallel/chunks.h"
 
 namespace raytracer {
+
+/// What outlines are generous by, as a share of a cell: far more than what they are rounded by.
+inline constexpr double outline_noise = 1e-3;
 
 /// The rectangle that a primitive covers as a distant light sees it.
 struct ShadowExtent {
@@ -87,19 +90,27 @@ struct PlannedPlane {
   double cells_per_unit;
   double margin;  ///< by which extents are enlarged: a point finds its cell in T
 
-  /// The cells that an extent touches, or of cells cut into `parts` x `parts` the parts.
-  CellRectangle cells(const ShadowExtent& e, int parts = 1) const {
-    const double width = cell / parts;
+  /// The cells that an extent touches, or of cells cut into `across` x `across` parts the parts.
+  CellRectangle cells(const ShadowExtent& e, int across = 1) const {
+    const double width = cell / across;
     const auto index = [&](double offset, int most) {
       return static_cast<int>(
-          std::min(std::max(0.0, offset * cells_per_unit * parts), static_cast<double>(most)));
+          std::min(std::max(0.0, offset * cells_per_unit * across), static_cast<double>(most)));
     };
-    const int columns = parts * plane.columns;
-    const int rows = parts * plane.rows;
+    const int columns = across * plane.columns;
+    const int rows = across * plane.rows;
     return {index(e.u_low - margin - u_low, columns - 1), index(e.v_low - margin - v_low, rows - 1),
             index(e.u_high + margin - u_low + width, columns),
             index(e.v_high + margin - v_low + width, rows)};
   }
+
+  /// An outline on the plane against its cells.
+  template <std::size_t count>
+  PartOutline<count> against_cells(const std::array<Line, count>& outline) const {
+    return {outline, cell, cell, outline_noise * cell + margin};
+  }
+  double u_begin(int column) const { return u_low + column * cell; }
+  double v_begin(int row) const { return v_low + row * cell; }
 };
 
 /// What all primitives together cover.
@@ -134,17 +145,17 @@ template <typename T, typename Primitive>
 PlannedPlane<T> plan_light_plane(const Vec3& towards, std::span<const Primitive> primitives,
                                  const CellWidths& widths, WorkerPool& pool) {
   const LightAxes axes = light_axes(towards);
-  std::array<ShadowSpread, 16> parts;
-  const std::size_t part_count = primitives.size() < few_items ? 1 : parts.size();
-  for_each_chunk(primitives.size(), part_count, pool,
-                 [&](std::size_t part, std::size_t begin, std::size_t end) {
+  std::array<ShadowSpread, 16> shares;
+  const std::size_t share_count = primitives.size() < few_items ? 1 : shares.size();
+  for_each_chunk(primitives.size(), share_count, pool,
+                 [&](std::size_t share, std::size_t begin, std::size_t end) {
                    ShadowSpread own;
                    for (const Primitive& primitive : primitives.subspan(begin, end - begin))
                      own.include(shadow_extent(primitive, axes));
-                   parts[part] = own;
+                   shares[share] = own;
                  });
   ShadowSpread spread;
-  for (const ShadowSpread& part : parts) spread.include(part);
+  for (const ShadowSpread& share : shares) spread.include(share);
 
   const double across = spread.across();
   constexpr auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());

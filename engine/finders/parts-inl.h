@@ -1,6 +1,5 @@
 // Entries that say which of 4 x 4 parts they may touch, many at a time.
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -11,13 +10,13 @@ namespace raytracer::HWY_NAMESPACE {
 
 /// So many entries are looked through at a time.
 inline constexpr std::size_t entries_at_once = 64;
-static_assert(entries_at_once <= most_parts_read);
 
 /// Of at most `entries_at_once` entries that touch `parts`: a bit for each that touches one of
 /// `wanted`.
 HWY_INLINE std::uint64_t entries_that_touch(const Parts* parts, std::size_t count, Parts wanted) {
   const hn::CappedTag<Parts, 16> d;
   constexpr std::size_t lanes = hn::MaxLanes(decltype(d)());
+  static_assert(lanes <= parts_padding);
   const auto mask = hn::Set(d, wanted);
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < count; i += lanes) {

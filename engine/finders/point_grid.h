@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,13 +39,13 @@ namespace point_grid {
 /// not seen through the face comes nowhere.
 template <typename Entry, typename T, typename Primitive, typename Visit>
 Placed<Entry> place(const PlannedCube<T>& planned, std::span<const Primitive> primitives,
-                    std::size_t item, int parts, const Visit& visit) {
+                    std::size_t item, int across, const Visit& visit) {
   const auto face = static_cast<int>(item % cube_faces);
   const std::size_t index = item / cube_faces;
   if ((planned.faces[index] >> face & 1U) == 0) return {};
   const Primitive seen = seen_from(primitives[index], planned.light);
   const Box box = enlarged(bounds(seen), planned.margin);
-  const CellRectangle cells = planned.cells(seen, box, face, parts);
+  const CellRectangle cells = planned.cells(seen, box, face, across);
   if (cells.empty()) return {};
   return {cells, visit(index, box)};
 }
@@ -102,19 +101,15 @@ PointLists<T> build_point_lists(const Vec3& light, std::span<const Primitive> pr
   const auto entries_of = [&](const Entry& whole, const CellRectangle& parts) {
     const int face = parts.y_begin / (parts_across * planned.cube.side);
     const View& view = planned.views[static_cast<std::size_t>(face)];
-    using Outline = decltype(PartOutline(screen_outline(view, primitives[0]), 0, 0, 0));
-    std::optional<Outline> outline;
-    if (cell_lists::has_use_of_outline(parts))
-      outline.emplace(planned.in_cells(
-          screen_outline(view, seen_from(primitives[whole.caster.primitive], light)), face,
-          -static_cast<double>(whole.caster.top)));
-    return [&planned, whole, parts, face, outline](int column, int row) {
+    const TouchedParts touched(parts, [&] {
+      const Primitive seen = seen_from(primitives[whole.caster.primitive], light);
+      return planned.against_cells(screen_outline(view, seen), face,
+                                   -static_cast<double>(whole.caster.top));
+    });
+    return [&planned, whole, touched, face](int column, int row) {
+      const auto [x, y] = planned.pixel(face, column, row);
       Entry entry = whole;
-      entry.parts = parts_in(parts, column, row);
-      if (outline) {
-        const auto [x, y] = planned.pixel(face, column, row);
-        entry.parts &= outline->parts_reached(x, y);
-      }
+      entry.parts = touched.of_bin(column, row, x, y);
       return entry;
     };
   };

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <concepts>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -109,8 +108,8 @@ concept HasScreenDepth = requires(const Projection& projection, const Primitive&
   { screen_depth(projection, p) } -> std::same_as<double>;
 };
 
-/// The sides between which it is seen: it is then entered only where those reach, and not in all of
-/// its footprint.
+/// The lines between which it is seen: of the blocks of its footprint it then touches only what
+/// those leave.
 template <typename Primitive>
 concept HasScreenOutline = requires(const View& view, const Primitive& p) {
   screen_outline(view, p);
@@ -139,36 +138,33 @@ ScreenBins build_screen_bins(const View& view, std::span<const Primitive> primit
     return {subtiles, {{static_cast<float>(std::max(nearest * (1 - 1e-6), 0.0)), number(i)}, 0}};
   };
   const auto entries_of = [&](const BinnedEntry& whole, const CellRectangle& subtiles) {
-    const auto entry_in = [&](int column, int row) {
+    const auto entry_in = [&bins, &per_depth, whole](int column, int row, Parts touched) {
       BinnedEntry binned = whole;
       if constexpr (HasScreenDepth<Primitive>)
         binned.entry.nearest *= per_depth[bins.blocks.index(column, row)];
-      binned.subtiles = parts_in(subtiles, column, row);
+      binned.subtiles = touched;
       return binned;
     };
     if constexpr (HasScreenOutline<Primitive>) {
-      const bool is_large = subtiles.x_end - subtiles.x_begin > subtiles_across &&
-                            subtiles.y_end - subtiles.y_begin > subtiles_across;
-      using Outline = decltype(PartOutline(screen_outline(view, primitives[0]), 0, 0, 0));
-      std::optional<Outline> outline;
-      if (is_large)
-        outline.emplace(screen_outline(view, primitives[whole.entry.primitive]), block_side,
-                        block_side, projection_margin_px);
-      return [entry_in, outline](int column, int row) {
-        BinnedEntry binned = entry_in(column, row);
-        if (outline)
-          binned.subtiles &= outline->parts_reached(column * block_side, row * block_side);
-        return binned;
+      const TouchedParts touched(subtiles, [&] {
+        return PartOutline(screen_outline(view, primitives[whole.entry.primitive]), block_side,
+                           block_side, projection_margin_px);
+      });
+      return [entry_in, touched](int column, int row) {
+        return entry_in(column, row,
+                        touched.of_bin(column, row, column * block_side, row * block_side));
       };
     } else {
-      return entry_in;
+      return [entry_in, subtiles](int column, int row) {
+        return entry_in(column, row, parts_in(subtiles, column, row));
+      };
     }
   };
   bins.begins = sort_into_bins<BinnedEntry>(
       primitives.size(), bins.blocks, pool, place, entries_of, &sort_by_distance,
       [&](std::size_t count) {
         bins.entries.resize(count);
-        bins.subtiles.resize(count + most_parts_read);
+        bins.subtiles.resize(count + parts_padding);
       },
       [&](std::size_t first, std::span<const BinnedEntry> block) {
         for (std::size_t i = 0; i < block.size(); ++i) {

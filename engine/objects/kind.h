@@ -124,7 +124,7 @@ concept ObjectKind = HasTraits<Kind> && HasPrimitive<Kind> && HasBounds<Kind> &&
     HasReference<Kind> && HasStatistics<Kind> && HasItsSearch<Kind>;
 
 // What a kind may have. Screen bins take more: HasScreenDepth, HasScreenOutline
-// (finders/screen_bins.h).
+// (finders/screen_bins.h), and so do lights' lists.
 
 /// A document's structure: an item's own colours; else the material's.
 template <class Document>

@@ -54,7 +54,8 @@ TEST(ServerReadme, table_has_every_flag) {
 TEST(ServerReadme, table_has_every_limit) {
   const ServerProcess server;
   const std::string text = readme();
-  for (const nlohmann::json& limit : json_of(get(server, "/version")).at("limits")) {
+  const nlohmann::json version = json_of(get(server, "/version"));
+  for (const nlohmann::json& limit : version.at("limits")) {
     const std::string row = "`" + limit.at("flag").get<std::string>() + "` | " +
                             with_commas(std::to_string(limit.at("value").get<long>())) + " |";
     EXPECT_NE(text.find(row), std::string::npos) << row;
