@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/lights/light_places.h"
+#include "engine/math/block.h"
 #include "engine/memory/page_allocator.h"
 
 namespace raytracer {
@@ -91,23 +93,32 @@ class LightLedger {
 
 /// Which of their places on soft lights points look at.
 template <typename T>
-struct LightSet {
-  std::size_t index = 0;
+struct LightSet : PlaceSets {
   LightLedger<T>* ledger = nullptr;  ///< of the tile, if directions are swept
 
   bool is_recorded() const { return ledger != nullptr && !ledger->tells(); }
   bool is_told() const { return ledger != nullptr && ledger->tells(); }
 };
 
-/// The sets that the samples of a block's pixels use, a quarter of them each.
+/// The sets that the rays of a block, or of a pixel's samples, use.
 template <typename T>
 struct LightSets {
-  LightSet<T> of_quarters[4];
-  LightSet<T> followed;  ///< of rays that follow others
-  bool differ = false;   ///< whether quarters do: by their pixels' places in squares of 2 x 2
+  static constexpr std::size_t rays_in_part = 16;
+  static constexpr std::size_t part_count = std::size_t{block_side} * block_side / rays_in_part;
+
+  LightSet<T> of_parts[part_count];  ///< of so many rays each, in their order
+  LightSet<T> followed;              ///< of rays that follow others
+  /// Whether the block's rays are to be ordered for it, by their pixels' places in squares of 2 x
+  /// 2: a quarter of the parts is then each place's.
+  bool differ = false;
 
   /// The same for all.
-  explicit LightSets(const LightSet<T>& set) : of_quarters{set, set, set, set}, followed(set) {}
+  explicit LightSets(const LightSet<T>& set) : followed(set) {
+    for (LightSet<T>& of_part : of_parts) of_part = set;
+  }
+
+  LightSet<T>* of_quarter(int quarter) { return of_parts + part_count / 4 * quarter; }
+  const LightSet<T>& of_ray(std::size_t ray) const { return of_parts[ray / rays_in_part]; }
 };
 
 }  // namespace raytracer

@@ -2,10 +2,12 @@
 // hides one of them is found as what hides a light that is no larger.
 //
 // They are in sets. Neighbouring pixels and samples use different ones, which turns the bands that
-// few places make into grain.
+// few places make into grain; or a pixel's samples share them out, so that together they use all.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "engine/lights/light_kind.h"
@@ -16,7 +18,24 @@ namespace raytracer {
 struct LightSampling {
   int sets = 1;
   int per_set = 64;  ///< of a disc; of a sky axes, of which each point sees one end
+  /// Whether a pixel's samples share out all sets. Else each takes one, and neighbouring pixels'
+  /// others.
+  bool is_shared_out = false;
 };
+
+/// Some of the sets: one, and every step-th after it.
+struct PlaceSets {
+  static constexpr std::size_t only_one = std::numeric_limits<std::size_t>::max() / 2;
+
+  std::size_t index = 0;
+  std::size_t step = only_one;
+};
+
+/// Of `sets` that are shared out among `count` samples, or groups of them, those of the nth.
+inline PlaceSets share_of_sets(std::size_t nth, std::size_t count, std::size_t sets) {
+  const std::size_t step = std::min(count, sets);
+  return {nth % step, step};
+}
 
 /// A soft light and the places on it, set after set: of a disc of directions unit vectors towards
 /// them; of a sky one for each axis, which stands for its opposite too; of a disc around a place

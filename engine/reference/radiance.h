@@ -74,64 +74,73 @@ double share_along(const PackedScene& scene, const SurfacePoint& point, const Ve
   return query.share();
 }
 
-/// How much of a disc that shines reaches a point: the mean over the places of a set.
+/// Calls visit(place) for those of the sets.
+template <typename Visit>
+void for_each_place(const PackedScene& scene, const SoftLight& soft, const PlaceSets& light_sets,
+                    const Visit& visit) {
+  const auto count = static_cast<std::size_t>(scene.light_sets);
+  for (std::size_t set = light_sets.index; set < count; set += light_sets.step)
+    for (std::size_t i = 0; i < soft.per_set; ++i) visit(soft.places[set * soft.per_set + i]);
+}
+
+/// How much of a disc that shines reaches a point: the mean over places on it.
 template <typename Finder>
 double share_of_disc(const PackedScene& scene, const SoftLight& soft, const ArrivingLight& middle,
-                     const SurfacePoint& point, int light_set, const Finder& finder) {
+                     const SurfacePoint& point, const PlaceSets& light_sets, const Finder& finder) {
   const bool is_parallel = soft.light.rays == LightRays::parallel;
   const OrthonormalBasis around = orthonormal_basis(middle.towards);
   double sum = 0;
-  for (std::size_t i = 0; i < soft.per_set; ++i) {
-    const Vec3& place = soft.places[static_cast<std::size_t>(light_set) * soft.per_set + i];
+  std::size_t count = 0;
+  for_each_place(scene, soft, light_sets, [&](const Vec3& place) {
+    ++count;
     if (is_parallel) {
       sum += share_along(scene, point, place, infinity, finder);
-      continue;
+      return;
     }
     const Vec3 path = middle.distance * middle.towards +
                       soft.light.size * (place.x * around.u + place.y * around.v);
     sum += share_along(scene, point, unit(path), length(path), finder);
-  }
-  return sum / static_cast<double>(soft.per_set);
+  });
+  return sum / static_cast<double>(count);
 }
 
 /// How much of a sky reaches a point: the mean over the ends above it of a set's axes, by the
 /// cosine.
 template <typename Finder>
 double share_of_sky(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,
-                    const Vec3& normal, int light_set, const Finder& finder) {
+                    const Vec3& normal, const PlaceSets& light_sets, const Finder& finder) {
   double sum = 0;
   double weights = 0;
-  for (std::size_t i = 0; i < soft.per_set; ++i) {
-    const Vec3& axis = soft.places[static_cast<std::size_t>(light_set) * soft.per_set + i];
+  for_each_place(scene, soft, light_sets, [&](const Vec3& axis) {
     const double cosine = dot(normal, axis);
     const Vec3 towards = cosine < 0 ? -axis : axis;
     weights += std::abs(cosine);
     sum += std::abs(cosine) * share_along(scene, point, towards, soft.light.size, finder);
-  }
+  });
   return weights > 0 ? sum / weights : 0;
 }
 
 /// The colour that a soft light gives a point, without the ambient part.
 template <typename Finder>
 Rgb soft_light(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,
-               const PointShading& shading, const Vec3& view, int light_set, const Finder& finder,
-               double& share) {
+               const PointShading& shading, const Vec3& view, const PlaceSets& light_sets,
+               const Finder& finder, double& share) {
   const Material& material = shading.material;
   if (soft.light.shape == LightShape::sky) {
-    share = share_of_sky(scene, soft, point, shading.normal, light_set, finder);
+    share = share_of_sky(scene, soft, point, shading.normal, light_sets, finder);
     return (share * material.kd) * (material.color * soft.light.emission);
   }
   const ArrivingLight middle = arriving_light(soft.light, point);
   if (!(dot(shading.normal, middle.towards) > 0)) return {};
-  share = share_of_disc(scene, soft, middle, point, light_set, finder);
+  share = share_of_disc(scene, soft, middle, point, light_sets, finder);
   return share > 0 ? share * direct_light(material, middle, shading.normal, view) : Rgb{};
 }
 
 /// The colour of a point under all lights, without what it mirrors.
-/// `view` is the unit vector towards the viewer; `light_set`: of the places on soft lights.
+/// `view` is the unit vector towards the viewer; `light_sets`: of the places on soft lights.
 template <typename Finder>
 Rgb shade(const PackedScene& scene, const Finder& finder, const SurfacePoint& point,
-          const PointShading& shading, const Vec3& view, int light_set) {
+          const PointShading& shading, const Vec3& view, const PlaceSets& light_sets) {
   const Material& material = shading.material;
   const Rgb ambient = material.color * (material.ka * scene.ambient);
   Rgb sum;
@@ -146,7 +155,7 @@ Rgb shade(const PackedScene& scene, const Finder& finder, const SurfacePoint& po
   }
   for (const SoftLight& soft : scene.soft_lights) {
     double share = 0;
-    const Rgb direct = soft_light(scene, soft, point, shading, view, light_set, finder, share);
+    const Rgb direct = soft_light(scene, soft, point, shading, view, light_sets, finder, share);
     if (!(share > 0)) continue;
     if (scene.shadows == Shadows::black) sum += ambient;
     sum += direct;
@@ -201,11 +210,11 @@ struct Sight {
   bool meets_object = false;
 };
 
-/// `direction` is unit. `light_set` is that of what the eye sees itself, `followed_light_set` that
-/// of what it sees in mirrors and through glass.
+/// `direction` is unit. `light_sets` are those of what the eye sees itself, `followed_light_sets`
+/// those of what it sees in mirrors and through glass.
 template <typename Finder>
-Sight see(const PackedScene& scene, const Finder& finder, const Vec3& direction, int light_set = 0,
-          int followed_light_set = 0) {
+Sight see(const PackedScene& scene, const Finder& finder, const Vec3& direction,
+          const PlaceSets& light_sets = {}, const PlaceSets& followed_light_sets = {}) {
   Sight sight;
   Rgb& sum = sight.radiance;
   std::vector<WeightedRay> rays{{{SurfacePoint{}, direction}}};
@@ -222,7 +231,7 @@ Sight see(const PackedScene& scene, const Finder& finder, const Vec3& direction,
     const SurfacePoint point = query.point();
     const PointShading shading = shading_at(scene, point);
     sum += current.weight * shade(scene, finder, point, shading, -current.ray.direction,
-                                  current.depth == 0 ? light_set : followed_light_set);
+                                  current.depth == 0 ? light_sets : followed_light_sets);
     if (current.depth < scene.max_depth) add_followers(scene, current, point, shading, rays);
   }
   return sight;

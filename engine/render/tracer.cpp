@@ -66,6 +66,18 @@ struct PixelValue {
   BeyondRange seen{};
 };
 
+PlaceSets light_sets_of_followed(const PackedScene& scene, std::size_t sample, std::size_t count) {
+  const auto sets = static_cast<std::size_t>(scene.light_sets);
+  return scene.shares_light_sets ? share_of_sets(sample, count, sets) : PlaceSets{sample % sets};
+}
+
+PlaceSets light_sets_of_eye(const PackedScene& scene, int x, int y, std::size_t sample,
+                            std::size_t count) {
+  if (scene.shares_light_sets) return light_sets_of_followed(scene, sample, count);
+  const int set = light_set_of(x, y, static_cast<int>(sample), scene.light_sets);
+  return {static_cast<std::size_t>(set)};
+}
+
 /// The halves are compared after the transfer.
 PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& pattern,
                         Transfer transfer, int x, int y, int channels) {
@@ -83,8 +95,8 @@ PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& patt
     const Sight sight =
         see(*tracer.scene, tracer.finder,
             view.direction(x + sample.x + across, view.height - 1 - y + sample.y + up),
-            light_set_of(x, y, static_cast<int>(i), tracer.scene->light_sets),
-            static_cast<int>(i) % tracer.scene->light_sets);
+            light_sets_of_eye(*tracer.scene, x, y, i, pattern.points.size()),
+            light_sets_of_followed(*tracer.scene, i, pattern.points.size()));
     const Rgb seen = clamped(sight.radiance);
     pixel.seen += beyond_range(sight.radiance);
     Mean& half = i < pattern.half_a_count ? half_a : half_b;
@@ -195,6 +207,7 @@ ExactScene make_exact_scene(const Plan& plan, const PackedScene& packed, WorkerP
 
 Tracer make_tracer(const Plan& plan, PackedScene packed, WorkerPool& pool) {
   packed.light_sets = plan.light_sampling.value.sets;
+  packed.shares_light_sets = plan.light_sampling.value.is_shared_out;
   for (SoftLight& soft : packed.soft_lights)
     soft = place_samples(soft.light, plan.light_sampling.value);
   if (plan.kernel.value == Kernel::packets) {

@@ -53,6 +53,15 @@ class BlockRays {
   int height_;
 };
 
+/// The sets of places on soft lights that the nth of a pixel's `count` samples uses.
+template <typename T>
+HWY_INLINE LightSet<T> light_set_of_sample(const PacketScene<T>& scene, std::size_t nth,
+                                           std::size_t count, LightLedger<T>* ledger) {
+  const auto sets = static_cast<std::size_t>(scene.light_sets);
+  if (scene.shares_light_sets) return {share_of_sets(nth, count, sets), ledger};
+  return {{nth % sets}, ledger};
+}
+
 /// A block's packets at one sample's place.
 template <class D, typename T = hn::TFromD<D>>
 class SamplePackets {
@@ -69,15 +78,20 @@ class SamplePackets {
 
   static constexpr int count() { return PacketShape<D>::packets; }
   HWY_INLINE std::size_t first_pixel() const { return first_pixel_; }
-  /// Pixels differ from each other by their place in a square of 2 x 2, if there are several sets.
+  /// Pixels differ from each other by their place in a square of 2 x 2, if there are several sets
+  /// and they are not shared out.
   HWY_INLINE LightSets<T> light_sets() const {
     LightSets<T> sets(light_set_);
-    const int count = rays_.eye.scene().light_sets;
-    sets.differ = count > 1;
+    const PacketScene<T>& scene = rays_.eye.scene();
+    sets.differ = scene.light_sets > 1 && !scene.shares_light_sets;
+    if (!sets.differ) return sets;
     const int sample = static_cast<int>(light_set_.index);
-    for (int i = 0; i < 4; ++i)
-      sets.of_quarters[i].index =
-          static_cast<std::size_t>(light_set_of(i % 2, i / 2, sample, count));
+    for (int i = 0; i < 4; ++i) {
+      const int set = light_set_of(i % 2, i / 2, sample, scene.light_sets);
+      LightSet<T>* const quarter = sets.of_quarter(i);
+      for (std::size_t part = 0; part < LightSets<T>::part_count / 4; ++part)
+        quarter[part].index = static_cast<std::size_t>(set);
+    }
     return sets;
   }
   HWY_INLINE bool is_in(int i) const { return PacketPlace<D>(i).is_in(block_); }

@@ -51,12 +51,15 @@ template <class D, class RaysOf, class CoverOf>
 HWY_NOINLINE void trace_doubtful_again(D d, const PacketScene<double>& scene,
                                        std::size_t block_count, const RaysOf& rays_of,
                                        const CoverOf& cover_of, SampleColours<float>* colours) {
-  const LightSets<float> light_sets = rays_of(0).light_sets();
+  LightSets<float> light_sets = rays_of(0).light_sets();
   DoubtfulSamples samples;
   SampleColours<double> exact[DoubtfulSamples::most / block_pixels];
   for (int quarter = 0; quarter < (light_sets.differ ? 4 : 1); ++quarter) {
-    LightSets<double> of_quarter({light_sets.of_quarters[quarter].index, nullptr});
-    of_quarter.followed.index = light_sets.followed.index;
+    // Of rays in no order all that they use together.
+    const PlaceSets sets =
+        light_sets.differ ? *light_sets.of_quarter(quarter) : light_sets.followed;
+    LightSets<double> of_quarter({sets, nullptr});
+    of_quarter.followed = {light_sets.followed, nullptr};
     const auto trace_again = [&]() HWY_ATTR {
       trace_in_double(scene, samples, of_quarter, exact);
       for (std::size_t i = 0; i < samples.count; ++i) {

@@ -101,8 +101,7 @@ HWY_NOINLINE void shade_packets(D d, const EyeRays<D>& eye, const Hits<T>& hits,
     const std::size_t at = i * lanes;
     if (fetches && i + 1 < count) fetch_for_shading(d, scene, hits, at + lanes);
     auto again = hn::Lt(hn::Zero(d), hn::Zero(d));
-    const auto colour = shade_hit(d, eye, hits, at, light_sets.of_quarters[at / (block_pixels / 4)],
-                                  followed, again);
+    const auto colour = shade_hit(d, eye, hits, at, light_sets.of_ray(at), followed, again);
     if constexpr (may_be_inexact<T>)
       if (scene.exact.scene)
         hn::Store(hn::IfThenElseZero(again, hn::Set(d, T(1))), d, colours.doubt + at);

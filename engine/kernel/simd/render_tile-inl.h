@@ -115,7 +115,7 @@ void record_blocks(const PacketScene<T>& scene, const SamplePattern& pattern, co
         trace_packets(
             d, rays.eye,
             SamplePackets<D>(rays, candidates, block, pattern.points[sample],
-                             {sample % static_cast<std::size_t>(scene.light_sets), &ledger}, 0),
+                             light_set_of_sample(scene, sample, pattern.points.size(), &ledger), 0),
             false, queues, colours, static_cast<T*>(nullptr));
     }
 }

@@ -12,13 +12,17 @@ namespace raytracer::HWY_NAMESPACE {
 /// Places of samples, as many as a block has colours.
 template <typename T>
 struct SampleLanes {
+  std::size_t begin = 0;  ///< of the pattern's
   std::size_t count = 0;
+  std::size_t pattern_count = 0;
   alignas(64) T right[block_pixels] = {};
   alignas(64) T up[block_pixels] = {};
   alignas(64) T is_in_half_a[block_pixels] = {};  ///< 1 in half buffer A, 0 in B
 
-  HWY_INLINE SampleLanes(const SamplePattern& pattern, std::size_t begin)
-      : count(std::min<std::size_t>(block_pixels, pattern.points.size() - begin)) {
+  HWY_INLINE SampleLanes(const SamplePattern& pattern, std::size_t first)
+      : begin(first),
+        count(std::min<std::size_t>(block_pixels, pattern.points.size() - first)),
+        pattern_count(pattern.points.size()) {
     for (std::size_t i = 0; i < count; ++i) {
       right[i] = static_cast<T>(pattern.points[begin + i].x);
       up[i] = static_cast<T>(pattern.points[begin + i].y);
@@ -39,8 +43,18 @@ class PixelPackets {
   HWY_INLINE int count() const { return static_cast<int>((samples_.count + lanes - 1) / lanes); }
   static constexpr bool is_in(int /*i*/) { return true; }
   static constexpr std::size_t first_pixel() { return 0; }
-  /// A contract's places on soft lights are in one set.
-  static LightSets<T> light_sets() { return LightSets<T>({}); }
+  /// Some samples that are traced side by side use the same, and rays that follow all.
+  HWY_INLINE LightSets<T> light_sets() const {
+    const PacketScene<T>& scene = eye_.scene();
+    if (!scene.shares_light_sets) return LightSets<T>({});
+    LightSets<T> sets({{0, 1}, nullptr});
+    constexpr std::size_t in_part = LightSets<T>::rays_in_part;
+    const std::size_t parts = (samples_.pattern_count + in_part - 1) / in_part;
+    for (std::size_t i = 0; i < LightSets<T>::part_count; ++i)
+      sets.of_parts[i] =
+          light_set_of_sample<T>(scene, samples_.begin / in_part + i, parts, nullptr);
+    return sets;
+  }
   HWY_INLINE Candidates& candidates(int /*i*/) const { return candidates_; }
   HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
     return eye_.direction(d, x_, y_, hn::Load(d, samples_.right + first(i)),

@@ -206,12 +206,11 @@ class SampledBlock {
   }
 
   SamplePackets<D> packets(std::size_t sample) {
-    const auto light_sets = static_cast<std::size_t>(task_.scene.light_sets);
     return {rays_,
             candidates_,
             block_,
             task_.pattern.points[sample],
-            {sample % light_sets, task_.ledger},
+            light_set_of_sample(task_.scene, sample, task_.pattern.points.size(), task_.ledger),
             first_pixel_};
   }
   /// Which of its rays have met something, if that is wanted.

@@ -44,19 +44,22 @@ class SoftLightOnPacket {
                              M lit) const {
     V sum = hn::Zero(d_);
     const M none = hn::AndNot(lit, lit);
-    const std::size_t first = light_set_.index * soft.per_set;
+    std::size_t count = 0;
     if (!soft.directions.empty()) {
-      for (std::size_t i = first; i < first + soft.per_set; ++i)
+      for_each_place(soft, [&](std::size_t i, std::size_t in_set) HWY_ATTR {
+        ++count;
         sum = hn::Add(sum, share_along(soft.directions[i], nullptr, none,
                                        broadcast(d_, soft.directions[i].place),
-                                       soft.first_told + i - first, lit));
+                                       soft.first_told + in_set, lit));
+      });
     } else {
       const Shaft<T> shaft(box_, soft.light.place, soft.size);
       const bool is_searched = Between::hides_all && scene_.shadows != Shadows::off;
       const LightCandidates<T> candidates(scene_, shaft, is_searched);
       const BasisPacket<V> around = basis_across(d_, middle.towards);
       const V3<V> path = scale(middle.towards, middle.path);
-      for (std::size_t i = first; i < first + soft.per_set; ++i) {
+      for_each_place(soft, [&](std::size_t i, std::size_t) HWY_ATTR {
+        ++count;
         const V across = hn::Set(d_, soft.places[i].x * soft.size);
         const V along = hn::Set(d_, soft.places[i].y * soft.size);
         const V3<V> to = mul_add(around.u, across, mul_add(around.v, along, path));
@@ -66,9 +69,9 @@ class SoftLightOnPacket {
           sum = hn::Add(sum, share_along(towards, distance, lit, candidates));
         else
           sum = hn::Add(sum, share_along(towards, distance, lit));
-      }
+      });
     }
-    return hn::Mul(sum, hn::Set(d_, T(1) / static_cast<T>(soft.per_set)));
+    return hn::Mul(sum, hn::Set(d_, T(1) / static_cast<T>(count)));
   }
 
   /// Likewise of a sky: by the cosine.
@@ -76,9 +79,8 @@ class SoftLightOnPacket {
     const V zero = hn::Zero(d_);
     V sum = zero;
     V weights = zero;
-    const std::size_t first = light_set_.index * soft.per_set;
     const bool is_shared = !soft.directions.empty();
-    for (std::size_t i = first; i < first + soft.per_set; ++i) {
+    for_each_place(soft, [&](std::size_t i, std::size_t in_set) HWY_ATTR {
       const V3<V> axis = broadcast(d_, is_shared ? soft.directions[i].place : soft.places[i]);
       const V cosine = dot(surface_.normal, axis);
       const M opposite = hn::Lt(cosine, zero);
@@ -87,17 +89,25 @@ class SoftLightOnPacket {
       V share;
       if (is_shared) {
         share = share_along(soft.directions[i], &soft.opposites[i], opposite, axis,
-                            soft.first_told + i - first, active);
+                            soft.first_told + in_set, active);
       } else {
         const V3<V> towards = select(opposite, negate(axis), axis);
         share = share_along(towards, hn::Set(d_, soft.size), active);
       }
       sum = hn::MulAdd(weight, share, sum);
-    }
+    });
     return hn::IfThenElseZero(hn::And(active, hn::Gt(weights, zero)), hn::Div(sum, weights));
   }
 
  private:
+  /// Calls visit(place, its number in its set) for those of the packet's sets.
+  template <class Visit>
+  HWY_INLINE void for_each_place(const PacketSoftLight<T>& soft, const Visit& visit) const {
+    const auto sets = static_cast<std::size_t>(scene_.light_sets);
+    for (std::size_t set = light_set_.index; set < sets; set += light_set_.step)
+      for (std::size_t i = 0; i < soft.per_set; ++i) visit(set * soft.per_set + i, i);
+  }
+
   /// From a direction that rays share, or in the lanes of `opposites` from its opposite; its place
   /// in the ledger.
   HWY_INLINE V share_along(const PacketLight<T>& direction, const PacketLight<T>* opposite,
