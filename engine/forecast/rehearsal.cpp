@@ -129,7 +129,20 @@ double error_from_difference(double sum_of_squares, double count, double samples
   return std::sqrt(sum_of_squares / count / (1 + own_share));
 }
 
-Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_count, int channels) {
+/// What each sample takes where a pixel is refined, from what one and many everywhere take. Where
+/// samples share out the places on soft lights, one sends as many rays to them as each half of
+/// many; each of 16 in a refined pixel sends so many too, of 64 half of them, and of more fewer.
+double refined_sample_ms(double one_ms, double many_ms, const LightSampling& light_sampling) {
+  const double mean = std::max(many_ms - one_ms, 0.0) / (many_samples - 1);
+  if (!light_sampling.is_shared_out) return mean;
+  const double lit_of_many = std::max(2.0, static_cast<double>(many_samples) / light_sampling.sets);
+  const double light_ms =
+      std::clamp((many_samples * one_ms - many_ms) / (many_samples - lit_of_many), 0.0, one_ms);
+  return one_ms - light_ms / 2;
+}
+
+Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_count, int channels,
+                    const LightSampling& light_sampling) {
   Rehearsal rehearsal{.tile_count = tile_count};
   double one_ms = 0;
   double compared_one_ms = 0;
@@ -151,7 +164,8 @@ Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_cou
     few_error2 += report.few_error2;
     value_count += static_cast<double>(report.value_count);
     refinement += report.refinement;
-    refining_ms += report.refinement * std::max(report.many_ms - report.one_ms, 0.0);
+    refining_ms +=
+        report.refinement * refined_sample_ms(report.one_ms, report.many_ms, light_sampling);
   }
   if (rehearsal.compared == 0) return rehearsal;
   rehearsal.tile_ms = one_ms / static_cast<double>(rehearsal.timed);
@@ -163,7 +177,7 @@ Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_cou
     const double pixel_count = value_count / channels;
     rehearsal.refined_share =
         std::pow(refinement, (1 + fall) / fall) / (pixel_count * std::pow(one_error2, 1 / fall));
-    rehearsal.refined_sample_ms = refining_ms / refinement / (many_samples - 1);
+    rehearsal.refined_sample_ms = refining_ms / refinement;
   }
 
   rehearsal.error = error_from_difference(one_error2, value_count, 1);
@@ -219,7 +233,7 @@ Rehearsal rehearse_swept(const Scene& scene, const Tracer& tracer, const std::ve
     reports[i].many_ms = many.tile_ms[i] + of_points(many, many_samples);
     compare(with_one[i], with_few[i], with_many[i], image.length_of(1), reports[i]);
   }
-  Rehearsal rehearsal = summarize(reports, tile_count, image.channels);
+  Rehearsal rehearsal = summarize(reports, tile_count, image.channels, {});
   rehearsal.sweeps = cost;
   return rehearsal;
 }
@@ -230,8 +244,8 @@ double Rehearsal::error_of(double samples) const {
   return error * std::pow(samples, -error_exponent);
 }
 
-Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
-                   const RenderProgress& progress, double pass_limit_ms) {
+Rehearsal rehearse(const Scene& scene, const Tracer& tracer, const LightSampling& light_sampling,
+                   WorkerPool& pool, const RenderProgress& progress, double pass_limit_ms) {
   const int side = std::min(Model::tile_side_px,
                             interruptible_side_px(many_samples, light_rays_per_sample(scene)));
   const std::vector<Tile> all = split_into_tiles(scene.camera.width, scene.camera.height, side);
@@ -295,7 +309,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
         compare(with_one, with_few, with_many, image.length_of(1), report);
       },
       progress.stop);
-  return summarize(reports, all.size(), image.channels);
+  return summarize(reports, all.size(), image.channels, light_sampling);
 }
 
 }  // namespace raytracer

@@ -94,7 +94,8 @@ class LightLedger {
 /// Which of their places on soft lights points look at.
 template <typename T>
 struct LightSet : PlaceSets {
-  LightLedger<T>* ledger = nullptr;  ///< of the tile, if directions are swept
+  /// Of the tile, if directions are swept: points then look at one set only.
+  LightLedger<T>* ledger = nullptr;
 
   bool is_recorded() const { return ledger != nullptr && !ledger->tells(); }
   bool is_told() const { return ledger != nullptr && ledger->tells(); }
@@ -108,9 +109,9 @@ struct LightSets {
 
   LightSet<T> of_parts[part_count];  ///< of so many rays each, in their order
   LightSet<T> followed;              ///< of rays that follow others
-  /// Whether the block's rays are to be ordered for it, by their pixels' places in squares of 2 x
-  /// 2: a quarter of the parts is then each place's.
-  bool differ = false;
+  /// Whether the block's rays are to be ordered by their pixels' places in squares of 2 x 2: each
+  /// place then has a quarter of the parts.
+  bool by_quarters = false;
 
   /// The same for all.
   explicit LightSets(const LightSet<T>& set) : followed(set) {
@@ -118,6 +119,7 @@ struct LightSets {
   }
 
   LightSet<T>* of_quarter(int quarter) { return of_parts + part_count / 4 * quarter; }
+  const LightSet<T>* of_quarter(int quarter) const { return of_parts + part_count / 4 * quarter; }
   const LightSet<T>& of_ray(std::size_t ray) const { return of_parts[ray / rays_in_part]; }
 };
 

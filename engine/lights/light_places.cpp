@@ -51,8 +51,11 @@ SoftLight place_samples(const PackedLight& light, const LightSampling& sampling)
     if (light.rays != LightRays::parallel) return soft.places.push_back(disc);
     soft.places.push_back(unit(light.place + light.size * (disc.x * around.u + disc.y * around.v)));
   };
-  for (int set = 0; set < sampling.sets; ++set)
-    for (std::size_t i = 0; i < soft.per_set; ++i) add(SquarePlace(i, soft.per_set, set));
+  const auto sets = static_cast<std::size_t>(sampling.sets);
+  for (std::size_t set = 0; set < sets; ++set)
+    for (std::size_t i = 0; i < soft.per_set; ++i)
+      add(sampling.is_shared_out ? SquarePlace(i * sets + set, sets * soft.per_set, 0)
+                                 : SquarePlace(i, soft.per_set, static_cast<int>(set)));
   return soft;
 }
 

@@ -18,8 +18,8 @@ namespace raytracer {
 struct LightSampling {
   int sets = 1;
   int per_set = 64;  ///< of a disc; of a sky axes, of which each point sees one end
-  /// Whether a pixel's samples share out all sets. Else each takes one, and neighbouring pixels'
-  /// others.
+  /// Whether a pixel's samples share out all sets, which are then parts of one lattice. Else each
+  /// takes one, and neighbouring pixels' others.
   bool is_shared_out = false;
 };
 
@@ -31,10 +31,15 @@ struct PlaceSets {
   std::size_t step = only_one;
 };
 
-/// Of `sets` that are shared out among `count` samples, or groups of them, those of the nth.
-inline PlaceSets share_of_sets(std::size_t nth, std::size_t count, std::size_t sets) {
-  const std::size_t step = std::min(count, sets);
-  return {nth % step, step};
+/// Of `sets` that are shared out among some samples, or groups of them, those of the nth. The first
+/// `half_count` of the `count` are a pixel's half buffer A, the others B: each half uses all, so
+/// that what no place tells is not taken for an error that more samples would lower.
+inline PlaceSets share_of_sets(std::size_t nth, std::size_t half_count, std::size_t count,
+                               std::size_t sets) {
+  const bool is_in_a = nth < half_count;
+  const std::size_t sharers = is_in_a ? half_count : count - half_count;
+  const std::size_t step = std::min(sharers, sets);
+  return {(is_in_a ? nth : nth - half_count) % step, step};
 }
 
 /// A soft light and the places on it, set after set: of a disc of directions unit vectors towards

@@ -104,7 +104,7 @@ double share_of_disc(const PackedScene& scene, const SoftLight& soft, const Arri
   return sum / static_cast<double>(count);
 }
 
-/// How much of a sky reaches a point: the mean over the ends above it of a set's axes, by the
+/// How much of a sky reaches a point: the mean over the ends above it of axes, by the
 /// cosine.
 template <typename Finder>
 double share_of_sky(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,

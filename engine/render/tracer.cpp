@@ -66,14 +66,16 @@ struct PixelValue {
   BeyondRange seen{};
 };
 
-PlaceSets light_sets_of_followed(const PackedScene& scene, std::size_t sample, std::size_t count) {
+PlaceSets light_sets_of_followed(const PackedScene& scene, std::size_t sample,
+                                 const SamplePattern& pattern) {
   const auto sets = static_cast<std::size_t>(scene.light_sets);
-  return scene.shares_light_sets ? share_of_sets(sample, count, sets) : PlaceSets{sample % sets};
+  if (!scene.shares_light_sets) return {sample % sets};
+  return share_of_sets(sample, pattern.half_a_count, pattern.points.size(), sets);
 }
 
 PlaceSets light_sets_of_eye(const PackedScene& scene, int x, int y, std::size_t sample,
-                            std::size_t count) {
-  if (scene.shares_light_sets) return light_sets_of_followed(scene, sample, count);
+                            const SamplePattern& pattern) {
+  if (scene.shares_light_sets) return light_sets_of_followed(scene, sample, pattern);
   const int set = light_set_of(x, y, static_cast<int>(sample), scene.light_sets);
   return {static_cast<std::size_t>(set)};
 }
@@ -95,8 +97,8 @@ PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& patt
     const Sight sight =
         see(*tracer.scene, tracer.finder,
             view.direction(x + sample.x + across, view.height - 1 - y + sample.y + up),
-            light_sets_of_eye(*tracer.scene, x, y, i, pattern.points.size()),
-            light_sets_of_followed(*tracer.scene, i, pattern.points.size()));
+            light_sets_of_eye(*tracer.scene, x, y, i, pattern),
+            light_sets_of_followed(*tracer.scene, i, pattern));
     const Rgb seen = clamped(sight.radiance);
     pixel.seen += beyond_range(sight.radiance);
     Mean& half = i < pattern.half_a_count ? half_a : half_b;

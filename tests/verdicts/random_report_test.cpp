@@ -44,6 +44,15 @@ TEST(RandomReport, estimate_of_no_error_to_speak_of_is_not_judged) {
   EXPECT_EQ(tally({flat}, 0).judged_count, 0U);
 }
 
+TEST(RandomReport, target_that_the_exact_picture_cannot_tell_of_counts_apart) {
+  MeasuredScene unknown = scene(19, 0, {});
+  unknown.targets[0].is_known = false;
+  EXPECT_EQ(tally({unknown}, 0).count, 0U);
+  const std::string report = report_random({scene(17, 0.002, 0.002), unknown});
+  EXPECT_NE(report.find("In all 1 of 1 renders of 2 scenes keep"), std::string::npos) << report;
+  EXPECT_NE(report.find("1 more were not rendered"), std::string::npos) << report;
+}
+
 TEST(RandomReport, ninety_nine_in_a_hundred_are_enough) {
   EXPECT_TRUE(is_enough(99, 100));
   EXPECT_FALSE(is_enough(98, 100));

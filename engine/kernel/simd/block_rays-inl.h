@@ -53,13 +53,13 @@ class BlockRays {
   int height_;
 };
 
-/// The sets of places on soft lights that the nth of a pixel's `count` samples uses.
+/// The sets of places on soft lights that the nth of a pattern's samples uses.
 template <typename T>
 HWY_INLINE LightSet<T> light_set_of_sample(const PacketScene<T>& scene, std::size_t nth,
-                                           std::size_t count, LightLedger<T>* ledger) {
+                                           const SamplePattern& pattern, LightLedger<T>* ledger) {
   const auto sets = static_cast<std::size_t>(scene.light_sets);
-  if (scene.shares_light_sets) return {share_of_sets(nth, count, sets), ledger};
-  return {{nth % sets}, ledger};
+  if (!scene.shares_light_sets) return {{nth % sets}, ledger};
+  return {share_of_sets(nth, pattern.half_a_count, pattern.points.size(), sets), ledger};
 }
 
 /// A block's packets at one sample's place.
@@ -83,8 +83,8 @@ class SamplePackets {
   HWY_INLINE LightSets<T> light_sets() const {
     LightSets<T> sets(light_set_);
     const PacketScene<T>& scene = rays_.eye.scene();
-    sets.differ = scene.light_sets > 1 && !scene.shares_light_sets;
-    if (!sets.differ) return sets;
+    sets.by_quarters = scene.light_sets > 1 && !scene.shares_light_sets;
+    if (!sets.by_quarters) return sets;
     const int sample = static_cast<int>(light_set_.index);
     for (int i = 0; i < 4; ++i) {
       const int set = light_set_of(i % 2, i / 2, sample, scene.light_sets);

@@ -20,7 +20,7 @@ struct DoubtfulSamples {
 
 /// Adds a block's that use the light sets' `quarter`; calls full() when there is no room for more.
 template <class D, class Rays, class Full, typename T = hn::TFromD<D>>
-HWY_INLINE void find_doubtful(D d, const Rays& rays, bool sets_differ, int quarter,
+HWY_INLINE void find_doubtful(D d, const Rays& rays, bool by_quarters, int quarter,
                               const SampleColours<T>& colours, std::size_t block,
                               DoubtfulSamples& samples, const Full& full) {
   const auto most = hn::Set(d, static_cast<T>(most_colour_error));
@@ -30,7 +30,7 @@ HWY_INLINE void find_doubtful(D d, const Rays& rays, bool sets_differ, int quart
     for (std::uint64_t bits = bits_of(d, doubtful); bits != 0; bits &= bits - 1) {
       const std::size_t at = begin + hwy::Num0BitsBelowLS1Bit_Nonzero64(bits);
       const auto ray = static_cast<int>(at);
-      if (sets_differ && PixelPlace<D>(ray).quarter() != quarter) continue;
+      if (by_quarters && PixelPlace<D>(ray).quarter() != quarter) continue;
       const SamplePoint point = rays.image_point(ray);
       samples.x[samples.count] = point.x;
       samples.y[samples.count] = point.y;
@@ -51,13 +51,13 @@ template <class D, class RaysOf, class CoverOf>
 HWY_NOINLINE void trace_doubtful_again(D d, const PacketScene<double>& scene,
                                        std::size_t block_count, const RaysOf& rays_of,
                                        const CoverOf& cover_of, SampleColours<float>* colours) {
-  LightSets<float> light_sets = rays_of(0).light_sets();
+  const LightSets<float> light_sets = rays_of(0).light_sets();
   DoubtfulSamples samples;
   SampleColours<double> exact[DoubtfulSamples::most / block_pixels];
-  for (int quarter = 0; quarter < (light_sets.differ ? 4 : 1); ++quarter) {
+  for (int quarter = 0; quarter < (light_sets.by_quarters ? 4 : 1); ++quarter) {
     // Of rays in no order all that they use together.
     const PlaceSets sets =
-        light_sets.differ ? *light_sets.of_quarter(quarter) : light_sets.followed;
+        light_sets.by_quarters ? *light_sets.of_quarter(quarter) : light_sets.followed;
     LightSets<double> of_quarter({sets, nullptr});
     of_quarter.followed = {light_sets.followed, nullptr};
     const auto trace_again = [&]() HWY_ATTR {
@@ -74,8 +74,8 @@ HWY_NOINLINE void trace_doubtful_again(D d, const PacketScene<double>& scene,
       samples.count = 0;
     };
     for (std::size_t block = 0; block < block_count; ++block)
-      find_doubtful(d, rays_of(block), light_sets.differ, quarter, colours[block], block, samples,
-                    trace_again);
+      find_doubtful(d, rays_of(block), light_sets.by_quarters, quarter, colours[block], block,
+                    samples, trace_again);
     if (samples.count > 0) trace_again();
   }
 }

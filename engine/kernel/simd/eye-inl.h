@@ -88,13 +88,14 @@ HWY_INLINE V3<V> shade_hit(D d, const EyeRays<D>& eye, const Hits<T>& hits, std:
   return eye.shade(d, direction, hit, is_hit, hn::Load(d, hits.pixel + at), light_set, followed);
 }
 
-/// The colours of what `count` packets have hit, quarter by quarter if their light sets differ. If
+/// The colours of what `count` packets have hit, each with its light sets. If
 /// `fetches`, what shading a packet will need is fetched before its turn.
 template <class D, class Followed, typename T = hn::TFromD<D>>
 HWY_NOINLINE void shade_packets(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t count,
                                 const LightSets<T>& light_sets, bool fetches, Followed& followed,
                                 SampleColours<T>& colours) {
   constexpr std::size_t lanes = hn::MaxLanes(d);
+  static_assert(LightSets<T>::rays_in_part % lanes == 0);
   const PacketScene<T>& scene = eye.scene();
   if (fetches) fetch_for_shading(d, scene, hits, 0);
   for (std::size_t i = 0; i < count; ++i) {
@@ -156,14 +157,14 @@ HWY_NOINLINE void shade_by_light_sets(D d, const EyeRays<D>& eye, const Hits<T>&
   }
 }
 
-/// The colours of what packets have hit; the rays that follow are queued. If light sets differ, the
-/// packets are those of a block, and nothing is fetched.
+/// The colours of what packets have hit; the rays that follow are queued. If light sets are by
+/// quarters, the packets are those of a block, and nothing is fetched.
 template <class D, class Followed, typename T = hn::TFromD<D>>
 HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t count,
                            const LightSets<T>& light_sets, bool fetches, Followed& followed,
                            SampleColours<T>& colours) {
   followed.light_set = light_sets.followed;
-  if (HWY_UNLIKELY(light_sets.differ))
+  if (HWY_UNLIKELY(light_sets.by_quarters))
     shade_by_light_sets(d, eye, hits, light_sets, followed, colours);
   else
     shade_packets(d, eye, hits, count, light_sets, fetches, followed, colours);

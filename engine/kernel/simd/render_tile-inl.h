@@ -112,11 +112,10 @@ void record_blocks(const PacketScene<T>& scene, const SamplePattern& pattern, co
       if (block.subtiles == 0) continue;
       const BlockRays<D> rays(d, scene, block, pattern.jitter);
       for (std::size_t sample = 0; sample < pattern.points.size(); ++sample)
-        trace_packets(
-            d, rays.eye,
-            SamplePackets<D>(rays, candidates, block, pattern.points[sample],
-                             light_set_of_sample(scene, sample, pattern.points.size(), &ledger), 0),
-            false, queues, colours, static_cast<T*>(nullptr));
+        trace_packets(d, rays.eye,
+                      SamplePackets<D>(rays, candidates, block, pattern.points[sample],
+                                       light_set_of_sample(scene, sample, pattern, &ledger), 0),
+                      false, queues, colours, static_cast<T*>(nullptr));
     }
 }
 

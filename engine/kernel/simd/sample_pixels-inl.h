@@ -12,17 +12,13 @@ namespace raytracer::HWY_NAMESPACE {
 /// Places of samples, as many as a block has colours.
 template <typename T>
 struct SampleLanes {
-  std::size_t begin = 0;  ///< of the pattern's
   std::size_t count = 0;
-  std::size_t pattern_count = 0;
   alignas(64) T right[block_pixels] = {};
   alignas(64) T up[block_pixels] = {};
   alignas(64) T is_in_half_a[block_pixels] = {};  ///< 1 in half buffer A, 0 in B
 
-  HWY_INLINE SampleLanes(const SamplePattern& pattern, std::size_t first)
-      : begin(first),
-        count(std::min<std::size_t>(block_pixels, pattern.points.size() - first)),
-        pattern_count(pattern.points.size()) {
+  HWY_INLINE SampleLanes(const SamplePattern& pattern, std::size_t begin)
+      : count(std::min<std::size_t>(block_pixels, pattern.points.size() - begin)) {
     for (std::size_t i = 0; i < count; ++i) {
       right[i] = static_cast<T>(pattern.points[begin + i].x);
       up[i] = static_cast<T>(pattern.points[begin + i].y);
@@ -37,24 +33,18 @@ class PixelPackets {
  public:
   /// Of the pixel whose lower left corner is (x, y), y = 0 at the bottom.
   HWY_INLINE PixelPackets(const EyeRays<D>& eye, const SampleLanes<T>& samples, double x, double y,
-                          Candidates& candidates)
-      : eye_(eye), samples_(samples), x_(x), y_(y), candidates_(candidates) {}
+                          const LightSets<T>& light_sets, Candidates& candidates)
+      : eye_(eye),
+        samples_(samples),
+        x_(x),
+        y_(y),
+        light_sets_(light_sets),
+        candidates_(candidates) {}
 
   HWY_INLINE int count() const { return static_cast<int>((samples_.count + lanes - 1) / lanes); }
   static constexpr bool is_in(int /*i*/) { return true; }
   static constexpr std::size_t first_pixel() { return 0; }
-  /// Some samples that are traced side by side use the same, and rays that follow all.
-  HWY_INLINE LightSets<T> light_sets() const {
-    const PacketScene<T>& scene = eye_.scene();
-    if (!scene.shares_light_sets) return LightSets<T>({});
-    LightSets<T> sets({{0, 1}, nullptr});
-    constexpr std::size_t in_part = LightSets<T>::rays_in_part;
-    const std::size_t parts = (samples_.pattern_count + in_part - 1) / in_part;
-    for (std::size_t i = 0; i < LightSets<T>::part_count; ++i)
-      sets.of_parts[i] =
-          light_set_of_sample<T>(scene, samples_.begin / in_part + i, parts, nullptr);
-    return sets;
-  }
+  HWY_INLINE const LightSets<T>& light_sets() const { return light_sets_; }
   HWY_INLINE Candidates& candidates(int /*i*/) const { return candidates_; }
   HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
     return eye_.direction(d, x_, y_, hn::Load(d, samples_.right + first(i)),
@@ -75,8 +65,31 @@ class PixelPackets {
   const SampleLanes<T>& samples_;
   double x_;
   double y_;
+  const LightSets<T>& light_sets_;
   Candidates& candidates_;
 };
+
+/// The sets of places on soft lights that a pixel's samples from `begin` on use: those of a part
+/// the same, rays that follow all. So does a part that is of both halves.
+template <typename T>
+HWY_INLINE LightSets<T> light_sets_of_pixel(const PacketScene<T>& scene,
+                                            const SamplePattern& pattern, std::size_t begin) {
+  LightSets<T> sets({{0, scene.shares_light_sets ? 1 : PlaceSets::only_one}, nullptr});
+  if (!scene.shares_light_sets) return sets;
+  constexpr std::size_t in_part = LightSets<T>::rays_in_part;
+  const std::size_t whole_in_a = pattern.half_a_count / in_part;
+  const std::size_t b_begin = (pattern.half_a_count + in_part - 1) / in_part;
+  const std::size_t count = (pattern.points.size() + in_part - 1) / in_part;
+  for (std::size_t i = 0; i < LightSets<T>::part_count; ++i) {
+    const std::size_t part = begin / in_part + i;
+    if (part >= count || (part >= whole_in_a && part < b_begin)) continue;
+    const std::size_t nth = part < whole_in_a ? part : part - b_begin + whole_in_a;
+    sets.of_parts[i] = {share_of_sets(nth, whole_in_a, count - b_begin + whole_in_a,
+                                      static_cast<std::size_t>(scene.light_sets)),
+                        nullptr};
+  }
+  return sets;
+}
 
 /// Sums over each pixel's samples, the pixels side by side.
 template <typename T>
@@ -182,6 +195,7 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
   std::fill_n(sums.is_number, block_pixels, true);
   for (std::size_t begin = 0; begin < pattern.points.size(); begin += block_pixels) {
     const SampleLanes<T> samples(pattern, begin);
+    const LightSets<T> light_sets = light_sets_of_pixel(scene, pattern, begin);
     for (std::size_t i = 0; i < pixels.places.size(); ++i) {
       const int x = pixels.places[i] % block_side;
       const int y = pixels.places[i] / block_side;
@@ -191,7 +205,7 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
                                    y / subtile_side * subtiles_across + x / subtile_side};
       const auto sample = [&](auto& own) HWY_ATTR {
         const PixelPackets<D, std::decay_t<decltype(own)>> packets(eye, samples, x_left, y_low,
-                                                                   own);
+                                                                   light_sets, own);
         sample_pixel(d, eye, packets, samples, begin == 0, has_cover, i, queues, sums);
       };
       if (narrows) {

@@ -210,7 +210,7 @@ class SampledBlock {
             candidates_,
             block_,
             task_.pattern.points[sample],
-            light_set_of_sample(task_.scene, sample, task_.pattern.points.size(), task_.ledger),
+            light_set_of_sample(task_.scene, sample, task_.pattern, task_.ledger),
             first_pixel_};
   }
   /// Which of its rays have met something, if that is wanted.

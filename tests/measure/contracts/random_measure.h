@@ -16,6 +16,7 @@ struct MeasuredTarget {
   std::optional<double> estimated_error{};  ///< what Render-Error says
   double samples_per_pixel = 0;             ///< mean
   Stop stop = Stop::target;
+  bool is_known = true;  ///< whether the exact picture is exact enough to tell; else nothing is
 };
 
 struct MeasuredScene {
@@ -27,9 +28,9 @@ struct MeasuredScene {
 };
 
 /// The exact picture is in double precision and has ever four times the samples of the one before,
-/// until its error is a sixth of the least target, or its samples would be more than `most_samples`
-/// in all pixels together.
+/// until its error is a sixth of the least target, or its samples would send more than `most_rays`
+/// from the eye and to lights. Targets of less than three times its error are not rendered.
 MeasuredScene measure_random_scene(std::uint64_t seed, const std::vector<double>& targets,
-                                   double most_samples, WorkerPool& pool);
+                                   double most_rays, WorkerPool& pool);
 
 }  // namespace raytracer::published

@@ -12,7 +12,7 @@ namespace raytracer::published {
 /// Of one target. Estimates are judged where the error is at least twice the exact picture's, and
 /// not that of a flat picture's rounding.
 struct TargetTally {
-  std::size_t count = 0;
+  std::size_t count = 0;  ///< of those that are known
   std::size_t kept_count = 0;
   std::size_t judged_count = 0;
   std::size_t within_2_count = 0;    ///< of those judged
