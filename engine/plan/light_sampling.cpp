@@ -76,16 +76,13 @@ Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& 
   const RenderSettings& settings = scene.render;
   LightSampling sampling;
   if (features.soft_lights == 0) return {sampling, because("no light is larger than a point")};
-  // Where a light brings the ambient part, each sample has to find out whether it sees any of it.
-  const bool is_seen_or_not = features.has_ambient && scene.shadows == Shadows::black;
-  const int least_per_sample = is_seen_or_not ? least_places : least_per_set;
   if (settings.target_rmse) {
     const double needed = std::ceil(error_of_one_place / *settings.target_rmse);
     const auto places = static_cast<int>(
         std::clamp(needed, static_cast<double>(least_places), static_cast<double>(most_places)));
     // A budget's passes are foreseen by what a sample of the last one took.
-    const bool is_shared_out = !settings.budget_ms && !is_seen_or_not;
-    sampling = is_shared_out ? shared_out(places) : LightSampling{.sets = 1, .per_set = places};
+    sampling =
+        settings.budget_ms ? LightSampling{.sets = 1, .per_set = places} : shared_out(places);
     if (needed > most_places)
       return {sampling, because("the most that are taken of each soft light: what {} places leave "
                                 "out may exceed the target, and is in no estimate",
@@ -98,6 +95,9 @@ Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& 
     return {sampling, because("{} to {} places, by what half of the budget allows", least_in_budget,
                               2 * least_places)};
   }
+  // Where a light brings the ambient part, each sample has to find out whether it sees any of it.
+  const bool is_seen_or_not = features.has_ambient && scene.shadows == Shadows::black;
+  const int least_per_sample = is_seen_or_not ? least_places : least_per_set;
   const auto primitives = static_cast<double>(features.primitive_count() * features.soft_lights);
   sampling = for_samples(settings.samples.value_or(1), std::max(primitives, 1.0), least_per_sample);
   if (sampling.sets == 1)

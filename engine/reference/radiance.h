@@ -120,20 +120,38 @@ double share_of_sky(const PackedScene& scene, const SoftLight& soft, const Surfa
   return weights > 0 ? sum / weights : 0;
 }
 
-/// The colour that a soft light gives a point, without the ambient part.
+/// How much of a soft light reaches a point, by its places in some sets.
 template <typename Finder>
-Rgb soft_light(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,
-               const PointShading& shading, const Vec3& view, const PlaceSets& light_sets,
-               const Finder& finder, double& share) {
-  const Material& material = shading.material;
-  if (soft.light.shape == LightShape::sky) {
-    share = share_of_sky(scene, soft, point, shading.normal, light_sets, finder);
-    return (share * material.kd) * (material.color * soft.light.emission);
-  }
+double share_of_soft_light(const PackedScene& scene, const SoftLight& soft,
+                           const SurfacePoint& point, const Vec3& normal,
+                           const PlaceSets& light_sets, const Finder& finder) {
+  if (soft.light.shape == LightShape::sky)
+    return share_of_sky(scene, soft, point, normal, light_sets, finder);
   const ArrivingLight middle = arriving_light(soft.light, point);
-  if (!(dot(shading.normal, middle.towards) > 0)) return {};
-  share = share_of_disc(scene, soft, middle, point, light_sets, finder);
-  return share > 0 ? share * direct_light(material, middle, shading.normal, view) : Rgb{};
+  if (!(dot(normal, middle.towards) > 0)) return 0;
+  return share_of_disc(scene, soft, middle, point, light_sets, finder);
+}
+
+/// Whether a point sees something of a soft light of which it sees nothing by its own places: by
+/// those of the other sets, if a pixel's samples share them out.
+template <typename Finder>
+bool is_seen_by_others(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,
+                       const Vec3& normal, const PlaceSets& light_sets, const Finder& finder) {
+  if (!scene.shares_light_sets) return false;
+  for (std::size_t set = 0; set < static_cast<std::size_t>(scene.light_sets); ++set)
+    if (set % light_sets.step != light_sets.index &&
+        share_of_soft_light(scene, soft, point, normal, PlaceSets{set}, finder) > 0)
+      return true;
+  return false;
+}
+
+/// The colour that a point makes of a soft light, without the ambient part.
+inline Rgb soft_light(const SoftLight& soft, const SurfacePoint& point, const PointShading& shading,
+                      const Vec3& view) {
+  const Material& material = shading.material;
+  if (soft.light.shape == LightShape::sky)
+    return material.kd * (material.color * soft.light.emission);
+  return direct_light(material, arriving_light(soft.light, point), shading.normal, view);
 }
 
 /// The colour of a point under all lights, without what it mirrors.
@@ -154,11 +172,12 @@ Rgb shade(const PackedScene& scene, const Finder& finder, const SurfacePoint& po
     sum += share * direct_light(material, light, shading.normal, view);
   }
   for (const SoftLight& soft : scene.soft_lights) {
-    double share = 0;
-    const Rgb direct = soft_light(scene, soft, point, shading, view, light_sets, finder, share);
-    if (!(share > 0)) continue;
-    if (scene.shadows == Shadows::black) sum += ambient;
-    sum += direct;
+    const Vec3& normal = shading.normal;
+    const double share = share_of_soft_light(scene, soft, point, normal, light_sets, finder);
+    if (scene.shadows == Shadows::black &&
+        (share > 0 || is_seen_by_others(scene, soft, point, normal, light_sets, finder)))
+      sum += ambient;
+    if (share > 0) sum += share * soft_light(soft, point, shading, view);
   }
   return sum;
 }

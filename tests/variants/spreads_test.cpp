@@ -196,7 +196,6 @@ Scene soft_corner() {
                         {sphere_json({1.5, -1, 0}, 1, mirror), sphere_json({2.4, -0.7, -1}, 0.3),
                          plane_json({0, 0, 2}, {0.3, -0.4, -1})},
                         {sun, {{"type", "sky"}, {"intensity", 0.5}}}));
-  scene.shadows = Shadows::ambient;
   scene.render.target_rmse = 0.01;
   return scene;
 }

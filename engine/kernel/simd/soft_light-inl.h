@@ -39,14 +39,14 @@ class SoftLightOnPacket {
         packet_(packet),
         between_(between) {}
 
-  /// The share of a disc that the lanes of `lit` have; 0 in others.
-  HWY_INLINE V share_of_disc(const PacketSoftLight<T>& soft, const ArrivingLights<V>& middle,
-                             M lit) const {
+  /// The share of a disc that the lanes of `lit` have, by its places in some sets; 0 in others.
+  HWY_INLINE V share_of_disc(const PacketSoftLight<T>& soft, const PlaceSets& sets,
+                             const ArrivingLights<V>& middle, M lit) const {
     V sum = hn::Zero(d_);
     const M none = hn::AndNot(lit, lit);
     std::size_t count = 0;
     if (!soft.directions.empty()) {
-      for_each_place(soft, [&](std::size_t i, std::size_t in_set) HWY_ATTR {
+      for_each_place(soft, sets, [&](std::size_t i, std::size_t in_set) HWY_ATTR {
         ++count;
         sum = hn::Add(sum, share_along(soft.directions[i], nullptr, none,
                                        broadcast(d_, soft.directions[i].place),
@@ -58,7 +58,7 @@ class SoftLightOnPacket {
       const LightCandidates<T> candidates(scene_, shaft, is_searched);
       const BasisPacket<V> around = basis_across(d_, middle.towards);
       const V3<V> path = scale(middle.towards, middle.path);
-      for_each_place(soft, [&](std::size_t i, std::size_t) HWY_ATTR {
+      for_each_place(soft, sets, [&](std::size_t i, std::size_t) HWY_ATTR {
         ++count;
         const V across = hn::Set(d_, soft.places[i].x * soft.size);
         const V along = hn::Set(d_, soft.places[i].y * soft.size);
@@ -75,12 +75,12 @@ class SoftLightOnPacket {
   }
 
   /// Likewise of a sky: by the cosine.
-  HWY_INLINE V share_of_sky(const PacketSoftLight<T>& soft, M active) const {
+  HWY_INLINE V share_of_sky(const PacketSoftLight<T>& soft, const PlaceSets& sets, M active) const {
     const V zero = hn::Zero(d_);
     V sum = zero;
     V weights = zero;
     const bool is_shared = !soft.directions.empty();
-    for_each_place(soft, [&](std::size_t i, std::size_t in_set) HWY_ATTR {
+    for_each_place(soft, sets, [&](std::size_t i, std::size_t in_set) HWY_ATTR {
       const V3<V> axis = broadcast(d_, is_shared ? soft.directions[i].place : soft.places[i]);
       const V cosine = dot(surface_.normal, axis);
       const M opposite = hn::Lt(cosine, zero);
@@ -99,12 +99,28 @@ class SoftLightOnPacket {
     return hn::IfThenElseZero(hn::And(active, hn::Gt(weights, zero)), hn::Div(sum, weights));
   }
 
+  /// Lanes of `lit` that see something of a light, of whose places in their own sets they have the
+  /// share `had`: where that is nothing, all others are asked, one set after another.
+  /// share_of(sets, lanes) is what lanes have by some sets.
+  template <class ShareOf>
+  HWY_INLINE M sees_any(V had, M lit, const ShareOf& share_of) const {
+    M dark = hn::AndNot(hn::Gt(had, hn::Zero(d_)), lit);
+    if (scene_.shares_light_sets) {
+      const auto count = static_cast<std::size_t>(scene_.light_sets);
+      for (std::size_t set = 0; set < count && !hn::AllFalse(d_, dark); ++set)
+        if (set % light_set_.step != light_set_.index)
+          dark = hn::AndNot(hn::Gt(share_of(PlaceSets{set}, dark), hn::Zero(d_)), dark);
+    }
+    return hn::AndNot(dark, lit);
+  }
+
  private:
-  /// Calls visit(place, its number in its set) for those of the packet's sets.
+  /// Calls visit(place, its number in its set) for those of the sets.
   template <class Visit>
-  HWY_INLINE void for_each_place(const PacketSoftLight<T>& soft, const Visit& visit) const {
-    const auto sets = static_cast<std::size_t>(scene_.light_sets);
-    for (std::size_t set = light_set_.index; set < sets; set += light_set_.step)
+  HWY_INLINE void for_each_place(const PacketSoftLight<T>& soft, const PlaceSets& sets,
+                                 const Visit& visit) const {
+    const auto count = static_cast<std::size_t>(scene_.light_sets);
+    for (std::size_t set = sets.index; set < count; set += sets.step)
       for (std::size_t i = 0; i < soft.per_set; ++i) visit(set * soft.per_set + i, i);
   }
 
@@ -169,25 +185,29 @@ HWY_NOINLINE V3<V> soft_light(D d, const PacketScene<T>& scene, const Surface<D>
   const std::size_t packet = light_set.is_told() ? light_set.ledger->take_turn() : 0;
   const SoftLightOnPacket<D, Between> light(d, scene, surface, active, light_set, packet, between);
   V3<V> sum{zero, zero, zero};
+  const bool has_ambient = !hn::AllTrue(d, hn::Le(ambient, zero));
   for (const PacketSoftLight<T>& soft : scene.soft_lights) {
-    V had;
-    V share;
-    V3<V> emission;
-    if (soft.shape == LightShape::sky) {
-      had = light.share_of_sky(soft, active);
-      share = hn::Mul(had, material.diffuse());
-      emission = broadcast(d, soft.light.emission);
-    } else {
-      const ArrivingLights<V> middle = arriving_light(d, soft.light, surface.at.point);
-      const V incidence = dot(surface.normal, middle.towards);
-      const M lit = hn::And(active, hn::Gt(incidence, zero));
+    const bool is_sky = soft.shape == LightShape::sky;
+    ArrivingLights<V> middle;
+    M lit = active;
+    V incidence = zero;
+    if (!is_sky) {
+      middle = arriving_light(d, soft.light, surface.at.point);
+      incidence = dot(surface.normal, middle.towards);
+      lit = hn::And(active, hn::Gt(incidence, zero));
       if (hn::AllFalse(d, lit)) continue;
-      had = hn::IfThenElseZero(lit, light.share_of_disc(soft, middle, lit));
-      share = hn::IfThenElseZero(hn::Gt(had, zero),
-                                 hn::Mul(had, material.share(d, middle.towards, incidence)));
-      emission = middle.emission;
     }
-    const V shown = hn::IfThenElseZero(hn::Gt(had, zero), ambient);
+    const auto share_of = [&](const PlaceSets& sets, M lanes) HWY_ATTR {
+      const V share = is_sky ? light.share_of_sky(soft, sets, lanes)
+                             : light.share_of_disc(soft, sets, middle, lanes);
+      return hn::IfThenElseZero(lanes, share);
+    };
+    const V had = share_of(light_set, lit);
+    const V reflected = is_sky ? material.diffuse() : material.share(d, middle.towards, incidence);
+    const V share = hn::IfThenElseZero(hn::Gt(had, zero), hn::Mul(had, reflected));
+    V shown = zero;
+    if (has_ambient) shown = hn::IfThenElseZero(light.sees_any(had, lit, share_of), ambient);
+    const V3<V> emission = is_sky ? broadcast(d, soft.light.emission) : middle.emission;
     sum = add(sum, mul_add(emission, share, V3<V>{shown, shown, shown}));
   }
   return sum;
