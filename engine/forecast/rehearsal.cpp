@@ -130,12 +130,14 @@ double error_from_difference(double sum_of_squares, double count, double samples
 }
 
 /// What each sample takes where a pixel is refined, from what one and many everywhere take. Where
-/// samples share out the places on soft lights, one sends as many rays to them as each half of
-/// many; each of 16 in a refined pixel sends so many too, of 64 half of them, and of more fewer.
+/// samples share out the places on soft lights, one sends as many rays to them as four of many, but
+/// where nothing is seen; each of 16 in a refined pixel sends so many too, of 64 half of them, of
+/// more fewer, and what mirrors show all.
 double refined_sample_ms(double one_ms, double many_ms, const LightSampling& light_sampling) {
   const double mean = std::max(many_ms - one_ms, 0.0) / (many_samples - 1);
   if (!light_sampling.is_shared_out) return mean;
-  const double lit_of_many = std::max(2.0, static_cast<double>(many_samples) / light_sampling.sets);
+  static_assert(many_samples == 16);  // each half's 8 share 4 or 12 sets out among 4
+  constexpr double lit_of_many = many_samples / 4.0;
   const double light_ms =
       std::clamp((many_samples * one_ms - many_ms) / (many_samples - lit_of_many), 0.0, one_ms);
   return one_ms - light_ms / 2;

@@ -5,9 +5,9 @@
 // few places make into grain; or a pixel's samples share them out, so that together they use all.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "engine/lights/light_kind.h"
@@ -29,16 +29,18 @@ struct PlaceSets {
 
   std::size_t index = 0;
   std::size_t step = only_one;
+
+  static PlaceSets all() { return {0, 1}; }
 };
 
-/// Of `sets` that are shared out among some samples, or groups of them, those of the nth. The first
-/// `half_count` of the `count` are a pixel's half buffer A, the others B: each half uses all, so
-/// that what no place tells is not taken for an error that more samples would lower.
+/// Of `sets` that are shared out among some samples, or groups of them, those of the nth: as many
+/// as others have. The first `half_count` of the `count` are a pixel's half buffer A, the others B:
+/// each half uses all, so that what no place tells is not taken for an error that more samples
+/// would lower.
 inline PlaceSets share_of_sets(std::size_t nth, std::size_t half_count, std::size_t count,
                                std::size_t sets) {
   const bool is_in_a = nth < half_count;
-  const std::size_t sharers = is_in_a ? half_count : count - half_count;
-  const std::size_t step = std::min(sharers, sets);
+  const std::size_t step = std::gcd(is_in_a ? half_count : count - half_count, sets);
   return {(is_in_a ? nth : nth - half_count) % step, step};
 }
 

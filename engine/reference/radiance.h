@@ -132,19 +132,6 @@ double share_of_soft_light(const PackedScene& scene, const SoftLight& soft,
   return share_of_disc(scene, soft, middle, point, light_sets, finder);
 }
 
-/// Whether a point sees something of a soft light of which it sees nothing by its own places: by
-/// those of the other sets, if a pixel's samples share them out.
-template <typename Finder>
-bool is_seen_by_others(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,
-                       const Vec3& normal, const PlaceSets& light_sets, const Finder& finder) {
-  if (!scene.shares_light_sets) return false;
-  for (std::size_t set = 0; set < static_cast<std::size_t>(scene.light_sets); ++set)
-    if (set % light_sets.step != light_sets.index &&
-        share_of_soft_light(scene, soft, point, normal, PlaceSets{set}, finder) > 0)
-      return true;
-  return false;
-}
-
 /// The colour that a point makes of a soft light, without the ambient part.
 inline Rgb soft_light(const SoftLight& soft, const SurfacePoint& point, const PointShading& shading,
                       const Vec3& view) {
@@ -174,9 +161,13 @@ Rgb shade(const PackedScene& scene, const Finder& finder, const SurfacePoint& po
   for (const SoftLight& soft : scene.soft_lights) {
     const Vec3& normal = shading.normal;
     const double share = share_of_soft_light(scene, soft, point, normal, light_sets, finder);
-    if (scene.shadows == Shadows::black &&
-        (share > 0 || is_seen_by_others(scene, soft, point, normal, light_sets, finder)))
-      sum += ambient;
+    if (scene.shadows == Shadows::black) {
+      // Which of the places are seen that a pixel's other samples look at counts here as well.
+      const bool is_seen = share > 0 || (scene.shares_light_sets &&
+                                         share_of_soft_light(scene, soft, point, normal,
+                                                             PlaceSets::all(), finder) > 0);
+      if (is_seen) sum += ambient;
+    }
     if (share > 0) sum += share * soft_light(soft, point, shading, view);
   }
   return sum;

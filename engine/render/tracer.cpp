@@ -66,6 +66,7 @@ struct PixelValue {
   BeyondRange seen{};
 };
 
+/// Sample by sample, where packets of a single pixel's share sets out sixteen samples at a time.
 PlaceSets light_sets_of_followed(const PackedScene& scene, std::size_t sample,
                                  const SamplePattern& pattern) {
   const auto sets = static_cast<std::size_t>(scene.light_sets);

@@ -5,36 +5,42 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace raytracer {
 namespace {
 
-/// How often each set is looked at by samples from `begin` to `end`.
-std::map<std::size_t, int> uses(std::size_t begin, std::size_t end, std::size_t half_count,
-                                std::size_t count, std::size_t sets) {
-  std::map<std::size_t, int> uses;
+/// The weight that samples from `begin` to `end` give each set.
+std::map<std::size_t, double> weights(std::size_t begin, std::size_t end, std::size_t half_count,
+                                      std::size_t count, std::size_t sets) {
+  std::map<std::size_t, double> weights;
   for (std::size_t nth = begin; nth < end; ++nth) {
     const PlaceSets share = share_of_sets(nth, half_count, count, sets);
-    for (std::size_t set = share.index; set < sets; set += share.step) ++uses[set];
+    for (std::size_t set = share.index; set < sets; set += share.step)
+      weights[set] += static_cast<double>(share.step) / static_cast<double>(sets);
   }
-  return uses;
+  return weights;
 }
 
-TEST(LightPlaces, each_half_of_the_samples_looks_at_all) {
-  for (const std::size_t sets : {1U, 4U, 16U})
-    for (const std::size_t count : {1U, 2U, 4U, 5U, 16U, 20U, 32U, 64U, 1000U}) {
+TEST(LightPlaces, each_half_of_the_samples_gives_all_sets_the_same_weight) {
+  for (const std::size_t sets : {1U, 4U, 12U})
+    for (const std::size_t count : {1U, 2U, 4U, 5U, 6U, 16U, 24U, 40U, 48U, 96U, 1000U}) {
       const std::size_t half = count / 2;
-      if (half > 0) {
-        EXPECT_EQ(uses(0, half, half, count, sets).size(), sets) << count;
-      }
-      EXPECT_EQ(uses(half, count, half, count, sets).size(), sets) << count;
+      const auto expect_even = [&](std::size_t begin, std::size_t end) {
+        const auto all = weights(begin, end, half, count, sets);
+        EXPECT_EQ(all.size(), sets) << count;
+        for (const auto& [set, weight] : all)
+          EXPECT_NEAR(weight, static_cast<double>(end - begin) / static_cast<double>(sets), 1e-9)
+              << set << " of " << sets << ", " << count;
+      };
+      if (half > 0) expect_even(0, half);
+      expect_even(half, count);
     }
 }
 
-TEST(LightPlaces, samples_that_are_fewer_than_the_sets_look_at_each_once) {
-  for (const std::size_t count : {4U, 8U, 16U, 32U})
-    for (const auto& [set, times] : uses(0, count / 2, count / 2, count, 16))
-      EXPECT_EQ(times, 1) << set << " of " << count;
+TEST(LightPlaces, samples_share_sets_out_where_their_numbers_agree) {
+  for (const auto& [count, step] : {std::pair(4U, 2U), {16U, 4U}, {24U, 12U}, {6U, 3U}, {10U, 1U}})
+    EXPECT_EQ(share_of_sets(0, count / 2, count, 12).step, step) << count;
 }
 
 TEST(LightPlaces, sets_that_are_shared_out_are_parts_of_one_lattice) {
@@ -52,8 +58,8 @@ TEST(LightPlaces, sets_that_are_shared_out_are_parts_of_one_lattice) {
                 [](const Vec3& a, const Vec3& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
       return places;
     };
-    const auto parts = sorted({.sets = 16, .per_set = 52, .is_shared_out = true});
-    const auto whole = sorted({.sets = 1, .per_set = 832});
+    const auto parts = sorted({.sets = 12, .per_set = 70, .is_shared_out = true});
+    const auto whole = sorted({.sets = 1, .per_set = 840});
     ASSERT_EQ(parts.size(), whole.size());
     for (std::size_t i = 0; i < whole.size(); ++i)
       EXPECT_NEAR(length(parts[i] - whole[i]), 0, 1e-12) << i;

@@ -74,8 +74,8 @@ class PixelPackets {
 template <typename T>
 HWY_INLINE LightSets<T> light_sets_of_pixel(const PacketScene<T>& scene,
                                             const SamplePattern& pattern, std::size_t begin) {
-  LightSets<T> sets({{0, scene.shares_light_sets ? 1 : PlaceSets::only_one}, nullptr});
-  if (!scene.shares_light_sets) return sets;
+  if (!scene.shares_light_sets) return LightSets<T>({});
+  LightSets<T> sets({PlaceSets::all(), nullptr});
   constexpr std::size_t in_part = LightSets<T>::rays_in_part;
   const std::size_t whole_in_a = pattern.half_a_count / in_part;
   const std::size_t b_begin = (pattern.half_a_count + in_part - 1) / in_part;

@@ -100,17 +100,13 @@ class SoftLightOnPacket {
   }
 
   /// Lanes of `lit` that see something of a light, of whose places in their own sets they have the
-  /// share `had`: where that is nothing, all others are asked, one set after another.
-  /// share_of(sets, lanes) is what lanes have by some sets.
+  /// share `had`: where that is nothing, all sets are asked. share_of(sets, lanes) is what lanes
+  /// have by some sets.
   template <class ShareOf>
   HWY_INLINE M sees_any(V had, M lit, const ShareOf& share_of) const {
     M dark = hn::AndNot(hn::Gt(had, hn::Zero(d_)), lit);
-    if (scene_.shares_light_sets) {
-      const auto count = static_cast<std::size_t>(scene_.light_sets);
-      for (std::size_t set = 0; set < count && !hn::AllFalse(d_, dark); ++set)
-        if (set % light_set_.step != light_set_.index)
-          dark = hn::AndNot(hn::Gt(share_of(PlaceSets{set}, dark), hn::Zero(d_)), dark);
-    }
+    if (scene_.shares_light_sets && !hn::AllFalse(d_, dark))
+      dark = hn::AndNot(hn::Gt(share_of(PlaceSets::all(), dark), hn::Zero(d_)), dark);
     return hn::AndNot(dark, lit);
   }
 
