@@ -118,8 +118,10 @@ struct LightSets {
     for (LightSet<T>& of_part : of_parts) of_part = set;
   }
 
-  LightSet<T>* of_quarter(int quarter) { return of_parts + part_count / 4 * quarter; }
-  const LightSet<T>* of_quarter(int quarter) const { return of_parts + part_count / 4 * quarter; }
+  LightSet<T>* of_quarter(std::size_t quarter) { return of_parts + part_count / 4 * quarter; }
+  const LightSet<T>* of_quarter(std::size_t quarter) const {
+    return of_parts + part_count / 4 * quarter;
+  }
   const LightSet<T>& of_ray(std::size_t ray) const { return of_parts[ray / rays_in_part]; }
 };
 

@@ -88,7 +88,7 @@ class SamplePackets {
     const int sample = static_cast<int>(light_set_.index);
     for (int i = 0; i < 4; ++i) {
       const int set = light_set_of(i % 2, i / 2, sample, scene.light_sets);
-      LightSet<T>* const quarter = sets.of_quarter(i);
+      LightSet<T>* const quarter = sets.of_quarter(static_cast<std::size_t>(i));
       for (std::size_t part = 0; part < LightSets<T>::part_count / 4; ++part)
         quarter[part].index = static_cast<std::size_t>(set);
     }

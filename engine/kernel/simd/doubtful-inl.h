@@ -56,8 +56,9 @@ HWY_NOINLINE void trace_doubtful_again(D d, const PacketScene<double>& scene,
   SampleColours<double> exact[DoubtfulSamples::most / block_pixels];
   for (int quarter = 0; quarter < (light_sets.by_quarters ? 4 : 1); ++quarter) {
     // Of rays in no order all that they use together.
+    const auto at = static_cast<std::size_t>(quarter);
     const PlaceSets sets =
-        light_sets.by_quarters ? *light_sets.of_quarter(quarter) : light_sets.followed;
+        light_sets.by_quarters ? *light_sets.of_quarter(at) : light_sets.followed;
     LightSets<double> of_quarter({sets, nullptr});
     of_quarter.followed = {light_sets.followed, nullptr};
     const auto trace_again = [&]() HWY_ATTR {
