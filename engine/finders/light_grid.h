@@ -74,7 +74,7 @@ ListGrid<T> build_list_grid(const Vec3& towards, std::span<const Primitive> prim
                             const OutlineOf& outline_of, WorkerPool& pool) {
   using Entry = cell_lists::Entry<T>;
   // One of width w and height h is entered into about (w / cell + 1) (h / cell + 1) cells, a few on
-  // average. Half as wide cells trace no faster, and take longer to fill.
+  // average. Half as wide cells trace a few percent faster, and take longer to fill.
   constexpr CellWidths widths{
       .per_primitive = 8, .of_area = 1.15, .of_side = 2.0 / 3, .most_across = 8192};
   const auto planned = plan_light_plane<T>(towards, primitives, widths, pool);

@@ -35,8 +35,8 @@ struct PlaceSets {
 
 /// Of `sets` that are shared out among some samples, or groups of them, those of the nth: as many
 /// as others have. The first `half_count` of the `count` are a pixel's half buffer A, the others B:
-/// each half uses all, so that what no place tells is not taken for an error that more samples
-/// would lower.
+/// each half uses all, so that what all places leave out does not part the halves, as if more
+/// samples would lower it.
 inline PlaceSets share_of_sets(std::size_t nth, std::size_t half_count, std::size_t count,
                                std::size_t sets) {
   const bool is_in_a = nth < half_count;

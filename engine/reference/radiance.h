@@ -104,8 +104,7 @@ double share_of_disc(const PackedScene& scene, const SoftLight& soft, const Arri
   return sum / static_cast<double>(count);
 }
 
-/// How much of a sky reaches a point: the mean over the ends above it of axes, by the
-/// cosine.
+/// How much of a sky reaches a point: the mean, by the cosine, over the ends of axes above it.
 template <typename Finder>
 double share_of_sky(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,
                     const Vec3& normal, const PlaceSets& light_sets, const Finder& finder) {
@@ -162,7 +161,7 @@ Rgb shade(const PackedScene& scene, const Finder& finder, const SurfacePoint& po
     const Vec3& normal = shading.normal;
     const double share = share_of_soft_light(scene, soft, point, normal, light_sets, finder);
     if (scene.shadows == Shadows::black) {
-      // Which of the places are seen that a pixel's other samples look at counts here as well.
+      // What only a pixel's other samples look at may be seen as well.
       const bool is_seen = share > 0 || (scene.shares_light_sets &&
                                          share_of_soft_light(scene, soft, point, normal,
                                                              PlaceSets::all(), finder) > 0);

@@ -70,7 +70,7 @@ class PixelPackets {
 };
 
 /// The sets of places on soft lights that a pixel's samples from `begin` on use: those of a part
-/// the same, rays that follow all. So does a part that is of both halves.
+/// the same; rays that follow, and a part that is of both halves, all.
 template <typename T>
 HWY_INLINE LightSets<T> light_sets_of_pixel(const PacketScene<T>& scene,
                                             const SamplePattern& pattern, std::size_t begin) {
