@@ -152,7 +152,7 @@ void ClusterStore::fail_job(const std::string& id, const std::string& reason, bo
   record->lacked_room = lacked_room;
   if (!put_job(*record)) return;
   close_job(*record);
-  nats_.purge("raytracer_results", fmt::format("raytracer.result.*.{}.>", id));
+  remove_results(id);
 }
 
 std::optional<JobRecord> ClusterStore::job(const std::string& id) {
@@ -181,8 +181,12 @@ void ClusterStore::remove_rest(const std::string& id, const std::string& rendere
   nats_.purge("raytracer_tasks", fmt::format("raytracer.task.{}.*", id));
   nats_.purge("raytracer_jobs", fmt::format("raytracer.job.*.{}.>", id));
   nats_.purge("raytracer_jobs", "raytracer.job.progress." + id);
-  nats_.purge("raytracer_results", fmt::format("raytracer.result.*.{}.>", id));
+  remove_results(id);
   nats_.remove_consumer("raytracer_tasks", consumer_of(renderer, id));
+}
+
+void ClusterStore::remove_results(const std::string& id) {
+  nats_.purge("raytracer_results", fmt::format("raytracer.result.*.{}.>", id));
 }
 
 void ClusterStore::close_job(const JobRecord& record) {
@@ -238,6 +242,11 @@ bool ClusterStore::put_result(const std::string& id, int task, std::string_view 
     is_first = nats_.replace(subject, fmt::format("{} {}", in_parts(count), token), 0).has_value();
     if (!is_first)
       nats_.purge("raytracer_results", fmt::format("raytracer.result.part.{}.{}.*", id, token));
+  }
+  // Who removed the job meanwhile, or failed it, may have looked for its results before this came.
+  if (const auto record = job(id); !record || !record->failure.empty()) {
+    remove_results(id);
+    return false;
   }
   nats_.signal(news_of_results, id);
   return is_first;

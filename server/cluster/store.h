@@ -110,7 +110,8 @@ class ClusterStore {
   static std::pair<std::string, int> task_of(const std::string& subject);
 
   bool has_result(const std::string& id, int task);
-  /// Stores it and tells those who wait; false if there is one.
+  /// Stores it and tells those who wait; false if there is one, or the job is gone or has failed:
+  /// then nothing of it stays.
   bool put_result(const std::string& id, int task, std::string_view bytes);
   std::set<int> results(const std::string& id);
   std::optional<StoredMessage> result(const std::string& id, int task);
@@ -144,6 +145,8 @@ class ClusterStore {
   std::shared_ptr<const void> listen_for_removals(std::function<void(const std::string& id)> heard);
 
  private:
+  void remove_results(const std::string& id);
+
   NatsConnection& nats_;
   const StoreLimits limits_;
 };

@@ -7,10 +7,10 @@
 #include <array>
 #include <csignal>
 #include <cstdlib>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
-#include "tests/process/free_port.h"
 #include "tests/process/patience.h"
 
 namespace raytracer::test {
@@ -25,11 +25,20 @@ std::filesystem::path NatsServer::program() {
   return {};
 }
 
-NatsServer::NatsServer()
-    : port_(free_port()),
-      monitor_port_(free_port()),
-      url_(fmt::format("nats://127.0.0.1:{}", port_)) {
+NatsServer::NatsServer() {
   start();
+  port_ = port_after("client connections on ");
+  monitor_port_ = port_after("http monitor on ");
+  url_ = fmt::format("nats://127.0.0.1:{}", port_);
+}
+
+int NatsServer::port_after(const std::string& greeting) const {
+  const std::string said = process_->err();
+  const std::regex address(greeting + R"([\d.]+:(\d+))");
+  std::smatch match;
+  if (!std::regex_search(said, match, address))
+    throw std::runtime_error("nats-server does not name its port; it said:\n" + said);
+  return std::stoi(match[1]);
 }
 
 std::uint64_t NatsServer::sent_bytes() const {

@@ -1,4 +1,4 @@
-// A nats-server of a test's own, on a port that is free, with its store in a temporary folder.
+// A nats-server of a test's own, on a port that it chose, with its store in a temporary folder.
 #pragma once
 
 #include <cstdint>
@@ -31,9 +31,14 @@ class NatsServer {
   void start();
 
  private:
+  /// What it said when it started.
+  int port_after(const std::string& greeting) const;
+
+  static constexpr int any_port = -1;
+
   TemporaryFolder store_;
-  int port_;
-  int monitor_port_;
+  int port_ = any_port;
+  int monitor_port_ = any_port;
   std::string url_;
   std::optional<Process> process_;
 };

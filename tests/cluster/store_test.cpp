@@ -51,6 +51,8 @@ TEST_F(ClusterStoreTest, result_that_comes_twice_counts_once) {
   stored.store.ensure_streams();
   for (const std::string& bytes : {std::string("small"), std::string(3'000'000, 'x')}) {
     const std::string id = "job" + std::to_string(bytes.size());
+    JobRecord record = stored.new_job(id, "build", "", 16, 16, 8);
+    ASSERT_TRUE(stored.store.put_job(record));
     EXPECT_TRUE(stored.store.put_result(id, 7, bytes));
     EXPECT_FALSE(stored.store.put_result(id, 7, std::string(3'000'000, 'y')));
     EXPECT_EQ(stored.store.results(id), std::set<int>{7});
@@ -58,6 +60,21 @@ TEST_F(ClusterStoreTest, result_that_comes_twice_counts_once) {
   }
   const auto subjects = stored.connection.subjects("raytracer_results", ">");
   EXPECT_EQ(subjects.size(), 2U + 6U) << "parts of a result that did not count are left";
+}
+
+TEST_F(ClusterStoreTest, result_that_nobody_wants_any_more_does_not_stay) {
+  Stored stored(nats().url());
+  stored.store.ensure_streams();
+  for (const std::string& bytes : {std::string("small"), std::string(3'000'000, 'x')}) {
+    JobRecord record = stored.new_job("job" + std::to_string(bytes.size()), "build", "", 16, 16, 8);
+    ASSERT_TRUE(stored.store.put_job(record));
+    stored.store.fail_job(record.id, "it cannot be done");
+    EXPECT_FALSE(stored.store.put_result(record.id, 1, bytes));
+    EXPECT_TRUE(stored.connection.subjects("raytracer_results", ">").empty());
+    stored.store.remove_job(record.id);
+    EXPECT_FALSE(stored.store.put_result(record.id, 2, bytes));
+    EXPECT_TRUE(stored.of_jobs().empty());
+  }
 }
 
 TEST_F(ClusterStoreTest, record_that_was_changed_meanwhile_is_not_replaced) {

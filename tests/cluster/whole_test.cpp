@@ -29,8 +29,12 @@ TEST_F(WholePicture, of_a_dead_front_is_the_job_that_another_takes_over) {
   ASSERT_TRUE(has_workers(front, 1));
   Stored stored(nats().url());
   JobRecord record = stored.new_job("whole", stored.renderer(), long_scene(60), 350, 0, 0);
-  ASSERT_TRUE(stored.store.put_result(record.id, 0, to_bytes({"another", grey(350)})));
+  Member former_front;
+  former_front.name = record.front;
+  stored.store.put_member(former_front);
   ASSERT_TRUE(stored.store.put_job(record));
+  ASSERT_TRUE(stored.store.put_result(record.id, 0, to_bytes({record.front, grey(350)})));
+  stored.store.remove_member(record.front);
   ASSERT_TRUE(ends_done(front, "/jobs/whole"));
   WorkerPool pool(1);
   EXPECT_TRUE(get(front, "/jobs/whole/image").body ==
@@ -49,6 +53,7 @@ TEST_F(WholePicture, among_regions_is_all_of_it) {
     const std::string id = "mixed" + std::to_string(whole);
     JobRecord job = record;
     job.id = id;
+    ASSERT_TRUE(stored.store.put_job(job));
     ASSERT_TRUE(stored.store.put_result(id, 1, to_bytes({"worker", region})));
     ASSERT_TRUE(stored.store.put_result(id, whole, to_bytes({"front", grey(32)})));
     Collector collector(stored.store);
