@@ -138,7 +138,7 @@ ScreenBins build_screen_bins(const View& view, std::span<const Primitive> primit
     return {subtiles, {{static_cast<float>(std::max(nearest * (1 - 1e-6), 0.0)), number(i)}, 0}};
   };
   const auto entries_of = [&](const BinnedEntry& whole, const CellRectangle& subtiles) {
-    const auto entry_in = [&bins, &per_depth, whole](int column, int row, Parts touched) {
+    const auto entry_in = [&, whole](int column, int row, Parts touched) {
       BinnedEntry binned = whole;
       if constexpr (HasScreenDepth<Primitive>)
         binned.entry.nearest *= per_depth[bins.blocks.index(column, row)];
