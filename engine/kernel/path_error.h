@@ -10,9 +10,9 @@
 namespace raytracer {
 
 /// What a step of a path rounds off, of the distances that it deals with. Derived: half a unit in
-/// the last place (IEEE 754). Measured on the shipped scenes with mirrors and Haines' balls and
-/// rings, 700 x 500: four times as much has twice as many samples traced again and finds nothing
-/// more.
+/// the last place (IEEE 754). Measured: of the 350,000 pixels of Haines' balls 106 then differ from
+/// double by more than a level, most of them at edges; 44 with four times as much, 305 with a
+/// quarter, 4,464 if nothing is traced again.
 template <typename T>
 inline constexpr T path_rounding = std::numeric_limits<T>::epsilon() / 2;
 

@@ -1,6 +1,5 @@
 // Light as packets of points see it.
 
-HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
 /// Of one light.
@@ -12,4 +11,3 @@ struct ArrivingLights {
 };
 
 }  // namespace raytracer::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();

@@ -2,7 +2,6 @@
 
 #include "engine/lights/packet_light.h"
 
-HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
 /// A direction that rays to a soft light share; of a sky's the lanes of a packet may look to either
@@ -16,4 +15,3 @@ struct LightAxis {
 };
 
 }  // namespace raytracer::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();

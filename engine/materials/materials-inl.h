@@ -4,7 +4,6 @@
 #include "engine/materials/blinn_phong/blinn_phong-inl.h"
 #include "engine/materials/glass/glass-inl.h"
 
-HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
 /// How the surfaces of a packet answer light.
@@ -12,4 +11,3 @@ template <class D>
 using MaterialPacket = BlinnPhongPacket<D>;
 
 }  // namespace raytracer::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
