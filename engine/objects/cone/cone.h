@@ -26,15 +26,13 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string_view>
 #include <tuple>
 #include <vector>
 
-#include "engine/math/axis.h"
-#include "engine/objects/kind.h"
+#include "engine/objects/axial.h"
 
 namespace raytracer {
 
@@ -70,6 +68,9 @@ struct Cones {
 
   double radius_from(std::size_t i) const { return radii_from[radii_from.size() == 1 ? 0 : i]; }
   double radius_to(std::size_t i) const { return radii_to[radii_to.size() == 1 ? 0 : i]; }
+  Cone operator[](std::size_t i) const {
+    return {from[i], to[i], radius_from(i), radius_to(i), caps};
+  }
 
   static constexpr std::string_view type = "cones";
   static constexpr std::string_view description = "Many cones of one material.";
@@ -83,109 +84,43 @@ struct Cones {
       optional("colors", &Cones::colors, ColorPerItemRule{"from"}));
 };
 
-/// In frame coordinates.
-struct PackedCone : AxisSegment {
+/// In frame coordinates; eye_c is of the eye C: positive outside the endless cone and its mirror
+/// image.
+struct PackedCone : AxialSolid {
   double radius_from;
   double radius_to;
   double cosine;         ///< of half the apex angle
   double sine;           ///< positive if it widens along the axis
   double girth_at_foot;  ///< the cosine times the radius, negative beyond the tip
-  double eye_c;          ///< of the eye C: positive outside the endless cone and its mirror image
-  bool has_caps;
-  PrimitiveId id;
 
   double radius(bool is_to) const { return is_to ? radius_to : radius_from; }
-  double largest_radius() const { return std::max(radius_from, radius_to); }
   double girth(double along) const { return girth_at_foot + sine * along; }
 };
 
-struct ConeKind {
+struct ConeKind : AxialTraits {
   using Documents = Types<Cone, Cones>;
   using Primitive = PackedCone;
-
   static constexpr std::string_view noun = "cone";
-  static constexpr Search search = Search::bounded;
-  // Random cones under two lights, packets of 16.
-  static constexpr FewPrimitives few{.to_lights = 12, .followed = 24};
-  static constexpr double pixels_for_cells = 12;
-  static constexpr bool has_exact_shadows = false;
-  static constexpr bool has_light_sweep = false;
-  static constexpr double tolerance_px = 1.0 / 64;
 };
 
-inline std::size_t item_count(const Cone&) { return 1; }
-inline std::size_t item_count(const Cones& c) { return c.from.size(); }
+inline double end_radius(const Cone& c, bool is_to) { return is_to ? c.radius_to : c.radius_from; }
+inline double end_radius(const PackedCone& c, bool is_to) { return c.radius(is_to); }
 
-template <typename Include>
-void for_each_extent(const Cone& c, const Include& include) {
-  include(c.from, c.radius_from);
-  include(c.to, c.radius_to);
-}
-template <typename Include>
-void for_each_extent(const Cones& c, const Include& include) {
-  for (std::size_t i = 0; i < c.from.size(); ++i) {
-    include(c.from[i], c.radius_from(i));
-    include(c.to[i], c.radius_to(i));
-  }
-}
-
-void pack(const Cone& cone, Packing<PackedCone>& to);
-void pack(const Cones& cones, Packing<PackedCone>& to);
+PackedCone packed(const Cone& cone, const PrimitiveId& id, const Frame& frame);
 
 PackedCone seen_from(const PackedCone& cone, const Vec3& place);
 
-Box bounds(const PackedCone& cone);
+double distance_to_surface(const PackedCone& cone, const Vec3& place);
 
-inline PixelRectangle footprint(const Projection& projection, const PackedCone& c) {
-  return projection.of_discs(c.end(false), c.radius_from, c.end(true), c.radius_to, c.axis);
-}
-
-/// From the origin to the surface, from outside of it; negative inside a closed cone.
-double nearest_distance(const PackedCone& cone);
-
-void add_statistics(const PackedCone& cone, const Viewpoint& from, GeometryStatistics& to);
-
-/// A tip magnifies without end, but what a mirror shows near it is small: by its mean radius.
-inline void add_mirror(const PackedCone& c, CurvedMirrors& mirrors) {
-  mirrors.include(0.5 * (c.end(false) + c.end(true)), 0.5 * (c.radius_from + c.radius_to), 1,
-                  0.5 * (c.high - c.low) + c.largest_radius());
+/// Of girths single holds the squares.
+inline double least_squared(const PackedCone& c) {
+  return c.cosine * std::max(c.radius_from, c.radius_to);
 }
 
 inline std::optional<Placement> placement_of(const PackedCone& c) {
   return Placement{
       c.end(false), c.end(true), c.radius_from + c.radius_to,
       std::max(length(c.end(false)) + c.radius_from, length(c.end(true)) + c.radius_to)};
-}
-
-/// Calls visit(rectangle, share) for pieces of it along the axis where it may be seen thinner than
-/// a pixel: what of the image a piece may cover, and the share that it does.
-template <typename Visit>
-void for_each_subpixel_piece(const PackedCone& c, const Projection& projection,
-                             const Visit& visit) {
-  const PixelRectangle whole = footprint(projection, c);
-  const double width = whole.x_end - whole.x_begin;
-  const double height = whole.y_end - whole.y_begin;
-  constexpr double most_pieces = 4096;  // of one: more than an image is wide
-  if (!(width > 0 && height > 0 && std::max(width, height) < most_pieces)) return;
-  const int pieces = 1 + static_cast<int>(std::max(width, height));
-  const auto between = [](double from, double to, double share) {
-    return from + (to - from) * share;
-  };
-  for (int i = 0; i < pieces; ++i) {
-    const auto center = [&](double at) {
-      return c.foot + between(c.low, c.high, at / pieces) * c.axis;
-    };
-    const auto radius = [&](double at) { return between(c.radius_from, c.radius_to, at / pieces); };
-    const PixelRectangle seen =
-        projection.of_discs(center(i), radius(i), center(i + 1), radius(i + 1), c.axis);
-    const PixelRectangle across = projection.of_sphere(center(i + 0.5), radius(i + 0.5));
-    const double piece_width = seen.x_end - seen.x_begin;
-    const double piece_height = seen.y_end - seen.y_begin;
-    const double thickness = std::min(across.x_end - across.x_begin, across.y_end - across.y_begin);
-    if (!(piece_width > 0 && piece_height > 0 && thickness > 0 && thickness < 1)) continue;
-    const double area = thickness * std::hypot(piece_width, piece_height);
-    visit(seen, std::min(area / (piece_width * piece_height), 1.0));
-  }
 }
 
 std::optional<SurfaceHit> intersect(const Ray& ray, const PackedCone& cone);

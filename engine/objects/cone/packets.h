@@ -2,72 +2,45 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <span>
 
-#include "engine/finders/light_grid.h"
-#include "engine/lights/light_kind.h"
-#include "engine/memory/page_allocator.h"
+#include "engine/objects/axial_packets.h"
 #include "engine/objects/cone/cone.h"
-#include "engine/objects/lamp_view.h"
-#include "engine/objects/numbering.h"
-#include "engine/objects/packet_kind.h"
 
 namespace raytracer {
 
-/// In axes of its own, those across the axis times the cosine, so that they give what |F| is made
-/// of. The axis is turned so that the eye, if it is beyond an end, is beyond `low`.
+/// The axes across the axis are times the cosine, so that they give what |F| is made of.
 template <typename T>
-struct ConeItem {
-  Triple<T> across;   ///< at right angles to the other two
-  Triple<T> towards;  ///< from the eye to the foot
-  Triple<T> axis;     ///< unit
-  T distance;         ///< of the foot, times the cosine
-  T sine;             ///< what the girth grows by along the axis
-  T girth;            ///< at the foot
-  T low;              ///< the ends, along the axis from the foot
-  T high;
-  T low_girth2;  ///< of the girths there the squares
+struct ConeItem : AxialItem<T> {
+  T sine;        ///< what the girth grows by along the axis
+  T girth;       ///< at the foot
+  T low_girth2;  ///< of the girths at the ends the squares
   T high_girth2;
-  T has_caps;  ///< 0 or 1
-  T id;
-  T eye_c;  ///< PackedCone's
 };
 
 /// Up to eight cones. Those that are not there have nothing that meets them.
 template <typename T>
-struct alignas(64) ConeBlock {
-  std::array<BlockColumn<T>, 9> axes;  ///< x, y, z of across, of towards and of axis
-  BlockColumn<T> distance, sine, girth, low, high, low_girth2, high_girth2, has_caps, id;
+struct ConeBlock : AxialBlock<T> {
+  BlockColumn<T> sine, girth, low_girth2, high_girth2;
   std::uint32_t count;
 
   static ConeBlock empty() { return {}; }  // no square is less than a girth of 0
-};
-
-template <typename T>
-struct ConeLightView {
-  ListGrid<T> grid;               ///< of a distant light, where there are many
-  LampView<ConeItem<T>, T> lamp;  ///< of a point light
+  void put(const ConeItem<T>& c, std::size_t place) {
+    AxialBlock<T>::put(c, place);
+    sine[place] = c.sine;
+    girth[place] = c.girth;
+    low_girth2[place] = c.low_girth2;
+    high_girth2[place] = c.high_girth2;
+  }
 };
 
 /// The planes through the eye that touch the endless cone; all of the image where there are none.
 std::array<Line, 2> screen_outline(const View& view, const PackedCone& cone);
 
-ShadowExtent shadow_extent(const PackedCone& cone, const LightAxes& axes);
-
 template <typename T>
-struct PacketLayout<ConeKind, T> : DefaultLayout {
-  using Item = ConeItem<T>;
-  using Block = ConeBlock<T>;
-  using LightView = ConeLightView<T>;
-
-  static PrimitiveRow<T> row(const PackedCone&, std::size_t item) {
-    return {.place = {}, .curvature = PrimitiveRow<T>::own_normal, .item = static_cast<T>(item)};
-  }
-  static Item item(const PackedCone& cone, std::int32_t number);
-  static void fill(const PackedCone& cone, std::int32_t number, std::size_t place, Block& block);
-  static LightView light_view(std::span<const PackedCone> cones, const PackedLight& light,
-                              const FinderRow& finders, const Numbering& numbers, WorkerPool& pool);
+struct PacketLayout<ConeKind, T> : AxialLayout<ConeKind, T, ConeItem<T>, ConeBlock<T>> {
+  static ConeItem<T> item(const PackedCone& cone, std::int32_t number);
 };
 
 extern template struct PacketLayout<ConeKind, float>;

@@ -34,26 +34,13 @@ HWY_INLINE V3<V> normals_at(D d, const ConeItem<T>& item, const V3<V>& points,
   return select(is_cap, scale(c.axis, hn::IfThenElse(is_low, hn::Neg(one), one)), side);
 }
 
-/// Sets the normals of the lanes of `own` that hit a cone.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE void own_normals(D d, const PrimitiveRows<T>& rows, const Geometry<ConeKind, T>& cones,
-                              const V3<V>& direction, M own, RayOrigin<V>& at) {
-  set_item_normals(d, rows, cones.items, own, at, [&](const ConeItem<T>& item) HWY_ATTR {
-    return normals_at(d, item, at.point, direction);
-  });
-}
-
-/// Sets the curvatures of the lanes of `own` that hit a cone: 1 / radius where that is.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE void own_curvatures(D d, const PrimitiveRows<T>& rows,
-                                 const Geometry<ConeKind, T>& cones, M own, const RayOrigin<V>& at,
-                                 V& curvature) {
-  const V least = hn::Set(d, std::numeric_limits<T>::min());
-  for_each_item(d, rows, cones.items, own, at.id, [&](const ConeItem<T>& item, M here) HWY_ATTR {
-    const AlongCone<V> f = place_along(in_all_lanes(d, item), at.point);
-    const V square = hn::Max(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)), least);
-    curvature = hn::IfThenElse(here, hn::Div(hn::Set(d, T(1)), hn::Sqrt(square)), curvature);
-  });
+/// 1 / radius where that is.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V curvatures_at(D d, const ConeItem<T>& item, const V3<V>& points) {
+  const AlongCone<V> f = place_along(in_all_lanes(d, item), points);
+  const V square =
+      hn::Max(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)), hn::Set(d, std::numeric_limits<T>::min()));
+  return hn::Div(hn::Set(d, T(1)), hn::Sqrt(square));
 }
 
 /// Lanes whose rays came to a closed cone from within: the nearest of its surfaces looks their way.
@@ -76,24 +63,6 @@ HWY_INLINE M is_met_from_within(D d, const ConeItem<T>& item, const V3<V>& point
   const V along_cap = hn::IfThenElse(hn::Lt(off_low, off_high), hn::Neg(g.w), g.w);
   const M is_cap = hn::Lt(hn::Min(off_low, off_high), off_side);
   return hn::Gt(hn::IfThenElse(is_cap, along_cap, along_side), zero);
-}
-
-/// Tells of the lanes of `own` that hit a cone on which side, as tell_sides() has it; those of
-/// `within` may have come from inside of something.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE void own_sides(D d, const PrimitiveRows<T>& rows, const Geometry<ConeKind, T>& cones,
-                            const V3<V>& direction, M own, M within, RayOrigin<V>& at) {
-  for_each_item(d, rows, cones.items, own, at.id, [&](const ConeItem<T>& item, M here) HWY_ATTR {
-    at.u = hn::IfThenElse(here, hn::Set(d, T(item.has_caps - 1)), at.u);
-    if (!(item.has_caps > 0)) return;
-    const M leaves =
-        hn::And(hn::And(here, within), is_met_from_within(d, item, at.point, direction));
-    if (hn::AllFalse(d, leaves)) return;
-    // As it would be met by a ray that goes back.
-    const V3<V> outwards = normals_at(d, item, at.point, negate(direction));
-    at.normal = select(leaves, negate(outwards), at.normal);
-    at.u = hn::IfThenElse(leaves, hn::Set(d, T(1)), at.u);
-  });
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

@@ -13,9 +13,8 @@ HWY_INLINE V3<V> normals_at(D d, const CylinderItem<T>& item, const V3<V>& point
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, T(1));
   const Cylinders<V> c = in_all_lanes(d, item);
-  InAxes<V> f = in_axes(c, points);
-  f.v = hn::Sub(f.v, c.distance);
-  const InAxes<V> g = in_axes(c, direction);
+  const InAxes<V> f = place_along(c, points);
+  const InAxes<V> g = direction_along(c, direction);
   const V square = hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v));
   const V inverse_length = hn::Div(one, hn::Sqrt(square));
   InAxes<V> n{hn::Mul(f.u, inverse_length), hn::Mul(f.v, inverse_length), zero};
@@ -36,25 +35,9 @@ HWY_INLINE V3<V> normals_at(D d, const CylinderItem<T>& item, const V3<V>& point
   return mul_add(c.across, n.u, mul_add(c.towards, n.v, scale(c.axis, n.w)));
 }
 
-/// Sets the normals of the lanes of `own` that hit a cylinder.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE void own_normals(D d, const PrimitiveRows<T>& rows,
-                              const Geometry<CylinderKind, T>& cylinders, const V3<V>& direction,
-                              M own, RayOrigin<V>& at) {
-  set_item_normals(d, rows, cylinders.items, own, at, [&](const CylinderItem<T>& item) HWY_ATTR {
-    return normals_at(d, item, at.point, direction);
-  });
-}
-
-/// Sets the curvatures, 1 / radius, of the lanes of `own` that hit a cylinder.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE void own_curvatures(D d, const PrimitiveRows<T>& rows,
-                                 const Geometry<CylinderKind, T>& cylinders, M own,
-                                 const RayOrigin<V>& at, V& curvature) {
-  for_each_item(
-      d, rows, cylinders.items, own, at.id, [&](const CylinderItem<T>& item, M here) HWY_ATTR {
-        curvature = hn::IfThenElse(here, hn::Set(d, 1 / std::sqrt(item.radius2)), curvature);
-      });
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V curvatures_at(D d, const CylinderItem<T>& item, const V3<V>&) {
+  return hn::Set(d, 1 / std::sqrt(item.radius2));
 }
 
 /// Lanes whose rays came to a closed cylinder from within: the nearest of its surfaces looks their
@@ -63,9 +46,8 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn:
 HWY_INLINE M is_met_from_within(D d, const CylinderItem<T>& item, const V3<V>& points,
                                 const V3<V>& direction) {
   const Cylinders<V> c = in_all_lanes(d, item);
-  InAxes<V> f = in_axes(c, points);
-  f.v = hn::Sub(f.v, c.distance);
-  const InAxes<V> g = in_axes(c, direction);
+  const InAxes<V> f = place_along(c, points);
+  const InAxes<V> g = direction_along(c, direction);
   const V radius = hn::Sqrt(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)));
   const V off_side = hn::Abs(hn::Sub(radius, hn::Sqrt(c.radius2)));
   const V off_low = hn::Abs(hn::Sub(f.w, c.low));
@@ -74,26 +56,6 @@ HWY_INLINE M is_met_from_within(D d, const CylinderItem<T>& item, const V3<V>& p
   const V along_cap = hn::IfThenElse(hn::Lt(off_low, off_high), hn::Neg(g.w), g.w);
   const M is_cap = hn::Lt(hn::Min(off_low, off_high), off_side);
   return hn::Gt(hn::IfThenElse(is_cap, along_cap, along_side), hn::Zero(d));
-}
-
-/// Tells of the lanes of `own` that hit a cylinder on which side, as tell_sides() has it; those of
-/// `within` may have come from inside of something.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE void own_sides(D d, const PrimitiveRows<T>& rows,
-                            const Geometry<CylinderKind, T>& cylinders, const V3<V>& direction,
-                            M own, M within, RayOrigin<V>& at) {
-  for_each_item(
-      d, rows, cylinders.items, own, at.id, [&](const CylinderItem<T>& item, M here) HWY_ATTR {
-        at.u = hn::IfThenElse(here, hn::Set(d, T(item.has_caps - 1)), at.u);
-        if (!(item.has_caps > 0)) return;
-        const M leaves =
-            hn::And(hn::And(here, within), is_met_from_within(d, item, at.point, direction));
-        if (hn::AllFalse(d, leaves)) return;
-        // As it would be met by a ray that goes back.
-        const V3<V> outwards = normals_at(d, item, at.point, negate(direction));
-        at.normal = select(leaves, negate(outwards), at.normal);
-        at.u = hn::IfThenElse(leaves, hn::Set(d, T(1)), at.u);
-      });
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

@@ -1,0 +1,228 @@
+// What packets of rays need of kinds of solids of revolution, of any whose own code comes before
+// this file. In lanes, C, a kind brings
+//
+//   in_all_lanes(d, item), lanes_of(block, get)  its C, which begins with AxialLanes
+//   direction_along(c, a), place_along(c, a), eye_along(d, c)
+//                                      as its side sees them, where that is not as AxialLanes do
+//   breadth(d, c, f)                   what it is wide, across the axis, about a place
+//   power_noise(d, c, f)               by what a place's power may be rounded
+//   power_of(c, f)                     of a place: positive outside the endless side
+//   crossings_of(d, c, f, g, power)    where rays from f along g cross its side and ends
+//   closed_chord(d, crossings), side_hits(d, crossings)
+//   leave_side(d, c, from, direction, f, g, crossings, t)
+//                                      lanes that go from its side's inside to its other side
+//
+// It may bring, for closed ones under distant lights,
+//
+//   hides_distant_light(d, shadow, point)  where its LightView has `shadows`, one for each item
+
+#include <hwy/cache_control.h>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/lights/packet_light.h"
+#include "engine/objects/geometry.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer::HWY_NAMESPACE {
+
+template <class C, class V>
+concept AxialLanesOf = std::derived_from<C, AxialLanes<V>>;
+
+/// Lanes that meet a closed solid from outside, and where: a chord counts if its middle is ahead,
+/// so that a point in the surface, or inside of it by rounding, is left outwards without meeting
+/// it.
+template <class D, class V, class M>
+HWY_INLINE M enter_closed(D d, const AxialChord<V, M>& chord, V& t) {
+  const V zero = hn::Zero(d);
+  t = hn::Max(chord.enter, zero);
+  return hn::And(chord.is_there, hn::Gt(hn::Add(chord.enter, chord.leave), zero));
+}
+
+/// Lanes that meet the side of an open solid, from outside or inside.
+template <class D, class V, class M>
+HWY_INLINE M meet_open(D d, const SideHits<V, M>& side, V& t) {
+  const V zero = hn::Zero(d);
+  const M outside = hn::And(side.enters, hn::Gt(side.enter, zero));
+  const M inside = hn::And(side.leaves, hn::Gt(side.leave, zero));
+  t = hn::IfThenElse(outside, side.enter, side.leave);
+  return hn::Or(outside, inside);
+}
+
+/// The same of rays that begin on a surface, perhaps of this solid.
+template <class D, AxialLanesOf<hn::Vec<D>> C, class Place, class Direction, class V = hn::Vec<D>,
+          class M = hn::Mask<D>>
+HWY_NOINLINE M intersect_open(D d, const C& c, const RayOrigin<V>& from, const V3<V>& direction,
+                              const Place& f, const Direction& g, V power, V& t) {
+  // A power that is less than the rounding of the place counts as none.
+  power = hn::IfThenZeroElse(hn::Lt(hn::Abs(power), power_noise(d, c, f)), power);
+  const auto crossings = crossings_of(d, c, f, g, power);
+  const M is_hit = meet_open(d, side_hits(d, crossings), t);
+  const M leaves = hn::Eq(from.id, c.id);
+  if (hn::AllFalse(d, leaves)) return is_hit;
+  V across;
+  const M meets_other = leave_side(d, c, from, direction, f, g, crossings, across);
+  t = hn::IfThenElse(leaves, across, t);
+  return hn::Or(hn::And(leaves, meets_other), hn::AndNot(leaves, is_hit));
+}
+
+/// Lanes of `active` whose rays meet their solid, at t. No ray begins inside a closed one.
+template <class D, AxialLanesOf<hn::Vec<D>> C, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M intersect(D d, const C& c, const RayOrigin<V>& from, const V3<V>& direction, M active,
+                       V& t) {
+  const auto g = direction_along(c, direction);
+  const auto f = place_along(c, from.point);
+  const V power = power_of(c, f);
+  const M is_closed = hn::Gt(c.has_caps, hn::Zero(d));
+  const M closed = hn::And(active, is_closed);
+  const M open = hn::AndNot(is_closed, active);
+  M is_hit = hn::Lt(power, power);
+  t = hn::Zero(d);
+  if (HWY_LIKELY(!hn::AllFalse(d, closed))) {
+    const M hits_closed = enter_closed(d, closed_chord(d, crossings_of(d, c, f, g, power)), t);
+    is_hit = hn::And(hn::AndNot(hn::Eq(from.id, c.id), hits_closed), closed);
+  }
+  if (HWY_UNLIKELY(!hn::AllFalse(d, open))) {
+    V t_open;
+    const M hits_open = hn::And(open, intersect_open(d, c, from, direction, f, g, power, t_open));
+    t = hn::IfThenElse(open, t_open, t);
+    is_hit = hn::Or(is_hit, hits_open);
+  }
+  return is_hit;
+}
+
+/// The same of rays that may begin inside.
+template <class D, AxialLanesOf<hn::Vec<D>> C, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE M intersect(D d, const C& c, const InnerOrigin<V>& from, const V3<V>& direction,
+                       M active, V& t) {
+  const M is_closed = hn::Gt(c.has_caps, hn::Zero(d));
+  const M is_hit = hn::AndNot(
+      is_closed, intersect(d, c, static_cast<const RayOrigin<V>&>(from), direction, active, t));
+  const auto g = direction_along(c, direction);
+  const auto f = place_along(c, from.point);
+  const AxialChord<V, M> chord = closed_chord(d, crossings_of(d, c, f, g, power_of(c, f)));
+  const auto n = direction_along(c, from.normal);
+  const V half = hn::Set(d, T(0.5));
+  const V from_middle = hn::NegMulAdd(half, hn::Add(c.low, c.high), f.w);
+  const V outward = hn::MulAdd(f.u, n.u, hn::MulAdd(f.v, n.v, hn::Mul(from_middle, n.w)));
+  const Chords<V, M> chords{chord.is_there, chord.enter, chord.leave,
+                            place_noise(d, from.point, breadth(d, c, f)), chord.enters_cap};
+  V t_closed;
+  const M hits_closed =
+      hn::And(hn::And(active, is_closed), meet_solid(d, chords, from, c.id, outward, t_closed));
+  t = hn::IfThenElse(is_closed, t_closed, t);
+  return hn::Or(is_hit, hits_closed);
+}
+
+/// What finders/tree-inl.h asks for: lanes whose rays meet their solids, at t.
+template <class D, AxialLanesOf<hn::Vec<D>> C, class Origin, class V = hn::Vec<D>,
+          class M = hn::Mask<D>>
+HWY_INLINE M intersect(D d, const C& c, const TreeRays<V, Origin>& rays, M active, V& t) {
+  return intersect(d, c, rays.from, rays.direction, active, t);
+}
+
+/// The packet against one solid.
+template <class D, AxialKind Kind, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE void intersect_item(D d, const Geometry<Kind, T>&,
+                               const typename Geometry<Kind, T>::Layout::Item& item,
+                               const Origin& from, const V3<V>& direction, M active, Hit<V>& hit) {
+  const auto c = in_all_lanes(d, item);
+  V t;
+  const M is_hit = intersect(d, c, from, direction, active, t);
+  if (hn::AllFalse(d, is_hit)) return;
+  take(hit, is_nearer(hit, t, c.id, is_hit), t, c.id);
+}
+
+/// Lanes whose rays from the eye along g meet a solid that the eye is not inside of, at t.
+template <class D, AxialLanesOf<hn::Vec<D>> C, class Direction, typename T = hn::TFromD<D>,
+          class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M meet_from_eye(D d, const C& c, const AxialItem<T>& item, const Direction& g, V& t) {
+  const auto crossings = crossings_of(d, c, eye_along(d, c), g, hn::Set(d, item.eye_c));
+  return item.has_caps > 0 ? enter_closed(d, closed_chord(d, crossings), t)
+                           : meet_open(d, side_hits(d, crossings), t);
+}
+
+/// Rays from the eye against solid `index`. A kind may know better.
+template <class D, AxialKind Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE void intersect_candidate(D d, const PrimitiveRows<T>&, const Geometry<Kind, T>& solids,
+                                    std::uint32_t index, const V3<V>& direction, Hit<V>& hit) {
+  const auto& item = solids.items[index];
+  const auto c = in_all_lanes(d, item);
+  V t;
+  const M is_hit = meet_from_eye(d, c, item, direction_along(c, direction), t);
+  take(hit, is_nearer(hit, t, c.id, is_hit), t, c.id);
+}
+
+/// Asks the memory for what the function above reads.
+template <AxialKind Kind, typename T>
+HWY_INLINE void prefetch_candidate(const PrimitiveRows<T>&, const Geometry<Kind, T>& solids,
+                                   std::uint32_t index) {
+  hwy::Prefetch(&solids.items[index]);
+}
+
+/// Lanes from which a solid hides a point light; it is relative to that.
+template <class D, class Item, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M hides_point_light(D d, const Item& item, const LampRays<D>& lamp, V own_id) {
+  const auto c = in_all_lanes(d, item);
+  const auto crossings = crossings_of(d, c, eye_along(d, c), direction_along(c, lamp.direction),
+                                      hn::Set(d, item.eye_c));
+  if (item.has_caps > 0) {
+    const AxialChord<V, M> chord = closed_chord(d, crossings);
+    return hn::And(hn::And(chord.is_there, hn::Ne(own_id, c.id)),
+                   lamp.pass(d, chord.enter, chord.leave));
+  }
+  const SideHits<V, M> side = side_hits(d, crossings);
+  return hn::Or(hn::And(side.enters, lamp.meet(d, side.enter)),
+                hn::And(side.leaves, lamp.meet(d, side.leave)));
+}
+
+/// Lanes of `lit` from which a solid stands before the light.
+template <class D, AxialKind Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_NOINLINE M occluded_by(D d, const Geometry<Kind, T>& solids, const PacketLight<T>& light,
+                           const ShadowRays<V>& rays, M lit) {
+  const auto& view = solids.lights[light.index];
+  const bool is_distant = light.rays == LightRays::parallel;
+  const auto occluded = [&](const auto& hides) HWY_ATTR {
+    if (is_distant) {
+      if (solids.finder(ray_kind_of(light)) == Finder::light_grid)
+        return occluded_by_listed(d, view.grid, places_on(d, view.grid.plane, rays.from.point), lit,
+                                  hides);
+    } else if (solids.finder(RayKind::to_point_light) == Finder::point_grid) {
+      return occluded_by_listed(d, view.lamp.lists, light.place, rays, lit, hides);
+    }
+    return occluded_by_items(d, solids.items.size(), lit, hides);
+  };
+  const auto from_point = [&](std::size_t i, M rest, M& hidden) RAYTRACER_INLINE_ATTR {
+    V t;
+    const M is_hit =
+        intersect(d, in_all_lanes(d, solids.items[i]), rays.from, rays.towards, rest, t);
+    // Met before the light, which may be inside; one in whose surface it lies does not hide it.
+    hidden = hn::And(is_hit, hn::Lt(t, hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>))));
+    return !hn::AllFalse(d, hidden);
+  };
+  if constexpr (requires { view.shadows; }) {
+    if (is_distant)
+      return occluded([&](std::size_t i, M rest, M& hidden) RAYTRACER_INLINE_ATTR {
+        const auto& item = solids.items[i];
+        if (!(item.has_caps > 0)) return from_point(i, rest, hidden);
+        hidden = hn::And(hn::AndNot(hn::Eq(rays.from.id, hn::Set(d, item.id)), rest),
+                         hides_distant_light(d, view.shadows[i], rays.from.point));
+        return !hn::AllFalse(d, hidden);
+      });
+  }
+  if (view.lamp.seen.empty()) return occluded(from_point);
+  const LampRays<D> lamp(d, rays);
+  return occluded([&](std::size_t i, M rest, M& hidden) RAYTRACER_INLINE_ATTR {
+    hidden = hn::And(rest, hides_point_light(d, view.lamp.seen[i], lamp, rays.from.id));
+    return !hn::AllFalse(d, hidden);
+  });
+}
+
+}  // namespace raytracer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

@@ -1,0 +1,51 @@
+// Where packets have met solids of revolution: their normals, curvatures and sides, item by item. A
+// kind's own code, which comes before this file, brings
+//
+//   normals_at(d, item, points, direction)          where lanes met one, towards the rays' origins
+//   curvatures_at(d, item, points)                  1 / radius
+//   is_met_from_within(d, item, points, direction)  of a closed one: lanes that came from inside
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer::HWY_NAMESPACE {
+
+/// Sets the normals of the lanes of `own` that hit one of them.
+template <class D, AxialKind Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_NOINLINE void own_normals(D d, const PrimitiveRows<T>& rows, const Geometry<Kind, T>& solids,
+                              const V3<V>& direction, M own, RayOrigin<V>& at) {
+  set_item_normals(d, rows, solids.items, own, at, [&](const auto& item) HWY_ATTR {
+    return normals_at(d, item, at.point, direction);
+  });
+}
+
+/// Sets the curvatures of the lanes of `own` that hit one of them.
+template <class D, AxialKind Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_NOINLINE void own_curvatures(D d, const PrimitiveRows<T>& rows, const Geometry<Kind, T>& solids,
+                                 M own, const RayOrigin<V>& at, V& curvature) {
+  for_each_item(d, rows, solids.items, own, at.id, [&](const auto& item, M here) HWY_ATTR {
+    curvature = hn::IfThenElse(here, curvatures_at(d, item, at.point), curvature);
+  });
+}
+
+/// Tells of the lanes of `own` that hit one of them on which side, as tell_sides() has it; those of
+/// `within` may have come from inside of something.
+template <class D, AxialKind Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_NOINLINE void own_sides(D d, const PrimitiveRows<T>& rows, const Geometry<Kind, T>& solids,
+                            const V3<V>& direction, M own, M within, RayOrigin<V>& at) {
+  for_each_item(d, rows, solids.items, own, at.id, [&](const auto& item, M here) HWY_ATTR {
+    at.u = hn::IfThenElse(here, hn::Set(d, T(item.has_caps - 1)), at.u);
+    if (!(item.has_caps > 0)) return;
+    const M leaves =
+        hn::And(hn::And(here, within), is_met_from_within(d, item, at.point, direction));
+    if (hn::AllFalse(d, leaves)) return;
+    // As it would be met by a ray that goes back.
+    const V3<V> outwards = normals_at(d, item, at.point, negate(direction));
+    at.normal = select(leaves, negate(outwards), at.normal);
+    at.u = hn::IfThenElse(leaves, hn::Set(d, T(1)), at.u);
+  });
+}
+
+}  // namespace raytracer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
