@@ -78,10 +78,10 @@ AxisBasis::AxisBasis(const AxisSegment& s) : is_turned(s.high < 0) {
   across = unit(cross(axis, towards));
 }
 
-Box box_around_disc(const Vec3& center, const Vec3& axis, double radius) {
-  const Vec3 reach{std::hypot(axis.y, axis.z), std::hypot(axis.x, axis.z),
-                   std::hypot(axis.x, axis.y)};
-  return {center - radius * reach, center + radius * reach};
+Vec3 reach_of_disc(const Vec3& axis) {
+  const Vec3 squares{axis.x * axis.x, axis.y * axis.y, axis.z * axis.z};
+  return {std::sqrt(squares.y + squares.z), std::sqrt(squares.x + squares.z),
+          std::sqrt(squares.x + squares.y)};
 }
 
 }  // namespace raytracer

@@ -51,7 +51,7 @@ struct AxisBasis {
   explicit AxisBasis(const AxisSegment& segment);
 };
 
-/// Around a disc across the unit vector `axis`.
-Box box_around_disc(const Vec3& center, const Vec3& axis, double radius);
+/// How far a disc of radius 1 across the unit vector `axis` reaches from its center, either way.
+Vec3 reach_of_disc(const Vec3& axis);
 
 }  // namespace raytracer

@@ -66,6 +66,12 @@ HWY_INLINE InAxes<V> eye_along(D d, const AxialLanes<V>& c) {
   return {hn::Zero(d), hn::Neg(c.distance), hn::Zero(d)};
 }
 
+/// What is rounded of a place is no larger.
+template <class V>
+HWY_INLINE V reach_of(const AxialLanes<V>& c, const InAxes<V>& f) {
+  return hn::Add(hn::Add(hn::Abs(f.u), hn::Abs(f.v)), hn::Add(hn::Abs(f.w), c.distance));
+}
+
 /// Where rays are within closed solids.
 template <class V, class M>
 struct AxialChord {

@@ -111,9 +111,13 @@ double largest_radius(const Solid& c) {
 
 template <AxialPrimitive Solid>
 Box bounds(const Solid& c) {
+  const Vec3 reach = reach_of_disc(c.axis);
   Box box;
-  for (const bool is_to : {false, true})
-    box.include(box_around_disc(c.end(is_to), c.axis, end_radius(c, is_to)));
+  for (const bool is_to : {false, true}) {
+    const Vec3 center = c.end(is_to);
+    const Vec3 own = end_radius(c, is_to) * reach;
+    box.include(Box{center - own, center + own});
+  }
   return box;
 }
 

@@ -5,10 +5,12 @@
 //   direction_along(c, a), place_along(c, a), eye_along(d, c)
 //                                      as its side sees them, where that is not as AxialLanes do
 //   breadth(d, c, f)                   what it is wide, across the axis, about a place
+//   reach_of(c, f)                     what is rounded of a place is no larger, if that is not as
+//                                      of AxialLanes
 //   power_noise(d, c, f)               by what a place's power may be rounded
 //   power_of(c, f)                     of a place: positive outside the endless side
 //   crossings_of(d, c, f, g, power)    where rays from f along g cross its side and ends
-//   closed_chord(d, crossings), side_hits(d, crossings)
+//   closed_chord(d, c, f, g, crossings), side_hits(d, c, f, g, crossings)
 //   leave_side(d, c, from, direction, f, g, crossings, t)
 //                                      lanes that go from its side's inside to its other side
 //
@@ -21,6 +23,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "engine/lights/packet_light.h"
 #include "engine/objects/geometry.h"
@@ -53,13 +56,17 @@ HWY_INLINE M meet_open(D d, const SideHits<V, M>& side, V& t) {
 
 /// The same of rays that begin on a surface, perhaps of this solid.
 template <class D, AxialLanesOf<hn::Vec<D>> C, class Place, class Direction, class V = hn::Vec<D>,
-          class M = hn::Mask<D>>
+          class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_NOINLINE M intersect_open(D d, const C& c, const RayOrigin<V>& from, const V3<V>& direction,
                               const Place& f, const Direction& g, V power, V& t) {
-  // A power that is less than the rounding of the place counts as none.
-  power = hn::IfThenZeroElse(hn::Lt(hn::Abs(power), power_noise(d, c, f)), power);
+  // A power that is less than the rounding of the place counts as none; of most it is far more.
+  const V reach = reach_of(c, f);
+  const V far_more =
+      hn::Mul(hn::Set(d, 16 * std::numeric_limits<T>::epsilon()), hn::Mul(reach, reach));
+  if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Ge(hn::Abs(power), far_more))))
+    power = hn::IfThenZeroElse(hn::Lt(hn::Abs(power), power_noise(d, c, f)), power);
   const auto crossings = crossings_of(d, c, f, g, power);
-  const M is_hit = meet_open(d, side_hits(d, crossings), t);
+  const M is_hit = meet_open(d, side_hits(d, c, f, g, crossings), t);
   const M leaves = hn::Eq(from.id, c.id);
   if (hn::AllFalse(d, leaves)) return is_hit;
   V across;
@@ -81,7 +88,8 @@ HWY_INLINE M intersect(D d, const C& c, const RayOrigin<V>& from, const V3<V>& d
   M is_hit = hn::Lt(power, power);
   t = hn::Zero(d);
   if (HWY_LIKELY(!hn::AllFalse(d, closed))) {
-    const M hits_closed = enter_closed(d, closed_chord(d, crossings_of(d, c, f, g, power)), t);
+    const auto crossings = crossings_of(d, c, f, g, power);
+    const M hits_closed = enter_closed(d, closed_chord(d, c, f, g, crossings), t);
     is_hit = hn::And(hn::AndNot(hn::Eq(from.id, c.id), hits_closed), closed);
   }
   if (HWY_UNLIKELY(!hn::AllFalse(d, open))) {
@@ -103,7 +111,8 @@ HWY_INLINE M intersect(D d, const C& c, const InnerOrigin<V>& from, const V3<V>&
       is_closed, intersect(d, c, static_cast<const RayOrigin<V>&>(from), direction, active, t));
   const auto g = direction_along(c, direction);
   const auto f = place_along(c, from.point);
-  const AxialChord<V, M> chord = closed_chord(d, crossings_of(d, c, f, g, power_of(c, f)));
+  const auto crossings = crossings_of(d, c, f, g, power_of(c, f));
+  const AxialChord<V, M> chord = closed_chord(d, c, f, g, crossings);
   const auto n = direction_along(c, from.normal);
   const V half = hn::Set(d, T(0.5));
   const V from_middle = hn::NegMulAdd(half, hn::Add(c.low, c.high), f.w);
@@ -141,9 +150,10 @@ HWY_INLINE void intersect_item(D d, const Geometry<Kind, T>&,
 template <class D, AxialLanesOf<hn::Vec<D>> C, class Direction, typename T = hn::TFromD<D>,
           class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE M meet_from_eye(D d, const C& c, const AxialItem<T>& item, const Direction& g, V& t) {
-  const auto crossings = crossings_of(d, c, eye_along(d, c), g, hn::Set(d, item.eye_c));
-  return item.has_caps > 0 ? enter_closed(d, closed_chord(d, crossings), t)
-                           : meet_open(d, side_hits(d, crossings), t);
+  const auto f = eye_along(d, c);
+  const auto crossings = crossings_of(d, c, f, g, hn::Set(d, item.eye_c));
+  return item.has_caps > 0 ? enter_closed(d, closed_chord(d, c, f, g, crossings), t)
+                           : meet_open(d, side_hits(d, c, f, g, crossings), t);
 }
 
 /// Rays from the eye against solid `index`. A kind may know better.
@@ -169,14 +179,15 @@ HWY_INLINE void prefetch_candidate(const PrimitiveRows<T>&, const Geometry<Kind,
 template <class D, class Item, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE M hides_point_light(D d, const Item& item, const LampRays<D>& lamp, V own_id) {
   const auto c = in_all_lanes(d, item);
-  const auto crossings = crossings_of(d, c, eye_along(d, c), direction_along(c, lamp.direction),
-                                      hn::Set(d, item.eye_c));
+  const auto f = eye_along(d, c);
+  const auto g = direction_along(c, lamp.direction);
+  const auto crossings = crossings_of(d, c, f, g, hn::Set(d, item.eye_c));
   if (item.has_caps > 0) {
-    const AxialChord<V, M> chord = closed_chord(d, crossings);
+    const AxialChord<V, M> chord = closed_chord(d, c, f, g, crossings);
     return hn::And(hn::And(chord.is_there, hn::Ne(own_id, c.id)),
                    lamp.pass(d, chord.enter, chord.leave));
   }
-  const SideHits<V, M> side = side_hits(d, crossings);
+  const SideHits<V, M> side = side_hits(d, c, f, g, crossings);
   return hn::Or(hn::And(side.enters, lamp.meet(d, side.enter)),
                 hn::And(side.leaves, lamp.meet(d, side.leave)));
 }

@@ -56,6 +56,12 @@ HWY_INLINE AlongCone<V> eye_along(D d, const Cones<V>& c) {
   return {{zero, hn::Neg(c.distance), zero}, c.girth};
 }
 
+template <class V>
+HWY_INLINE V reach_of(const Cones<V>& c, const AlongCone<V>& f) {
+  const AxialLanes<V>& axial = c;
+  const InAxes<V>& place = f;
+  return hn::Add(reach_of(axial, place), hn::Abs(f.girth));
+}
 template <class D, class V>
 HWY_INLINE V breadth(D, const Cones<V>&, const AlongCone<V>& f) {
   return hn::Sqrt(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)));
@@ -137,11 +143,13 @@ HWY_INLINE ConeChords<V, M> crossings_of(D d, const Cones<V>& c, const AlongCone
 }
 
 template <class D, class V, class M>
-HWY_INLINE AxialChord<V, M> closed_chord(D, const ConeChords<V, M>& chords) {
+HWY_INLINE AxialChord<V, M> closed_chord(D, const Cones<V>&, const AlongCone<V>&,
+                                         const AlongCone<V>&, const ConeChords<V, M>& chords) {
   return {chords.is_there, chords.enter, chords.leave, chords.enters_disc};
 }
 template <class D, class V, class M>
-HWY_INLINE SideHits<V, M> side_hits(D, const ConeChords<V, M>& chords) {
+HWY_INLINE SideHits<V, M> side_hits(D, const Cones<V>&, const AlongCone<V>&, const AlongCone<V>&,
+                                    const ConeChords<V, M>& chords) {
   return {hn::AndNot(chords.enters_disc, chords.is_there),
           hn::AndNot(chords.leaves_disc, chords.is_there), chords.enter, chords.leave};
 }

@@ -30,23 +30,20 @@ HWY_INLINE V breadth(D d, const Cylinders<V>& c, const InAxes<V>&) {
 }
 template <class D, class V, typename T = hn::TFromD<D>>
 HWY_INLINE V power_noise(D d, const Cylinders<V>& c, const InAxes<V>& f) {
-  const V reach = hn::Add(hn::Add(hn::Abs(f.u), hn::Abs(f.v)), hn::Add(hn::Abs(f.w), c.distance));
   return hn::Mul(hn::Set(d, 8 * std::numeric_limits<T>::epsilon()),
-                 hn::Mul(reach, breadth(d, c, f)));
+                 hn::Mul(reach_of(c, f), breadth(d, c, f)));
 }
 template <class V>
 HWY_INLINE V power_of(const Cylinders<V>& c, const InAxes<V>& f) {
   return hn::Sub(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)), c.radius2);
 }
 
-/// Where rays are within the endless cylinder, and between its ends; nowhere where enter > leave.
+/// Where rays are within the endless cylinder.
 template <class V, class M>
-struct CylinderSpans {
-  V enter_side;
-  V leave_side;
-  V enter_ends;
-  V leave_ends;
-  M crosses;  ///< the endless cylinder
+struct CylinderCrossings {
+  V enter;
+  V leave;
+  M are_there;
 };
 
 /// A direction along the axis is taken a little aslant: no quotient is then other than a number.
@@ -58,8 +55,8 @@ inline constexpr T least_slope = sizeof(T) == sizeof(float) ? T(1e-20) : T(1e-60
 /// `f` is from the foot to the rays' origins, `g` their directions, `power` |f|^2 - radius^2 across
 /// the axis.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE CylinderSpans<V, M> crossings_of(D d, const Cylinders<V>& c, const InAxes<V>& f,
-                                            const InAxes<V>& g, V power) {
+HWY_INLINE CylinderCrossings<V, M> crossings_of(D d, const Cylinders<V>& c, const InAxes<V>& f,
+                                                const InAxes<V>& g, V power) {
   const V zero = hn::Zero(d);
   const V a = hn::Max(hn::MulAdd(g.u, g.u, hn::Mul(g.v, g.v)), hn::Set(d, least_square<T>));
   const V b = hn::Sub(zero, hn::MulAdd(f.u, g.u, hn::Mul(f.v, g.v)));  // never -0
@@ -70,35 +67,39 @@ HWY_INLINE CylinderSpans<V, M> crossings_of(D d, const Cylinders<V>& c, const In
   const V one = hn::Div(power, q);
   const V other = hn::Div(q, a);
   const M ahead = hn::Ge(b, zero);
+  return {hn::IfThenElse(ahead, one, other), hn::IfThenElse(ahead, other, one), hn::Ge(room, zero)};
+}
+
+/// Where the way through the side and that between the ends overlap.
+template <class D, class V, class M, typename T = hn::TFromD<D>>
+HWY_INLINE AxialChord<V, M> closed_chord(D d, const Cylinders<V>& c, const InAxes<V>& f,
+                                         const InAxes<V>& g,
+                                         const CylinderCrossings<V, M>& crossings) {
   const V least = hn::Set(d, least_slope<T>);
   const V slope = hn::IfThenElse(hn::Lt(hn::Abs(g.w), least), hn::CopySign(least, g.w), g.w);
   const V to_low = hn::Div(hn::Sub(c.low, f.w), slope);
   const V to_high = hn::Div(hn::Sub(c.high, f.w), slope);
-  return {hn::IfThenElse(ahead, one, other), hn::IfThenElse(ahead, other, one),
-          hn::Min(to_low, to_high), hn::Max(to_low, to_high), hn::Ge(room, zero)};
-}
-
-template <class D, class V, class M>
-HWY_INLINE AxialChord<V, M> closed_chord(D, const CylinderSpans<V, M>& spans) {
-  const V enter = hn::Max(spans.enter_side, spans.enter_ends);
-  const V leave = hn::Min(spans.leave_side, spans.leave_ends);
-  return {hn::And(spans.crosses, hn::Le(enter, leave)), enter, leave,
-          hn::Gt(spans.enter_ends, spans.enter_side)};
+  const V enter_ends = hn::Min(to_low, to_high);
+  const V enter = hn::Max(crossings.enter, enter_ends);
+  const V leave = hn::Min(crossings.leave, hn::Max(to_low, to_high));
+  return {hn::And(crossings.are_there, hn::Le(enter, leave)), enter, leave,
+          hn::Gt(enter_ends, crossings.enter)};
 }
 template <class D, class V, class M>
-HWY_INLINE SideHits<V, M> side_hits(D, const CylinderSpans<V, M>& spans) {
+HWY_INLINE SideHits<V, M> side_hits(D, const Cylinders<V>& c, const InAxes<V>& f,
+                                    const InAxes<V>& g, const CylinderCrossings<V, M>& crossings) {
   const auto is_between = [&](V t) HWY_ATTR {
-    return hn::And(spans.crosses,
-                   hn::And(hn::Ge(t, spans.enter_ends), hn::Le(t, spans.leave_ends)));
+    const V along = hn::MulAdd(t, g.w, f.w);
+    return hn::And(crossings.are_there, hn::And(hn::Ge(along, c.low), hn::Le(along, c.high)));
   };
-  return {is_between(spans.enter_side), is_between(spans.leave_side), spans.enter_side,
-          spans.leave_side};
+  return {is_between(crossings.enter), is_between(crossings.leave), crossings.enter,
+          crossings.leave};
 }
 
 /// From inside, to the other side: 2 b / a, where b is exact by the normal.
 template <class D, class V, class M, typename T = hn::TFromD<D>>
 HWY_INLINE M leave_side(D d, const Cylinders<V>& c, const RayOrigin<V>& from, const V3<V>&,
-                        const InAxes<V>& f, const InAxes<V>& g, const CylinderSpans<V, M>& spans,
+                        const InAxes<V>& f, const InAxes<V>& g, const CylinderCrossings<V, M>&,
                         V& t) {
   const V zero = hn::Zero(d);
   const InAxes<V> n = direction_along(c, from.normal);
@@ -106,7 +107,11 @@ HWY_INLINE M leave_side(D d, const Cylinders<V>& c, const RayOrigin<V>& from, co
   const V a = hn::Max(hn::MulAdd(g.u, g.u, hn::Mul(g.v, g.v)), hn::Set(d, least_square<T>));
   const V slant = hn::MulAdd(n.u, g.u, hn::Mul(n.v, g.v));
   t = hn::Div(hn::Mul(hn::Add(slant, slant), breadth(d, c, f)), a);
-  return hn::And(inwards, hn::And(hn::Gt(t, zero), hn::Le(t, spans.leave_ends)));
+  const V along = hn::MulAdd(t, g.w, f.w);
+  const M is_up = hn::Gt(g.w, zero);
+  const M before_end =
+      hn::Or(hn::And(is_up, hn::Le(along, c.high)), hn::AndNot(is_up, hn::Ge(along, c.low)));
+  return hn::And(inwards, hn::And(hn::Gt(t, zero), before_end));
 }
 
 /// Rays from the eye against cylinder `index`, which the eye is not inside of.
