@@ -13,10 +13,16 @@ namespace {
 Vec3 normal_across(const std::array<Vec3, 3>& corners) {
   std::array<Vec3, 3> sides;
   for (std::size_t i = 0; i < 3; ++i) sides[i] = corners[(i + 1) % 3] - corners[i];
+  std::array<double, 3> sizes;
+  for (std::size_t i = 0; i < 3; ++i) sizes[i] = max_abs(sides[i]);
   std::size_t longest = 0;
   for (std::size_t i = 1; i < 3; ++i)
-    if (max_abs(sides[i]) > max_abs(sides[longest])) longest = i;
-  return unit(cross(unit(sides[(longest + 1) % 3]), unit(sides[(longest + 2) % 3])));
+    if (sizes[i] > sizes[longest]) longest = i;
+  const std::size_t one = (longest + 1) % 3;
+  const std::size_t other = (longest + 2) % 3;
+  const double product = sizes[one] * sizes[other];
+  if (product > 0x1p-400 && product < 0x1p400) return unit(cross(sides[one], sides[other]));
+  return unit(cross(unit(sides[one]), unit(sides[other])));
 }
 
 double reach(const PackedTriangle& t) {
@@ -32,6 +38,14 @@ bool has_no_extent(const PackedTriangle& t) {
   return t.normal == Vec3{} || (a == b && b == c) || is_too_small(t);
 }
 
+/// The distance of the corner that is farthest from a place.
+double farthest_of(const PackedTriangle& t, const Vec3& place) {
+  double square = 0;
+  for (const Vec3& vertex : t.vertices)
+    square = std::max(square, dot(vertex - place, vertex - place));
+  return std::sqrt(square);
+}
+
 /// A ball around a triangle, and a lower bound of a place's distance to the triangle: that of the
 /// ball or of the plane.
 struct TriangleBall {
@@ -41,7 +55,7 @@ struct TriangleBall {
   TriangleBall(const PackedTriangle& t, const Vec3& place) {
     const auto& [a, b, c] = t.vertices;
     const Vec3 middle = (a + b + c) / 3;
-    radius = std::max({length(a - middle), length(b - middle), length(c - middle)});
+    radius = farthest_of(t, middle);
     const double to_plane = std::abs(dot(t.normal, a - place));
     distance = std::max({to_plane, length(middle - place) - radius, 0.0});
   }
@@ -84,8 +98,7 @@ void add_statistics(const PackedTriangle& t, const Viewpoint& from, GeometryStat
   const TriangleBall ball(t, from.place);
   to.note_surface(ball.distance);
   to.smallest = std::min(to.smallest, reach(t));
-  for (const Vec3& vertex : t.vertices)
-    to.farthest = std::max(to.farthest, length(vertex - from.place));
+  to.farthest = std::max(to.farthest, farthest_of(t, from.place));
   to.blocks += from.blocks(ball.radius / ball.distance);
 }
 
