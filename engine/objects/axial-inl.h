@@ -72,6 +72,13 @@ HWY_INLINE V reach_of(const AxialLanes<V>& c, const InAxes<V>& f) {
   return hn::Add(hn::Add(hn::Abs(f.u), hn::Abs(f.v)), hn::Add(hn::Abs(f.w), c.distance));
 }
 
+/// Positive where a normal in the surface of a closed solid looks outwards. `f` is from the middle:
+/// of what is convex all is on the inner side of any surface.
+template <class V>
+HWY_INLINE V outwards(const AxialLanes<V>&, const InAxes<V>& f, const InAxes<V>& n) {
+  return hn::MulAdd(f.u, n.u, hn::MulAdd(f.v, n.v, hn::Mul(f.w, n.w)));
+}
+
 /// Where rays are within closed solids.
 template <class V, class M>
 struct AxialChord {

@@ -8,6 +8,7 @@
 //   reach_of(c, f)                     what is rounded of a place is no larger, if that is not as
 //                                      of AxialLanes
 //   power_noise(d, c, f)               by what a place's power may be rounded
+//   outwards(c, f, n)                  likewise, which way a normal looks
 //   power_of(c, f)                     of a place: positive outside the endless side
 //   crossings_of(d, c, f, g, power)    where rays from f along g cross its side and ends
 //   closed_chord(d, c, f, g, crossings), side_hits(d, c, f, g, crossings)
@@ -114,14 +115,14 @@ HWY_INLINE M intersect(D d, const C& c, const InnerOrigin<V>& from, const V3<V>&
   const auto crossings = crossings_of(d, c, f, g, power_of(c, f));
   const AxialChord<V, M> chord = closed_chord(d, c, f, g, crossings);
   const auto n = direction_along(c, from.normal);
-  const V half = hn::Set(d, T(0.5));
-  const V from_middle = hn::NegMulAdd(half, hn::Add(c.low, c.high), f.w);
-  const V outward = hn::MulAdd(f.u, n.u, hn::MulAdd(f.v, n.v, hn::Mul(from_middle, n.w)));
+  auto from_middle = f;
+  from_middle.w = hn::NegMulAdd(hn::Set(d, T(0.5)), hn::Add(c.low, c.high), f.w);
   const Chords<V, M> chords{chord.is_there, chord.enter, chord.leave,
                             place_noise(d, from.point, breadth(d, c, f)), chord.enters_cap};
   V t_closed;
   const M hits_closed =
-      hn::And(hn::And(active, is_closed), meet_solid(d, chords, from, c.id, outward, t_closed));
+      hn::And(hn::And(active, is_closed),
+              meet_solid(d, chords, from, c.id, outwards(c, from_middle, n), t_closed));
   t = hn::IfThenElse(is_closed, t_closed, t);
   return hn::Or(is_hit, hits_closed);
 }

@@ -62,6 +62,12 @@ HWY_INLINE V reach_of(const Cones<V>& c, const AlongCone<V>& f) {
   const InAxes<V>& place = f;
   return hn::Add(reach_of(axial, place), hn::Abs(f.girth));
 }
+/// What is across the axis is in cosines of both.
+template <class V>
+HWY_INLINE V outwards(const Cones<V>& c, const AlongCone<V>& f, const AlongCone<V>& n) {
+  const V along = hn::Mul(dot(c.across, c.across), hn::Mul(f.w, n.w));
+  return hn::MulAdd(f.u, n.u, hn::MulAdd(f.v, n.v, along));
+}
 template <class D, class V>
 HWY_INLINE V breadth(D, const Cones<V>&, const AlongCone<V>& f) {
   return hn::Sqrt(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)));
