@@ -1,4 +1,4 @@
-// Packets against solids of revolution between the ends of an axis: what kinds' own code begins
+// Packets against surfaces of revolution between the ends of an axis: what kinds' own code begins
 // with. What is the same for all of them once they have told their numbers is in
 // axial_kinds-inl.h.
 
@@ -68,7 +68,7 @@ HWY_INLINE InAxes<V> eye_along(D d, const AxialLanes<V>& c) {
 
 /// What is rounded of a place is no larger.
 template <class V>
-HWY_INLINE V reach_of(const AxialLanes<V>& c, const InAxes<V>& f) {
+HWY_INLINE V rounded_reach(const AxialLanes<V>& c, const InAxes<V>& f, const V3<V>&) {
   return hn::Add(hn::Add(hn::Abs(f.u), hn::Abs(f.v)), hn::Add(hn::Abs(f.w), c.distance));
 }
 

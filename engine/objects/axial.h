@@ -1,4 +1,4 @@
-// What kinds of object have in common that are solids of revolution between the two ends of an
+// What kinds of object have in common that are surfaces of revolution between the two ends of an
 // axis: closed by a disc at each end, or open. A kind tells what its side is: by functions that are
 // found by what they are given, those of the concepts below.
 //
@@ -28,14 +28,14 @@ struct AxialSolid : AxisSegment {
   Vec3 middle() const { return 0.5 * (end(false) + end(true)); }
 };
 
-/// distance_to_surface() is negative inside a closed one, least_squared() the least length whose
-/// square single has to hold.
+/// distance_to_surface() is negative inside a closed one, smallest_squared_length() the least
+/// length whose square single has to hold.
 template <class Solid>
 concept AxialPrimitive = std::derived_from<Solid, AxialSolid> &&
     requires(const Solid& c, const Vec3& place, bool is_to) {
   { end_radius(c, is_to) } -> std::same_as<double>;
   { distance_to_surface(c, place) } -> std::same_as<double>;
-  { least_squared(c) } -> std::same_as<double>;
+  { smallest_squared_length(c) } -> std::same_as<double>;
 };
 
 /// Traits that such kinds begin with.
@@ -90,7 +90,7 @@ void for_each_extent(const Document& c, const Include& include) {
 /// For the frame.
 template <AxialPrimitive Solid>
 bool is_too_small(const Solid& c) {
-  return !Frame::carries(c.high - c.low) || !Frame::carries(least_squared(c));
+  return !Frame::carries(c.high - c.low) || !Frame::carries(smallest_squared_length(c));
 }
 
 template <OneAxial Document, AxialPrimitive Solid>
@@ -144,7 +144,7 @@ void add_statistics(const Solid& c, const Viewpoint& from, GeometryStatistics& t
   if (from.place == Vec3{} && c.eye_c == 0 && c.low < 0 && c.high > 0) distance = 0;
   to.note_surface(distance);
   to.farthest = std::max(to.farthest, farthest + radius);
-  to.smallest = std::min(to.smallest, least_squared(c));
+  to.smallest = std::min(to.smallest, smallest_squared_length(c));
   // Of a tip what is thinner than an eighth of a pixel is not looked at.
   const double thinnest = std::min(radius, farthest * from.pixel_angle / 8);
   const double least = std::max(std::min(end_radius(c, false), end_radius(c, true)), thinnest);

@@ -1,14 +1,15 @@
-// What packets of rays need of kinds of solids of revolution, of any whose own code comes before
+// What packets of rays need of kinds of surfaces of revolution, of any whose own code comes before
 // this file. In lanes, C, a kind brings
 //
 //   in_all_lanes(d, item), lanes_of(block, get)  its C, which begins with AxialLanes
 //   direction_along(c, a), place_along(c, a), eye_along(d, c)
 //                                      as its side sees them, where that is not as AxialLanes do
-//   breadth(d, c, f)                   what it is wide, across the axis, about a place
-//   reach_of(c, f)                     what is rounded of a place is no larger, if that is not as
-//                                      of AxialLanes
-//   power_noise(d, c, f)               by what a place's power may be rounded
-//   outwards(c, f, n)                  likewise, which way a normal looks
+//   outwards(c, f, n)                  which way a normal looks, likewise
+//   rounded_reach(c, f, point)         what is rounded of a place is no larger, likewise
+//   breadth(d, c, f)                   how wide it is about a place in its surface, as its side
+//                                      measures that
+//   power_noise(d, c, f, point)        by what a place's power may be rounded: less than 16 epsilon
+//                                      times the square of its reach, or than the power
 //   power_of(c, f)                     of a place: positive outside the endless side
 //   crossings_of(d, c, f, g, power)    where rays from f along g cross its side and ends
 //   closed_chord(d, c, f, g, crossings), side_hits(d, c, f, g, crossings)
@@ -61,11 +62,11 @@ template <class D, AxialLanesOf<hn::Vec<D>> C, class Place, class Direction, cla
 HWY_NOINLINE M intersect_open(D d, const C& c, const RayOrigin<V>& from, const V3<V>& direction,
                               const Place& f, const Direction& g, V power, V& t) {
   // A power that is less than the rounding of the place counts as none; of most it is far more.
-  const V reach = reach_of(c, f);
+  const V reach = rounded_reach(c, f, from.point);
   const V far_more =
       hn::Mul(hn::Set(d, 16 * std::numeric_limits<T>::epsilon()), hn::Mul(reach, reach));
   if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Ge(hn::Abs(power), far_more))))
-    power = hn::IfThenZeroElse(hn::Lt(hn::Abs(power), power_noise(d, c, f)), power);
+    power = hn::IfThenZeroElse(hn::Lt(hn::Abs(power), power_noise(d, c, f, from.point)), power);
   const auto crossings = crossings_of(d, c, f, g, power);
   const M is_hit = meet_open(d, side_hits(d, c, f, g, crossings), t);
   const M leaves = hn::Eq(from.id, c.id);
@@ -115,8 +116,8 @@ HWY_INLINE M intersect(D d, const C& c, const InnerOrigin<V>& from, const V3<V>&
   const auto crossings = crossings_of(d, c, f, g, power_of(c, f));
   const AxialChord<V, M> chord = closed_chord(d, c, f, g, crossings);
   const auto n = direction_along(c, from.normal);
-  auto from_middle = f;
-  from_middle.w = hn::NegMulAdd(hn::Set(d, T(0.5)), hn::Add(c.low, c.high), f.w);
+  const V middle = hn::Mul(hn::Set(d, T(0.5)), hn::Add(c.low, c.high));
+  const InAxes<V> from_middle{f.u, f.v, hn::Sub(f.w, middle)};
   const Chords<V, M> chords{chord.is_there, chord.enter, chord.leave,
                             place_noise(d, from.point, breadth(d, c, f)), chord.enters_cap};
   V t_closed;
@@ -147,7 +148,7 @@ HWY_INLINE void intersect_item(D d, const Geometry<Kind, T>&,
   take(hit, is_nearer(hit, t, c.id, is_hit), t, c.id);
 }
 
-/// Lanes whose rays from the eye along g meet a solid that the eye is not inside of, at t.
+/// Lanes whose rays from the eye along g meet a solid, at t. The eye is not inside of a closed one.
 template <class D, AxialLanesOf<hn::Vec<D>> C, class Direction, typename T = hn::TFromD<D>,
           class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE M meet_from_eye(D d, const C& c, const AxialItem<T>& item, const Direction& g, V& t) {

@@ -1,4 +1,4 @@
-// Solids of revolution between the ends of an axis as packets of rays read them. A kind adds the
+// Surfaces of revolution between the ends of an axis as packets of rays read them. A kind adds the
 // numbers of its side.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Where a ray meets a solid of revolution between the ends of its axis: what the definition, in
+// Where a ray meets a surface of revolution between the ends of its axis: what the definition, in
 // double and one ray at a time, has in common for all sides.
 //
 // A kind brings a structure for its ray, which begins with AxialRay, and for that

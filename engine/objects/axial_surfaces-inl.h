@@ -1,5 +1,5 @@
-// Where packets have met solids of revolution: their normals, curvatures and sides, item by item. A
-// kind's own code, which comes before this file, brings
+// Where packets have met surfaces of revolution: their normals, curvatures and sides, item by item.
+// A kind's own code, which comes before this file, brings
 //
 //   normals_at(d, item, points, direction)          where lanes met one, towards the rays' origins
 //   curvatures_at(d, item, points)                  1 / radius

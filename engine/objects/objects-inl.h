@@ -1,5 +1,5 @@
 // The kinds of objects for packets of rays: the list of objects.h once more. What is the same for
-// solids of revolution stands around them: what they build on, and what builds on them.
+// surfaces of revolution stands around them: what they build on, and what builds on them.
 
 // clang-format off
 #include "engine/objects/axial-inl.h"

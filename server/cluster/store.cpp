@@ -147,7 +147,7 @@ bool ClusterStore::put_job(JobRecord& record) {
 
 void ClusterStore::fail_job(const std::string& id, const std::string& reason, bool lacked_room) {
   std::optional<JobRecord> record = job(id);
-  if (!record || !record->failure.empty()) return;
+  if (!record || !record->failure.empty()) return remove_results(id);
   record->failure = reason;
   record->lacked_room = lacked_room;
   if (!put_job(*record)) return;
@@ -244,12 +244,21 @@ bool ClusterStore::put_result(const std::string& id, int task, std::string_view 
       nats_.purge("raytracer_results", fmt::format("raytracer.result.part.{}.{}.*", id, token));
   }
   // Who removed the job meanwhile, or failed it, may have looked for its results before this came.
-  if (const auto record = job(id); !record || !record->failure.empty()) {
+  if (!is_wanted(id)) {
     remove_results(id);
     return false;
   }
   nats_.signal(news_of_results, id);
   return is_first;
+}
+
+bool ClusterStore::is_wanted(const std::string& id) {
+  try {
+    const auto record = job(id);
+    return record && record->failure.empty();
+  } catch (const UnreadableRecord&) {
+    return true;  // by those who can read it
+  }
 }
 
 bool ClusterStore::has_result(const std::string& id, int task) {

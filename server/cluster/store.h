@@ -90,7 +90,7 @@ class ClusterStore {
   /// Stores it in place of what it was read from or stored as; false if that was changed or
   /// removed meanwhile.
   bool put_job(JobRecord& record);
-  /// Has it fail, unless it is gone; what was made of it goes.
+  /// Has it fail, unless it is gone or has failed; what was made of it goes in any case.
   void fail_job(const std::string& id, const std::string& reason, bool lacked_room = false);
   std::optional<JobRecord> job(const std::string& id);
   std::vector<std::string> job_ids();
@@ -111,7 +111,7 @@ class ClusterStore {
 
   bool has_result(const std::string& id, int task);
   /// Stores it and tells those who wait; false if there is one, or the job is gone or has failed:
-  /// then nothing of it stays.
+  /// then no result of the job stays.
   bool put_result(const std::string& id, int task, std::string_view bytes);
   std::set<int> results(const std::string& id);
   std::optional<StoredMessage> result(const std::string& id, int task);
@@ -145,6 +145,7 @@ class ClusterStore {
   std::shared_ptr<const void> listen_for_removals(std::function<void(const std::string& id)> heard);
 
  private:
+  bool is_wanted(const std::string& id);
   void remove_results(const std::string& id);
 
   NatsConnection& nats_;

@@ -31,7 +31,7 @@ class NatsServer {
   void start();
 
  private:
-  /// What it said when it started.
+  /// The port that it named after `greeting` when it started.
   int port_after(const std::string& greeting) const;
 
   static constexpr int any_port = -1;

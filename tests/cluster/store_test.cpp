@@ -71,6 +71,10 @@ TEST_F(ClusterStoreTest, result_that_nobody_wants_any_more_does_not_stay) {
     stored.store.fail_job(record.id, "it cannot be done");
     EXPECT_FALSE(stored.store.put_result(record.id, 1, bytes));
     EXPECT_TRUE(stored.connection.subjects("raytracer_results", ">").empty());
+    // What another had stored of a result when there was no more room.
+    stored.connection.put("raytracer.result.part." + record.id + ".token.0", "something");
+    stored.store.fail_job(record.id, "there is no room");
+    EXPECT_TRUE(stored.connection.subjects("raytracer_results", ">").empty());
     stored.store.remove_job(record.id);
     EXPECT_FALSE(stored.store.put_result(record.id, 2, bytes));
     EXPECT_TRUE(stored.of_jobs().empty());

@@ -139,9 +139,13 @@ std::vector<NamedScene> scenes() {
   const std::string lamp =
       R"({"type": "point", "position": [4, 6, -5], "radius": 1, "intensity": 500})";
   const std::string glass = R"({"transparency": 0.7, "fresnel": true})";
+  const std::string flat =
+      R"({"type": "cone", "from": [0, 1, -5], "to": [0, 1.04, -4.9], "radius_from": 3,
+          "radius_to": 0, "material": )" +
+      glass + "}";
   scenes.push_back({"glass around axes",
                     with_objects(random_cylinders(40, glass) + "," + random_cones(60, glass) + "," +
-                                     floor + "," + random_spheres(20, 0.3, mirror),
+                                     flat + "," + floor + "," + random_spheres(20, 0.3, mirror),
                                  std::string(distant_lights) + "," + point_light)});
   for (const auto& [light, material] :
        {std::pair(sky, matt), std::pair(near_sky, glass), std::pair(sun, mirror),

@@ -56,15 +56,16 @@ HWY_INLINE AlongCone<V> eye_along(D d, const Cones<V>& c) {
   return {{zero, hn::Neg(c.distance), zero}, c.girth};
 }
 
+/// The girth is found along the axis, which is in no cosines: of a flat cone that is what counts.
 template <class V>
-HWY_INLINE V reach_of(const Cones<V>& c, const AlongCone<V>& f) {
-  const AxialLanes<V>& axial = c;
-  const InAxes<V>& place = f;
-  return hn::Add(reach_of(axial, place), hn::Abs(f.girth));
+HWY_INLINE V rounded_reach(const Cones<V>& c, const AlongCone<V>& f, const V3<V>& point) {
+  const V size = hn::Add(hn::Abs(point.x), hn::Add(hn::Abs(point.y), hn::Abs(point.z)));
+  const V across = hn::Add(hn::Add(hn::Abs(f.u), hn::Abs(f.v)), c.distance);
+  return hn::Add(hn::Add(across, hn::Abs(f.girth)), size);
 }
 /// What is across the axis is in cosines of both.
 template <class V>
-HWY_INLINE V outwards(const Cones<V>& c, const AlongCone<V>& f, const AlongCone<V>& n) {
+HWY_INLINE V outwards(const Cones<V>& c, const InAxes<V>& f, const AlongCone<V>& n) {
   const V along = hn::Mul(dot(c.across, c.across), hn::Mul(f.w, n.w));
   return hn::MulAdd(f.u, n.u, hn::MulAdd(f.v, n.v, along));
 }
@@ -73,10 +74,10 @@ HWY_INLINE V breadth(D, const Cones<V>&, const AlongCone<V>& f) {
   return hn::Sqrt(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)));
 }
 template <class D, class V, typename T = hn::TFromD<D>>
-HWY_INLINE V power_noise(D d, const Cones<V>& c, const AlongCone<V>& f) {
+HWY_INLINE V power_noise(D d, const Cones<V>& c, const AlongCone<V>& f, const V3<V>& point) {
   const V girths = hn::Add(breadth(d, c, f), hn::Abs(f.girth));
-  const V reach = hn::Add(girths, hn::Add(hn::Abs(f.w), c.distance));
-  return hn::Mul(hn::Set(d, 8 * std::numeric_limits<T>::epsilon()), hn::Mul(reach, girths));
+  return hn::Mul(hn::Set(d, 8 * std::numeric_limits<T>::epsilon()),
+                 hn::Mul(rounded_reach(c, f, point), girths));
 }
 template <class V>
 HWY_INLINE V power_of(const Cones<V>&, const AlongCone<V>& f) {

@@ -113,7 +113,7 @@ PackedCone seen_from(const PackedCone& cone, const Vec3& place);
 double distance_to_surface(const PackedCone& cone, const Vec3& place);
 
 /// Of girths single holds the squares.
-inline double least_squared(const PackedCone& c) {
+inline double smallest_squared_length(const PackedCone& c) {
   return c.cosine * std::max(c.radius_from, c.radius_to);
 }
 

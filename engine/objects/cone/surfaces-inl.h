@@ -30,17 +30,18 @@ HWY_INLINE V3<V> normals_at(D d, const ConeItem<T>& item, const V3<V>& points,
   const V off_cap = hn::Abs(hn::Sub(f.w, hn::IfThenElse(is_low, c.low, c.high)));
   const V off_side = hn::Abs(hn::Sub(hn::Sqrt(square), f.girth));
   const M has_disc = hn::Gt(hn::IfThenElse(is_low, c.low_girth2, c.high_girth2), zero);
-  const M is_cap = hn::Or(is_out, hn::And(has_disc, hn::Lt(off_cap, off_side)));
+  const M is_cap = hn::And(has_disc, hn::Or(is_out, hn::Lt(off_cap, off_side)));
   return select(is_cap, scale(c.axis, hn::IfThenElse(is_low, hn::Neg(one), one)), side);
 }
 
-/// 1 / radius where that is.
+/// Of the side where that is: the cosine by the radius.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V curvatures_at(D d, const ConeItem<T>& item, const V3<V>& points) {
-  const AlongCone<V> f = place_along(in_all_lanes(d, item), points);
+  const Cones<V> c = in_all_lanes(d, item);
+  const AlongCone<V> f = place_along(c, points);
   const V square =
       hn::Max(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)), hn::Set(d, std::numeric_limits<T>::min()));
-  return hn::Div(hn::Set(d, T(1)), hn::Sqrt(square));
+  return hn::Div(dot(c.across, c.across), hn::Sqrt(square));  // |f| is in cosines, too
 }
 
 /// Lanes whose rays came to a closed cone from within: the nearest of its surfaces looks their way.

@@ -29,9 +29,9 @@ HWY_INLINE V breadth(D d, const Cylinders<V>& c, const InAxes<V>&) {
   return hn::Sqrt(hn::Max(c.radius2, hn::Zero(d)));
 }
 template <class D, class V, typename T = hn::TFromD<D>>
-HWY_INLINE V power_noise(D d, const Cylinders<V>& c, const InAxes<V>& f) {
+HWY_INLINE V power_noise(D d, const Cylinders<V>& c, const InAxes<V>& f, const V3<V>& point) {
   return hn::Mul(hn::Set(d, 8 * std::numeric_limits<T>::epsilon()),
-                 hn::Mul(reach_of(c, f), breadth(d, c, f)));
+                 hn::Mul(rounded_reach(c, f, point), breadth(d, c, f)));
 }
 template <class V>
 HWY_INLINE V power_of(const Cylinders<V>& c, const InAxes<V>& f) {
@@ -108,10 +108,9 @@ HWY_INLINE M leave_side(D d, const Cylinders<V>& c, const RayOrigin<V>& from, co
   const V slant = hn::MulAdd(n.u, g.u, hn::Mul(n.v, g.v));
   t = hn::Div(hn::Mul(hn::Add(slant, slant), breadth(d, c, f)), a);
   const V along = hn::MulAdd(t, g.w, f.w);
-  const M is_up = hn::Gt(g.w, zero);
-  const M before_end =
-      hn::Or(hn::And(is_up, hn::Le(along, c.high)), hn::AndNot(is_up, hn::Ge(along, c.low)));
-  return hn::And(inwards, hn::And(hn::Gt(t, zero), before_end));
+  const M is_beyond = hn::Or(hn::And(hn::Gt(g.w, zero), hn::Gt(along, c.high)),
+                             hn::And(hn::Lt(g.w, zero), hn::Lt(along, c.low)));
+  return hn::AndNot(is_beyond, hn::And(inwards, hn::Gt(t, zero)));
 }
 
 /// Rays from the eye against cylinder `index`, which the eye is not inside of.

@@ -7,14 +7,14 @@
 //
 // Everything is measured from the foot of its axis (math/axis.h). A ray meets the endless cylinder
 // in the plane across the axis, in the residual form that spheres have (math/ray_sphere.h): with f
-// from the foot and e the direction's part across the axis, x = f x e and b = -f.e do not cancel,
-// nor do the roots C / q and q / |e|^2. A closed cylinder is where that span and the one between
+// from the foot and g the direction's part across the axis, x = f x g and b = -f.g do not cancel,
+// nor do the roots C / q and q / |g|^2. A closed cylinder is where that span and the one between
 // the ends overlap: a ray through the rim cannot slip between side and cap, and nothing is decided
 // twice.
 //
 // Leaving a surface: what leaves the outside, of side or cap, meets nothing of the cylinder again
 // (every part lies on the boundary of a convex set, or within it: the open one, too). From the
-// inside of the side the other root is 2 b / |e|^2, with b from the normal: exact, and without an
+// inside of the side the other root is 2 b / |g|^2, with b from the normal: exact, and without an
 // epsilon.
 #pragma once
 
@@ -87,7 +87,7 @@ PackedCylinder seen_from(const PackedCylinder& cylinder, const Vec3& place);
 
 double distance_to_surface(const PackedCylinder& cylinder, const Vec3& place);
 
-inline double least_squared(const PackedCylinder& c) { return c.radius; }
+inline double smallest_squared_length(const PackedCylinder& c) { return c.radius; }
 
 inline std::optional<Placement> placement_of(const PackedCylinder& c) {
   return Placement{c.end(false), c.end(true), c.radius,

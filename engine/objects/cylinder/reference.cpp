@@ -51,7 +51,9 @@ std::optional<AxialChord> chord_of(const CylinderRay& r, const PackedCylinder& c
   const double enter = std::max(side.enter, planes.enter);
   const double leave = std::min(side.leave, planes.leave);
   if (!planes.is_between || !(enter <= leave)) return {};
-  return AxialChord{enter, leave, side.enter<planes.enter, side.leave> planes.leave};
+  const bool enters_cap = planes.enter > side.enter;
+  const bool leaves_cap = planes.leave < side.leave;
+  return AxialChord{enter, leave, enters_cap, leaves_cap};
 }
 
 AxialHit on_side(const CylinderRay& r, const PackedCylinder& c, double t, const Vec3& outward,
