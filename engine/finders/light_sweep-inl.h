@@ -117,6 +117,34 @@ HWY_NOINLINE void cut_crowded_cells(SweptPoints<T>& points) {
   }
 }
 
+/// Of blocks of cells, by the cells'.
+template <typename T>
+HWY_NOINLINE void bound_blocks(SweptPoints<T>& points) {
+  constexpr int across = 1 << SweptPoints<T>::block_log2;
+  points.blocks.clear();
+  for (int y = 0; y < points.rows; y += across)
+    for (int x = 0; x < points.columns; x += across) {
+      T above = std::numeric_limits<T>::max();
+      T below = std::numeric_limits<T>::lowest();
+      const auto include = [&](const auto& cell) {
+        above = std::min(above, cell.above);
+        below = std::max(below, cell.below);
+      };
+      for (int row = y; row < std::min(y + across, points.rows); ++row)
+        for (int column = x; column < std::min(x + across, points.columns); ++column) {
+          const auto index =
+              static_cast<std::size_t>(row) * static_cast<std::size_t>(points.columns) +
+              static_cast<std::size_t>(column);
+          include(points.cells[index]);
+          if (!points.has_parts) continue;
+          const auto& parts = points.parts[index];
+          for (std::uint32_t i = 0; i < parts.across * parts.across; ++i)
+            include(points.cells[parts.first + i]);
+        }
+      points.blocks.push_back({above, below});
+    }
+}
+
 /// Of a cell, by its points that are not known to lie in the dark.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_NOINLINE void renew_bounds(D d, SweptPoints<T>& points) {
@@ -139,6 +167,34 @@ HWY_NOINLINE void renew_bounds(D d, SweptPoints<T>& points) {
     cell.above = hn::GetLane(hn::MinOfLanes(d, above));
     cell.below = hn::GetLane(hn::MaxOfLanes(d, below));
   }
+  bound_blocks(points);
+}
+
+/// Whether something in a box may hide a point, as far as the blocks of cells tell that it touches.
+template <typename T>
+HWY_INLINE bool may_hide(const SweptPoints<T>& points, const SweptBox<T>& box) {
+  constexpr int most_across = 8;  // to look into more takes longer than what they may save
+  const auto block_at = [&](T place, T low) {
+    const T cell = (place - low) * points.cells_per_unit;
+    constexpr T most = T(1 << 20);
+    return static_cast<int>(std::floor(std::clamp(cell, T(-1), most))) >> points.block_log2;
+  };
+  const SweptRange<T> u(box, points.axes[0]);
+  const SweptRange<T> v(box, points.axes[1]);
+  const int x_begin = std::max(block_at(u.low - points.noise, points.u_low), 0);
+  const int y_begin = std::max(block_at(v.low - points.noise, points.v_low), 0);
+  const int x_end =
+      std::min(block_at(u.high + points.noise, points.u_low) + 1, points.blocks_across());
+  const int y_end =
+      std::min(block_at(v.high + points.noise, points.v_low) + 1, points.blocks_down());
+  if (x_end - x_begin > most_across || y_end - y_begin > most_across) return true;
+  const SweptRange<T> w(box, points.axes[2]);
+  for (int y = y_begin; y < y_end; ++y)
+    for (int x = x_begin; x < x_end; ++x) {
+      const auto& block = points.blocks[static_cast<std::size_t>(y * points.blocks_across() + x)];
+      if (w.high > block.above || w.low < block.below) return true;
+    }
+  return false;
 }
 
 /// Sorts the points into their cells.

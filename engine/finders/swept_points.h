@@ -32,6 +32,12 @@ struct SweptPoints {
     std::uint32_t begin;
     std::uint32_t end;
   };
+  /// The least and the most of all cells in a block, 2^block_log2 either way.
+  struct Bounds {
+    T above;
+    T below;
+  };
+  static constexpr int block_log2 = 3;
   /// Of a crowded cell those that it is cut into, `across` either way; of others 0.
   struct Parts {
     std::uint32_t first;
@@ -58,9 +64,14 @@ struct SweptPoints {
   int columns = 0;
   int rows = 0;
   bool has_parts = false;
+
+  int blocks_across() const { return ((columns - 1) >> block_log2) + 1; }
+  int blocks_down() const { return ((rows - 1) >> block_log2) + 1; }
+
   Found found;
   std::vector<Cell> cells;
   std::vector<Parts> parts;         ///< of each cell in the rows, if there are any
+  std::vector<Bounds> blocks;       ///< of cells in the rows, and what they are cut into
   LargeArray<T> values;             ///< cell by cell, its columns
   LargeArray<std::uint32_t> lanes;  ///< cell by cell: 16 times the packet's number, and the lane
   std::size_t visits = 0;           ///< since the cells' bounds were renewed

@@ -104,6 +104,16 @@ SphereColumns<T> PacketLayout<SphereKind, T>::swept(std::span<const PackedSphere
   for (const PackedSphere& sphere : spheres) box.include(bounds(sphere));
   columns.box = {narrowed<T>(box.low), narrowed<T>(box.high)};
   const std::vector<std::uint32_t> order = order_in_space(spheres, box, pool);
+  columns.blocks.resize((spheres.size() + Columns::in_block - 1) / Columns::in_block);
+  for_each_range(columns.blocks.size(), pool, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block) {
+      const std::size_t last = std::min((block + 1) * Columns::in_block, spheres.size());
+      Box around;
+      for (std::size_t i = block * Columns::in_block; i < last; ++i)
+        around.include(bounds(spheres[order[i]]));
+      columns.blocks[block] = {narrowed<T>(around.low), narrowed<T>(around.high)};
+    }
+  });
   for_each_range(spheres.size(), pool, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const PackedSphere& sphere = spheres[order[i]];

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "engine/finders/light_grid.h"
 #include "engine/finders/point_grid.h"
@@ -78,9 +79,10 @@ struct SphereBall {
                                                      &SphereBall::nearest, &SphereBall::id};
 };
 
-/// All of them in columns.
+/// All of them in columns, those near each other in a block.
 template <typename T>
 struct SphereColumns {
+  static constexpr std::size_t in_block = 64;
   enum Column : std::size_t {
     column_x,
     column_y,
@@ -92,6 +94,7 @@ struct SphereColumns {
   };
   std::array<LargeArray<T>, column_count> values;
   SweptBox<T> box;
+  std::vector<SweptBox<T>> blocks;  ///< around each
 };
 
 /// All spheres as one light sees them; where they are tried one by one, in a single cell.

@@ -9,7 +9,7 @@ namespace raytracer::HWY_NAMESPACE {
 /// Some of them as the direction sees them.
 template <typename T>
 struct PassingDiscs {
-  static constexpr std::size_t most = 64;
+  static constexpr std::size_t most = SphereColumns<T>::in_block;
   alignas(64) T u[most], v[most], w[most], radius2[most], id[most];
   alignas(64) T x_low[most], y_low[most], x_high[most], y_high[most];  ///< in cells
 };
@@ -56,6 +56,7 @@ HWY_NOINLINE void sweep_over(D d, const Geometry<SphereKind, T>& spheres, SweptP
   PassingPrimitives<T> visits(points);
   Discs discs;
   for (std::size_t begin = 0; begin < spheres.count; begin += Discs::most) {
+    if (!may_hide(points, columns.blocks[begin / Discs::most])) continue;
     std::uint64_t touching = 0;
     for (std::size_t at = 0; at < Discs::most; at += lanes) {
       const std::size_t i = begin + at;
