@@ -19,7 +19,7 @@ std::filesystem::path NatsServer::program() {
   // Debian has it where only root looks.
   std::istringstream folders(std::string(path != nullptr ? path : "") + ":/usr/sbin");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::filesystem::path file = std::filesystem::path(folder) / "nats-server";
+    std::filesystem::path file = std::filesystem::path(folder) / "nats-server";
     if (::access(file.c_str(), X_OK) == 0) return file;
   }
   return {};
