@@ -18,12 +18,13 @@ define configure
 	  echo "If something is missing: .ci/install build"; exit 1; }
 endef
 
-# --parallel with a number: without one, make would start every compiler at once.
+# --parallel with a number: without one, make would start every compiler at once. One test more than
+# there are processors, for many only wait.
 define test_in
 	.ci/install build test
 	$(call configure,$(1),-DRAYTRACER_TESTS=ON $(2))
 	cmake --build $(1) --parallel $(JOBS) --target all raytracer_tests_all
-	$(3) ctest --test-dir $(1) --parallel $(JOBS) --output-on-failure
+	$(3) ctest --test-dir $(1) --parallel $$(($(JOBS) + 1)) --output-on-failure
 endef
 
 .PHONY: all test check sanitize tsan bench tradeoff extremes contracts kernels fuzz cluster-simulation \

@@ -94,6 +94,7 @@ WebDriver::WebDriver() {
   http_ = std::make_unique<httplib::Client>("127.0.0.1", port);
   http_->set_read_timeout(patience(90s));  // longer than any script waits
   http_->set_keep_alive(true);
+  http_->set_tcp_nodelay(true);  // a body goes apart from its header, and would wait 40 ms
   const json session = command(
       "POST", "/session",
       {{"capabilities", {{"alwaysMatch", capabilities(profile_.path(), downloads_.path())}}}});

@@ -99,9 +99,9 @@ TEST_F(NatsAway, front_that_is_told_to_end_twice_does_not_wait_for_it) {
   ServerProcess& front = start({"--share-from", "100000"});  // it renders all by itself
   ASSERT_TRUE(has_workers(front, 1));
   post_job(front, "", long_scene(30));
-  nats().kill();
   const auto rendered = [&] { return metric_of(front, "raytracer_renders_total"); };
-  ASSERT_EQ(rendered(), 0) << "it was too short";
+  ASSERT_EQ(rendered(), 0) << "it was too short";  // asked later, it may wait for NATS's answer
+  nats().kill();
   ASSERT_TRUE(eventually([&] { return rendered() == 1; }));
   front.signal(SIGTERM);
   std::this_thread::sleep_for(200ms);  // so that it is not the same signal

@@ -45,6 +45,7 @@ httplib::Client ServerProcess::client() const {
   client.set_connection_timeout(limit.count());
   client.set_read_timeout(limit.count());
   client.set_write_timeout(limit.count());
+  client.set_tcp_nodelay(true);  // or a body waits for the server's delayed acknowledgement
   return client;
 }
 

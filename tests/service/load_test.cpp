@@ -56,7 +56,6 @@ std::string start_job(const ServerProcess& server, const std::string& target) {
 std::vector<double> times_of_small_renders(const ServerProcess& server, int first) {
   httplib::Client client = server.client();
   client.set_keep_alive(true);
-  client.set_tcp_nodelay(true);  // or the body waits for the server's delayed acknowledgement
   std::vector<double> times;
   for (int i = 0; i < 200; ++i) {
     const std::string document = as_another_picture(small_scene, first + i);
