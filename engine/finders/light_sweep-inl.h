@@ -170,6 +170,28 @@ HWY_NOINLINE void renew_bounds(D d, SweptPoints<T>& points) {
   bound_blocks(points);
 }
 
+/// Whether to ask of blocks if they may hide a point: where hardly any can be left out, as over a
+/// flat cloud, asking would cost more than it saves. Then a few are asked about, which may tell
+/// otherwise.
+class WorthOfAsking {
+ public:
+  bool asks_about(std::size_t block) const {
+    return least_share * left_out_ >= asked_ || block % of_few == 0;
+  }
+  /// Takes down the answer, and returns it.
+  bool leaves_out(bool answer) {
+    ++asked_;
+    left_out_ += answer;
+    return answer;
+  }
+
+ private:
+  static constexpr std::size_t least_share = 4;  // one in so many
+  static constexpr std::size_t of_few = 16;
+  std::size_t asked_ = 0;
+  std::size_t left_out_ = 0;
+};
+
 /// Whether something in a box may hide a point, as far as the blocks of cells tell that it touches.
 template <typename T>
 HWY_INLINE bool may_hide(const SweptPoints<T>& points, const SweptBox<T>& box) {

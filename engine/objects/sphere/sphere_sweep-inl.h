@@ -54,9 +54,12 @@ HWY_NOINLINE void sweep_over(D d, const Geometry<SphereKind, T>& spheres, SweptP
   const V column_count = hn::Set(d, static_cast<T>(points.columns));
   const V row_count = hn::Set(d, static_cast<T>(points.rows));
   PassingPrimitives<T> visits(points);
+  WorthOfAsking worth;
   Discs discs;
   for (std::size_t begin = 0; begin < spheres.count; begin += Discs::most) {
-    if (!may_hide(points, columns.blocks[begin / Discs::most])) continue;
+    const std::size_t block = begin / Discs::most;
+    if (worth.asks_about(block) && worth.leaves_out(!may_hide(points, columns.blocks[block])))
+      continue;
     std::uint64_t touching = 0;
     for (std::size_t at = 0; at < Discs::most; at += lanes) {
       const std::size_t i = begin + at;
