@@ -162,7 +162,6 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
   std::vector<std::uint32_t> changed;
   changed.reserve(pixels.size());
   for_each_done([&](std::uint32_t pixel, int, const SampledPixel&) { changed.push_back(pixel); });
-  const std::vector<float> before = errors_.seen(changed);
   double change2 = 0;
   shown_.change([&](Image& image) {
     for_each_done([&](std::uint32_t pixel, int, const SampledPixel& by) {
@@ -174,7 +173,7 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
     errors_.set(pixel, samples, by.spread);
     tracing_.beyond.not_numbers += by.is_number ? 0 : 1;
   });
-  errors_.estimate({changed, before, change2});
+  errors_.estimate({changed, change2});
   after_ms_ = tracing_.watch.elapsed_ms() - last_sample_ms_;
   return is_all_done(is_done);
 }

@@ -31,6 +31,7 @@ PixelErrors::PixelErrors(int width, int height, const ErrorMultiplier& multiplie
       spreads_(width, height),
       samples_(spreads_.error2.size()),
       variances_(samples_.size()),
+      seen_(samples_.size()),
       subtiles_(subtiles_in_block * columns_ * rows_),
       guesses_(subtiles_.size(), no_guess),
       rates_(subtiles_.size()),
@@ -224,23 +225,37 @@ void PixelErrors::estimate(const RefinementChange& change) {
 
 void PixelErrors::sum_subtiles() {
   for_each_row([this](std::size_t row) {
-    const std::size_t subtiles_in_row = subtiles_in_block * columns_;
-    std::fill_n(&subtiles_[subtiles_in_row * row], subtiles_in_row, 0.0);
-    for_each_error_in(row, [this](std::size_t subtile, std::size_t, double error2) {
-      subtiles_[subtile] += error2;
+    InversePower inverse_power;
+    for_each_subtile(row, [&](std::size_t subtile, std::size_t, std::size_t first) {
+      double sum = 0;
+      for_each_pixel(first, [&](std::size_t pixel, int x, int y) {
+        seen_[pixel] =
+            may_err(subtile)
+                ? static_cast<float>(shown(unscaled(subtile, pixel, inverse_power), x, y))
+                : 0;
+        sum += of_pixel(pixel);
+      });
+      subtiles_[subtile] = sum;
     });
   });
   use_guesses();
 }
 
 void PixelErrors::calibrate(const RefinementChange& change) {
-  const std::vector<float> after = seen(change.pixels);
+  std::vector<double> expected(change.pixels.size());
+  for_each_range(expected.size(), pool_, [&](std::size_t begin, std::size_t end) {
+    InversePower inverse_power;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t pixel = change.pixels[i];
+      const float after = unscaled(subtile_of(pixel), pixel, inverse_power);
+      expected[i] = static_cast<double>(seen_[pixel]) + shown(after, x_of(pixel), y_of(pixel));
+    }
+  });
   double sum = 0;
   double squares = 0;
-  for (std::size_t i = 0; i < after.size(); ++i) {
-    const double expected = static_cast<double>(change.before[i]) + static_cast<double>(after[i]);
-    sum += expected;
-    squares += expected * expected;
+  for (const double error2 : expected) {
+    sum += error2;
+    squares += error2 * error2;
   }
   if (!(squares > 0)) return;
   const double weight = sum * sum / squares;  // as many pixels of equal errors would say as much
@@ -250,30 +265,17 @@ void PixelErrors::calibrate(const RefinementChange& change) {
                            least_multiplier_, Model::most_multiplier);
 }
 
-std::vector<float> PixelErrors::seen(std::span<const std::uint32_t> pixels) const {
-  std::vector<float> errors2(pixels.size());
-  for_each_range(pixels.size(), pool_, [&](std::size_t begin, std::size_t end) {
-    InversePower inverse_power;
-    for (std::size_t i = begin; i < end; ++i)
-      errors2[i] = static_cast<float>(seen(unscaled(pixels[i], inverse_power), pixels[i]));
-  });
-  return errors2;
-}
-
-float PixelErrors::unscaled(std::size_t pixel, InversePower& inverse_power) const {
-  const Rate& rate = rates_[subtile_of(pixel)];
+float PixelErrors::unscaled(std::size_t subtile, std::size_t pixel,
+                            InversePower& inverse_power) const {
+  const Rate& rate = rates_[subtile];
   return std::max(rate.of_variance * variances_[pixel], rate.least) *
          inverse_power(samples_[pixel]);
 }
 
 double PixelErrors::of_pixel(std::size_t pixel) const {
-  InversePower inverse_power;
-  return with_subpixel(seen(unscaled(pixel, inverse_power), pixel), pixel, samples_[pixel]);
-}
-
-double PixelErrors::with_subpixel(double seen, std::size_t pixel, int samples) const {
-  if (!subpixel_ || samples < 1) return seen;
-  return std::max(seen, subpixel_->error2(pixel, samples));
+  const auto seen = static_cast<double>(seen_[pixel]);
+  if (!subpixel_ || samples_[pixel] < 1) return seen;
+  return std::max(seen, subpixel_->error2(pixel, samples_[pixel]));
 }
 
 double PixelErrors::expected_error2() const {

@@ -38,8 +38,7 @@ namespace raytracer {
 /// What a refinement of these pixels has changed.
 struct RefinementChange {
   std::span<const std::uint32_t> pixels{};
-  std::span<const float> before{};  ///< their PixelErrors::seen() errors before it
-  double squares = 0;               ///< the sum of the squared differences of their values
+  double squares = 0;  ///< the sum of the squared differences of their values
 };
 
 /// Pixels are numbered as those of PixelSpreads, subtiles as those of SubtileErrors; those beyond
@@ -82,10 +81,7 @@ class PixelErrors {
   /// Of all pixels.
   std::int64_t sample_count() const { return sample_count_; }
 
-  /// The squared errors of these pixels, the sums of their channels', without what subpixel objects
-  /// add.
-  std::vector<float> seen(std::span<const std::uint32_t> pixels) const;
-  /// That of one, with them.
+  /// The squared error of a pixel, the sum of its channels'.
   double of_pixel(std::size_t pixel) const;
   double of_subtile(std::size_t subtile) const { return subtiles_[subtile]; }
   /// That of the image, the sum over its values.
@@ -97,8 +93,11 @@ class PixelErrors {
   template <typename Visit>
   void for_each_error(const Visit& visit) const {
     for (std::size_t row = 0; row < rows_; ++row)
-      for_each_error_in(row, [&](std::size_t, std::size_t pixel, double error2) {
-        if (error2 > 0) visit(pixel, error2);
+      for_each_subtile(row, [&](std::size_t subtile, std::size_t, std::size_t first) {
+        if (!may_err(subtile)) return;
+        for_each_pixel(first, [&](std::size_t pixel, int, int) {
+          if (const double error2 = of_pixel(pixel); error2 > 0) visit(pixel, error2);
+        });
       });
   }
 
@@ -124,12 +123,14 @@ class PixelErrors {
   /// Sets `variances_` in a block.
   void spread_variances(std::size_t column, std::size_t row);
   /// The squared error of linear light without the multiplier.
-  float unscaled(std::size_t pixel, InversePower& inverse_power) const;
+  float unscaled(std::size_t subtile, std::size_t pixel, InversePower& inverse_power) const;
   /// What that comes to where it is shown, with the multiplier.
-  double seen(float unscaled, std::size_t pixel) const {
-    return shown_(multiplier_ * static_cast<double>(unscaled), x_of(pixel), y_of(pixel));
+  double shown(float unscaled, int x, int y) const {
+    return shown_(multiplier_ * static_cast<double>(unscaled), x, y);
   }
-  double with_subpixel(double seen, std::size_t pixel, int samples) const;
+  bool may_err(std::size_t subtile) const {
+    return rates_[subtile].of_variance > 0 || rates_[subtile].least > 0 || subpixel_;
+  }
   /// Of the subtile that begins at this pixel.
   void sum_up(std::size_t first, InversePower& inverse_power, SubtileSums& sums) const;
   /// From the sums of the subtiles around a place.
@@ -137,7 +138,7 @@ class PixelErrors {
   float least_at(std::size_t place) const;
   /// Corrects the multiplier.
   void calibrate(const RefinementChange& change);
-  /// Sets `subtiles_`.
+  /// Sets `seen_` and `subtiles_`.
   void sum_subtiles();
 
   /// Calls visit(row) for all rows of blocks, on the pool's threads.
@@ -157,23 +158,13 @@ class PixelErrors {
         visit(count * row + i, (y + 1) * stride_ + x + 1, index(first_x, first_y));
     }
   }
-  /// Calls visit(subtile, pixel, error2) for the pixels of those subtiles of a row of blocks that
-  /// have an error.
+  /// Calls visit(pixel, x, y) for the pixels of the subtile that begins at this one.
   template <typename Visit>
-  void for_each_error_in(std::size_t row, const Visit& visit) const {
-    InversePower inverse_power;
-    for_each_subtile(row, [&](std::size_t subtile, std::size_t, std::size_t first) {
-      const Rate& rate = rates_[subtile];
-      if (!(rate.of_variance > 0) && !(rate.least > 0) && !subpixel_) return;
-      for (int y = 0; y < subtile_side; ++y)
-        for (int x = 0; x < subtile_side; ++x) {
-          const std::size_t pixel = first + index(x, y);
-          const float coefficient = std::max(rate.of_variance * variances_[pixel], rate.least);
-          const int samples = samples_[pixel];
-          const float unscaled = coefficient * inverse_power(samples);
-          visit(subtile, pixel, with_subpixel(seen(unscaled, pixel), pixel, samples));
-        }
-    });
+  void for_each_pixel(std::size_t first, const Visit& visit) const {
+    const int x_begin = x_of(first);
+    const int y_begin = y_of(first);
+    for (int y = 0; y < subtile_side; ++y)
+      for (int x = 0; x < subtile_side; ++x) visit(first + index(x, y), x_begin + x, y_begin + y);
   }
 
   WorkerPool& pool_;
@@ -189,7 +180,8 @@ class PixelErrors {
   std::vector<int> samples_;
   std::int64_t sample_count_ = 0;  ///< of all pixels
   std::vector<float> variances_;   ///< those that count
-  std::vector<double> subtiles_;   ///< their squared errors
+  std::vector<float> seen_;        ///< squared errors, without what subpixel objects add
+  std::vector<double> subtiles_;   ///< with that, the subtiles'
   std::vector<double> guesses_;    ///< likewise; negative where there is none
   std::vector<Rate> rates_;        ///< of the subtiles
   std::vector<SubtileSums> sums_;  ///< of the subtiles, row by row, with a rim of nothing
