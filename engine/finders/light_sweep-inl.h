@@ -170,24 +170,29 @@ HWY_NOINLINE void renew_bounds(D d, SweptPoints<T>& points) {
   bound_blocks(points);
 }
 
-/// Whether to ask of blocks if they may hide a point: where hardly any can be left out, as over a
-/// flat cloud, asking would cost more than it saves. Then a few are asked about, which may tell
+/// Whether to ask of blocks if they may hide a point: where few can be left out, as over a flat
+/// cloud, asking would cost more than it saves. Then a few are asked about, which may tell
 /// otherwise.
 class WorthOfAsking {
  public:
   bool asks_about(std::size_t block) const {
-    return least_share * left_out_ >= asked_ || block % of_few == 0;
+    return left_out_of * left_out_ >= asked_ || block % of_few == 0;
   }
   /// Takes down the answer, and returns it.
   bool leaves_out(bool answer) {
     ++asked_;
     left_out_ += answer;
+    if (asked_ == remembered) {
+      asked_ /= 2;
+      left_out_ /= 2;
+    }
     return answer;
   }
 
  private:
-  static constexpr std::size_t least_share = 4;  // one in so many
+  static constexpr std::size_t left_out_of = 4;  // at least one in so many
   static constexpr std::size_t of_few = 16;
+  static constexpr std::size_t remembered = 64;  // those near each other are alike
   std::size_t asked_ = 0;
   std::size_t left_out_ = 0;
 };

@@ -90,9 +90,11 @@ void RefinedImage::guess_errors(const std::vector<std::uint8_t>& coarseness) {
   // Estimates take each pixel through the transfer besides, which guesses do not: as long as for a
   // row of them, row by row.
   const ShownError shown(image_, tracing_.scene.render.transfer);
+  shown(1e-4, 0, height_ / 2);  // the first makes its tables
+  const Stopwatch row_watch;
   for (int x = 0; x < width_; ++x) shown(1e-4, x, height_ / 2);
   const double rows_per_thread = height_ / static_cast<double>(tracing_.pool.thread_count());
-  transfer_ms_ = (watch.elapsed_ms() - guess_ms) * rows_per_thread;
+  transfer_ms_ = row_watch.elapsed_ms() * rows_per_thread;
   after_ms_ = RefinementModel::half_buffer_cost * guess_ms + transfer_ms_;
 }
 
@@ -140,9 +142,9 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
   for (const RefinementTask& task : tasks)
     if (!patterns_.contains(task.samples_per_pixel))
       patterns_[task.samples_per_pixel] = sample_pattern(task.samples_per_pixel);
-  // Their errors before and after are taken through the transfer, too.
-  after_ms_ += 2 * transfer_ms_ * static_cast<double>(pixels.size()) /
-               (static_cast<double>(width_) * height_);
+  // Their errors are taken through the transfer before the multiplier is known, too.
+  after_ms_ +=
+      transfer_ms_ * static_cast<double>(pixels.size()) / (static_cast<double>(width_) * height_);
   std::vector<SampledPixel> sampled(pixels.size());
   const std::vector<char> is_done = run_tasks(tasks, [&](const RefinementTask& task) {
     const Tile tile = errors_.tile_of(task.block);

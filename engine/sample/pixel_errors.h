@@ -136,7 +136,7 @@ class PixelErrors {
   /// From the sums of the subtiles around a place.
   float rate_at(std::size_t place) const;
   float least_at(std::size_t place) const;
-  /// Corrects the multiplier.
+  /// Corrects the multiplier, by `seen_` of before.
   void calibrate(const RefinementChange& change);
   /// Sets `seen_` and `subtiles_`.
   void sum_subtiles();
@@ -180,7 +180,8 @@ class PixelErrors {
   std::vector<int> samples_;
   std::int64_t sample_count_ = 0;  ///< of all pixels
   std::vector<float> variances_;   ///< those that count
-  std::vector<float> seen_;        ///< squared errors, without what subpixel objects add
+  std::vector<float> seen_;        ///< squared errors at the last estimate(), without what
+                                   ///< subpixel objects add
   std::vector<double> subtiles_;   ///< with that, the subtiles'
   std::vector<double> guesses_;    ///< likewise; negative where there is none
   std::vector<Rate> rates_;        ///< of the subtiles

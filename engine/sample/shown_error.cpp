@@ -61,13 +61,14 @@ double ShownError::of_pixel(double linear_error2, const float* pixel, int channe
     const double shown = static_cast<double>(pixel[channel]) / cover;
     const double root = curves.root_of(shown);
     const double linear = root * root;
-    // Within this share of the light, of which sRGB shows a power, Taylor's series does as well:
+    // Within this share of the light, where sRGB shows a power of it, Taylor's series does as well:
     // its third term is less than 0.1 % of the square, and nothing is cut off.
     constexpr double near_share = 1.0 / 4;
+    constexpr double least_of_power = 0.0031308 / (1 - near_share);
     constexpr double power = 1 / 2.4;
     constexpr double bend = (power - 1) * (power - 1) / 4 + (power - 1) * (power - 2) / 3;
     const double near = std::min(near_share * linear, 1 - linear);
-    if (deviation2 <= near * near && near > 0) {
+    if (deviation2 <= near * near && linear >= least_of_power) {
       sum += 2 * outer_weight * cover * cover * curves.slope2(shown) * deviation2 *
              (1 + bend * deviation2 / (linear * linear));
       continue;

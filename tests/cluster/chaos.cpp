@@ -76,7 +76,9 @@ int run(const Options& options) {
     std::puts("nats-server is not installed");
     return skipped;
   }
-  ChaosCluster cluster(options.keep_s);
+  // A job that is not done by then is forgotten as well.
+  ChaosCluster cluster(std::chrono::duration_cast<std::chrono::seconds>(
+      patience(std::chrono::seconds(options.keep_s))));
   ChaosClients clients(cluster, chaos_pictures(), options.seed);
   const auto kills = run_rounds(options, cluster, clients);
   clients.finish();

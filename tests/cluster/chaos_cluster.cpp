@@ -2,6 +2,8 @@
 
 #include <csignal>
 
+#include "tests/process/patience.h"
+
 namespace raytracer::test {
 namespace {
 
@@ -10,9 +12,9 @@ constexpr std::size_t worker_count = 3;
 
 }  // namespace
 
-ChaosCluster::ChaosCluster(int keep_s)
+ChaosCluster::ChaosCluster(std::chrono::seconds keep)
     : flags_{"--nats", nats_.url(),      "--threads", "1",      "--share-from",
-             "10",     "--task-timeout", "1",         "--keep", std::to_string(keep_s)},
+             "10",     "--task-timeout", "1",         "--keep", std::to_string(keep.count())},
       fronts_(front_count),
       workers_(worker_count) {
   restart();

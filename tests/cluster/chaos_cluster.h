@@ -1,6 +1,7 @@
 // A cluster whose parts are killed at any moment and started again.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <mutex>
 #include <random>
@@ -17,7 +18,7 @@ enum class Part { worker, front, nats };
 /// Parts are started by one thread, which has to live as long as they do.
 class ChaosCluster {
  public:
-  explicit ChaosCluster(int keep_s);
+  explicit ChaosCluster(std::chrono::seconds keep);
 
   const std::string& nats_url() const { return nats_.url(); }
   /// The ports of the fronts, from any thread; some may be dead.

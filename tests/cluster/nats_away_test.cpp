@@ -98,7 +98,7 @@ TEST_F(NatsAway, task_that_ends_meanwhile_is_kept_and_is_not_a_loss) {
 TEST_F(NatsAway, front_that_is_told_to_end_twice_does_not_wait_for_it) {
   ServerProcess& front = start({"--share-from", "100000"});  // it renders all by itself
   ASSERT_TRUE(has_workers(front, 1));
-  post_job(front, "", long_scene(30));
+  post_job(front, "", long_scene(60));
   const auto rendered = [&] { return metric_of(front, "raytracer_renders_total"); };
   ASSERT_EQ(rendered(), 0) << "it was too short";  // asked later, it may wait for NATS's answer
   nats().kill();

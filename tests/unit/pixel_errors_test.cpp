@@ -190,15 +190,18 @@ TEST(ShownError, is_that_of_linear_light_through_the_slope_of_the_transfer) {
 /// Two ways of counting take turns as a deviation grows: where they meet nothing jumps.
 TEST(ShownError, grows_steadily_with_the_deviation) {
   Image image(1, 1);
-  for (int channel = 0; channel < 3; ++channel) image.pixel(0, 0)[channel] = 0.5F;
   const ShownError shown(image, Transfer::srgb);
-  double before = 0;
-  for (double deviation = 0.01; deviation < 0.1; deviation *= 1.001) {
-    const double here = shown(3 * deviation * deviation, 0, 0) / (deviation * deviation);
-    if (before > 0) {
-      EXPECT_NEAR(here / before, 1, 0.002) << deviation;
+  for (const double linear : {0.001, 0.003, 0.0042, 0.02, 0.2, 0.7}) {
+    for (int channel = 0; channel < 3; ++channel)
+      image.pixel(0, 0)[channel] = static_cast<float>(encode_channel(linear, Transfer::srgb));
+    double before = 0;
+    for (double deviation = 0.05 * linear; deviation < 0.25 * linear; deviation *= 1.001) {
+      const double here = shown(3 * deviation * deviation, 0, 0) / (deviation * deviation);
+      if (before > 0) {
+        EXPECT_NEAR(here / before, 1, 0.003) << deviation << " of " << linear;
+      }
+      before = here;
     }
-    before = here;
   }
 }
 
