@@ -349,7 +349,10 @@ std::vector<ConsumerFill> NatsConnection::consumers(const std::string& stream) {
   require_connection();
   jsConsumerInfoList* made = nullptr;
   jsErrCode error{};
-  const natsStatus status = js_Consumers(&made, context_.get(), stream.c_str(), nullptr, &error);
+  natsStatus status = NATS_ERR;
+  // One that ends while NATS lists it is told as null, which libnats cannot read.
+  for (int tries = 0; tries < 5 && status == NATS_ERR && error == jsErrCode{}; ++tries)
+    status = js_Consumers(&made, context_.get(), stream.c_str(), nullptr, &error);
   if (status == NATS_NOT_FOUND && error != JSStreamNotFoundErr) return {};
   require(status, "listing what is handed out", error);
   const std::unique_ptr<jsConsumerInfoList, Destroy<jsConsumerInfoList, jsConsumerInfoList_Destroy>>

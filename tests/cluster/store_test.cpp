@@ -2,6 +2,7 @@
 // once.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <string>
 #include <thread>
@@ -106,6 +107,31 @@ TEST_F(ClusterStoreTest, task_is_queued_once) {
   stored.store.queue_tasks(record, {3, 4, 5});
   ASSERT_EQ(stored.store.open_jobs().size(), 1U);
   EXPECT_EQ(stored.store.open_jobs().front().waiting, 16U);
+}
+
+TEST_F(ClusterStoreTest, jobs_are_listed_while_others_end) {
+  Stored stored(nats().url());
+  stored.store.ensure_streams();
+  const JobRecord record = stored.new_job("job", "build", "", 64, 16, 1);
+  std::atomic<bool> has_ended = false;
+  std::thread ends([&] {
+    Stored other(nats().url());
+    for (int i = 0; i < 1000; ++i) {
+      other.store.queue_tasks(record, {});
+      other.store.close_job(record);
+    }
+    has_ended = true;
+  });
+  int unread = 0;
+  while (!has_ended) {
+    try {
+      stored.store.open_jobs();
+    } catch (const NatsRefused&) {
+      ++unread;
+    }
+  }
+  ends.join();
+  EXPECT_EQ(unread, 0);
 }
 
 }  // namespace
