@@ -98,8 +98,8 @@ std::optional<Prediction> predict(const PreparedScene& prepared, const Limits& l
                                   const RenderProgress& progress, double pass_limit_ms) {
   const Scene& scene = prepared.scene();
   const Plan& plan = prepared.plan();
-  const Rehearsal rehearsal = rehearse(scene, prepared.built().tracer, plan.light_sampling.value,
-                                       pool, progress, pass_limit_ms);
+  const Rehearsal rehearsal =
+      rehearse(scene, prepared.built().tracer, pool, progress, pass_limit_ms);
   if (progress.stop) return {};
 
   const Camera& camera = scene.camera;

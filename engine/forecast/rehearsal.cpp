@@ -129,22 +129,12 @@ double error_from_difference(double sum_of_squares, double count, double samples
   return std::sqrt(sum_of_squares / count / (1 + own_share));
 }
 
-/// What each sample takes where a pixel is refined, from what one and many everywhere take. Where
-/// samples share out the places on soft lights, one sends as many rays to them as four of many, but
-/// where nothing is seen; each of 16 in a refined pixel sends so many too, of 64 half of them, of
-/// more fewer, and what mirrors show all.
-double refined_sample_ms(double one_ms, double many_ms, const LightSampling& light_sampling) {
-  const double mean = std::max(many_ms - one_ms, 0.0) / (many_samples - 1);
-  if (!light_sampling.is_shared_out) return mean;
-  static_assert(many_samples == 16);  // each half's 8 share 4 or 12 sets out among 4
-  constexpr double lit_of_many = many_samples / 4.0;
-  const double light_ms =
-      std::clamp((many_samples * one_ms - many_ms) / (many_samples - lit_of_many), 0.0, one_ms);
-  return one_ms - light_ms / 2;
+/// What each sample takes where a pixel is refined, from what one and many everywhere take.
+double refined_sample_ms(double one_ms, double many_ms) {
+  return std::max(many_ms - one_ms, 0.0) / (many_samples - 1);
 }
 
-Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_count, int channels,
-                    const LightSampling& light_sampling) {
+Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_count, int channels) {
   Rehearsal rehearsal{.tile_count = tile_count};
   double one_ms = 0;
   double compared_one_ms = 0;
@@ -166,8 +156,7 @@ Rehearsal summarize(const std::vector<TileReport>& reports, std::size_t tile_cou
     few_error2 += report.few_error2;
     value_count += static_cast<double>(report.value_count);
     refinement += report.refinement;
-    refining_ms +=
-        report.refinement * refined_sample_ms(report.one_ms, report.many_ms, light_sampling);
+    refining_ms += report.refinement * refined_sample_ms(report.one_ms, report.many_ms);
   }
   if (rehearsal.compared == 0) return rehearsal;
   rehearsal.tile_ms = one_ms / static_cast<double>(rehearsal.timed);
@@ -235,7 +224,7 @@ Rehearsal rehearse_swept(const Scene& scene, const Tracer& tracer, const std::ve
     reports[i].many_ms = many.tile_ms[i] + of_points(many, many_samples);
     compare(with_one[i], with_few[i], with_many[i], image.length_of(1), reports[i]);
   }
-  Rehearsal rehearsal = summarize(reports, tile_count, image.channels, {});
+  Rehearsal rehearsal = summarize(reports, tile_count, image.channels);
   rehearsal.sweeps = cost;
   return rehearsal;
 }
@@ -246,8 +235,8 @@ double Rehearsal::error_of(double samples) const {
   return error * std::pow(samples, -error_exponent);
 }
 
-Rehearsal rehearse(const Scene& scene, const Tracer& tracer, const LightSampling& light_sampling,
-                   WorkerPool& pool, const RenderProgress& progress, double pass_limit_ms) {
+Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
+                   const RenderProgress& progress, double pass_limit_ms) {
   const int side = std::min(Model::tile_side_px,
                             interruptible_side_px(many_samples, light_rays_per_sample(scene)));
   const std::vector<Tile> all = split_into_tiles(scene.camera.width, scene.camera.height, side);
@@ -311,7 +300,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, const LightSampling
         compare(with_one, with_few, with_many, image.length_of(1), report);
       },
       progress.stop);
-  return summarize(reports, all.size(), image.channels, light_sampling);
+  return summarize(reports, all.size(), image.channels);
 }
 
 }  // namespace raytracer

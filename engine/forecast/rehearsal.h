@@ -13,7 +13,6 @@
 #include <cstddef>
 
 #include "engine/forecast/swept_tiles.h"
-#include "engine/lights/light_places.h"
 #include "engine/parallel/worker_pool.h"
 #include "engine/render/progress.h"
 #include "engine/render/tracer.h"
@@ -47,7 +46,7 @@ struct Rehearsal {
 /// Takes some `pass_limit_ms` for each of its two passes, and at least one tile; where soft light
 /// is swept, as long as three passes' sweeps. Ends soon after `progress.stop`, and then its figures
 /// mean nothing.
-Rehearsal rehearse(const Scene& scene, const Tracer& tracer, const LightSampling& light_sampling,
-                   WorkerPool& pool, const RenderProgress& progress, double pass_limit_ms);
+Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
+                   const RenderProgress& progress, double pass_limit_ms);
 
 }  // namespace raytracer

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/lights/light_places.h"
 #include "engine/math/block.h"
 #include "engine/memory/page_allocator.h"
 
@@ -93,36 +92,31 @@ class LightLedger {
 
 /// Which of their places on soft lights points look at.
 template <typename T>
-struct LightSet : PlaceSets {
-  /// Of the tile, if directions are swept: points then look at one set only.
-  LightLedger<T>* ledger = nullptr;
+struct LightSet {
+  std::size_t index = 0;
+  LightLedger<T>* ledger = nullptr;  ///< of the tile, if directions are swept
 
   bool is_recorded() const { return ledger != nullptr && !ledger->tells(); }
   bool is_told() const { return ledger != nullptr && ledger->tells(); }
 };
 
-/// The sets that the rays of a block, or of a pixel's samples, use.
+/// The sets that the rays of a block use.
 template <typename T>
 struct LightSets {
-  static constexpr std::size_t rays_in_part = 16;
-  static constexpr std::size_t part_count = std::size_t{block_side} * block_side / rays_in_part;
+  static constexpr std::size_t rays_in_quarter = std::size_t{block_side} * block_side / 4;
 
-  LightSet<T> of_parts[part_count];  ///< of so many rays each, in their order
-  LightSet<T> followed;              ///< of rays that follow others
-  /// Whether the block's rays are to be ordered by their pixels' places in squares of 2 x 2: each
-  /// place then has a quarter of the parts.
+  LightSet<T> of_quarters[4];  ///< of the rays, in their order
+  LightSet<T> followed;        ///< of rays that follow others
+  /// Whether the rays are to be ordered by their pixels' places in squares of 2 x 2: each place
+  /// then has a quarter.
   bool by_quarters = false;
 
   /// The same for all.
   explicit LightSets(const LightSet<T>& set) : followed(set) {
-    for (LightSet<T>& of_part : of_parts) of_part = set;
+    for (LightSet<T>& of_quarter : of_quarters) of_quarter = set;
   }
 
-  LightSet<T>* of_quarter(std::size_t quarter) { return of_parts + part_count / 4 * quarter; }
-  const LightSet<T>* of_quarter(std::size_t quarter) const {
-    return of_parts + part_count / 4 * quarter;
-  }
-  const LightSet<T>& of_ray(std::size_t ray) const { return of_parts[ray / rays_in_part]; }
+  const LightSet<T>& of_ray(std::size_t ray) const { return of_quarters[ray / rays_in_quarter]; }
 };
 
 }  // namespace raytracer

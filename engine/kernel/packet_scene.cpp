@@ -175,7 +175,7 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
     packed.lights.push_back(packet_light<T>(lights[i], i));
   for (const SoftLight& soft : scene.soft_lights) add_soft_light(soft, lights, packed);
   packed.light_sets = scene.light_sets;
-  packed.shares_light_sets = scene.shares_light_sets;
+  packed.sets_to_be_sure = scene.sets_to_be_sure;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     make_geometry<Kind, T>(scene, lights, finders[kind_index<Kind>],
                            features.transmitting[kind_index<Kind>], pool,

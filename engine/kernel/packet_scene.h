@@ -66,7 +66,7 @@ struct PacketScene {
   std::vector<PacketLight<T>> lights;  ///< that are points
   std::vector<PacketSoftLight<T>> soft_lights;
   int light_sets;                    ///< of places on these
-  bool shares_light_sets;            ///< as LightSampling has it
+  int sets_to_be_sure;               ///< as LightSampling has it
   std::size_t told_places;           ///< of a set, that ledgers tell of
   PrimitiveRows<T> primitives;       ///< by their numbers
   LargeArray<CornerRow<T>> corners;  ///< of primitives whose corners tell normals or colours

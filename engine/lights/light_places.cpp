@@ -1,28 +1,84 @@
 #include "engine/lights/light_places.h"
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace raytracer {
 namespace {
 
-double fraction(double x) { return x - std::floor(x); }
+constexpr int digits = 32;
+constexpr std::uint32_t first_digit = std::uint32_t{1} << (digits - 1);
+
+/// The binary digits of a number as those of a fraction, in the opposite order (J. van der Corput,
+/// 1935).
+std::uint32_t radical_inverse(std::uint32_t number) {
+  std::uint32_t fraction = 0;
+  for (std::uint32_t digit = first_digit; number != 0; number >>= 1U, digit >>= 1U)
+    if ((number & 1U) != 0) fraction |= digit;
+  return fraction;
+}
+
+/// The second dimension of I. Sobol's sequence (1967), whose direction numbers are rows of Pascal's
+/// triangle modulo 2.
+std::uint32_t sobol_fraction(std::uint32_t number) {
+  std::uint32_t fraction = 0;
+  for (std::uint32_t direction = first_digit; number != 0; number >>= 1U) {
+    if ((number & 1U) != 0) fraction ^= direction;
+    direction ^= direction >> 1U;
+  }
+  return fraction;
+}
+
+/// Bits without any order (G. Steele, D. Lea, C. Flood: Fast splittable pseudorandom number
+/// generators, 2014).
+std::uint64_t mixed(std::uint64_t bits) {
+  bits = (bits ^ bits >> 30U) * 0xBF58476D1CE4E5B9U;
+  bits = (bits ^ bits >> 27U) * 0x94D049BB133111EBU;
+  return bits ^ bits >> 31U;
+}
+
+/// Each digit turned over or not, by chance for all fractions that begin alike (A. Owen, Randomly
+/// permuted (t, m, s)-nets and (t, s)-sequences, 1995): the parts stay as even as they were, and
+/// what they err is no longer in step.
+double scrambled(std::uint32_t fraction, std::uint64_t seed) {
+  std::uint32_t result = 0;
+  for (int digit = 0; digit < digits; ++digit) {
+    const std::uint64_t before = std::uint64_t{fraction} >> (digits - digit);
+    const auto place = static_cast<std::uint64_t>(digit + 1);
+    const auto turn = static_cast<std::uint32_t>(mixed(before + (place << 32U) + seed) & 1U);
+    result = result << 1U | ((fraction >> (digits - 1 - digit) & 1U) ^ turn);
+  }
+  return (result + 0.5) / 0x1p32;
+}
 
 /// A place in the unit square.
 struct SquarePlace {
   double u;
   double v;
-
-  /// The i-th of `count` of a set: Fibonacci's lattice, which covers it most evenly (J. Hannay, J.
-  /// Nye, Fibonacci numerical integration on a sphere, 2004), each set shifted along R2, which
-  /// keeps all that were taken so far even (M. Roberts, 2018).
-  SquarePlace(std::size_t i, std::size_t count, int set) {
-    constexpr double plastic = 1.32471795724474602596;  // x^3 = x + 1
-    const double shift = set / plastic;
-    u = (static_cast<double>(i) + fraction(0.5 + shift)) / static_cast<double>(count);
-    v = fraction(static_cast<double>(i) / std::numbers::phi + set / (plastic * plastic));
-  }
 };
+
+/// The nth of a sequence of which every aligned run of 2^k is spread evenly: one is in each of 2^k
+/// equal rectangles, of any shape whose sides are powers of two.
+SquarePlace place_of_sequence(std::size_t nth) {
+  const auto number = static_cast<std::uint32_t>(nth);
+  return {scrambled(radical_inverse(number), std::uint64_t{1} << 40U),
+          scrambled(sobol_fraction(number), std::uint64_t{2} << 40U)};
+}
+
+double fraction(double x) { return x - std::floor(x); }
+
+/// The nth of `count` of a set: Fibonacci's lattice, the most even that a set by itself can be (J.
+/// Hannay, J. Nye, Fibonacci numerical integration on a sphere, 2004), each set shifted along R2
+/// (M. Roberts, 2018). Measured before straight edges: 64 of them err by 0.013, of the sequence by
+/// 0.016; four sets of 16 of either by 0.016, 16 sets by 0.0064, of the sequence by 0.0054.
+SquarePlace place_of_lattice(std::size_t nth, std::size_t count, std::size_t set) {
+  constexpr double plastic = 1.32471795724474602596;  // x^3 = x + 1
+  const auto i = static_cast<double>(nth);
+  const auto shift = static_cast<double>(set);
+  return {(i + fraction(0.5 + shift / plastic)) / static_cast<double>(count),
+          fraction(i / std::numbers::phi + shift / (plastic * plastic))};
+}
 
 /// Places of equal areas to places of equal areas.
 Vec3 in_unit_disc(const SquarePlace& place) {
@@ -43,7 +99,6 @@ Vec3 on_unit_hemisphere(const SquarePlace& place) {
 SoftLight place_samples(const PackedLight& light, const LightSampling& sampling) {
   const bool is_sky = light.shape == LightShape::sky;
   SoftLight soft{light, static_cast<std::size_t>(sampling.per_set), {}};
-  soft.places.reserve(soft.per_set * static_cast<std::size_t>(sampling.sets));
   const OrthonormalBasis around = orthonormal_basis(light.place);
   const auto add = [&](const SquarePlace& place) {
     if (is_sky) return soft.places.push_back(on_unit_hemisphere(place));
@@ -51,11 +106,11 @@ SoftLight place_samples(const PackedLight& light, const LightSampling& sampling)
     if (light.rays != LightRays::parallel) return soft.places.push_back(disc);
     soft.places.push_back(unit(light.place + light.size * (disc.x * around.u + disc.y * around.v)));
   };
-  const auto sets = static_cast<std::size_t>(sampling.sets);
-  for (std::size_t set = 0; set < sets; ++set)
-    for (std::size_t i = 0; i < soft.per_set; ++i)
-      add(sampling.is_shared_out ? SquarePlace(i * sets + set, sets * soft.per_set, 0)
-                                 : SquarePlace(i, soft.per_set, static_cast<int>(set)));
+  const std::size_t count = soft.per_set * static_cast<std::size_t>(sampling.sets);
+  soft.places.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+    add(sampling.is_alone ? place_of_lattice(i % soft.per_set, soft.per_set, i / soft.per_set)
+                          : place_of_sequence(i));
   return soft;
 }
 

@@ -36,10 +36,11 @@ inline LightRays rays_of(const Light& light) {
   return std::visit([](const auto& kind) { return rays_of(kind); }, light.source);
 }
 
-inline bool is_soft(const Light& light) {
-  return std::visit([](const auto& kind) { return shape_of(kind); }, light.source) !=
-         LightShape::point;
+inline LightShape shape_of(const Light& light) {
+  return std::visit([](const auto& kind) { return shape_of(kind); }, light.source);
 }
+
+inline bool is_soft(const Light& light) { return shape_of(light) != LightShape::point; }
 
 inline PackedLight pack_light(const Light& light, const Frame& frame) {
   return std::visit(

@@ -55,7 +55,7 @@ struct PackedScene {
   std::vector<PackedLight> lights;     ///< that can change a colour, and are points
   std::vector<SoftLight> soft_lights;  ///< that can, and are larger
   int light_sets = 1;                  ///< of places on these
-  bool shares_light_sets = false;      ///< as LightSampling has it
+  int sets_to_be_sure = 1;             ///< as LightSampling has it
   Rgb background;
   double ambient = 0;
   Shadows shadows = Shadows::black;

@@ -143,7 +143,9 @@ std::string explain(const Scene& scene, const Plan& plan, const Prediction& pred
                                                        : Json(scene.render.samples.value_or(1)),
              plan.sampling.reason());
   if (plan.features.soft_lights > 0)
-    json["light_samples"] = choice(light_samples_of(plan, scene), plan.light_sampling.reason());
+    json["light_samples"] =
+        choice(light_samples_of(plan, first_samples(scene.render, plan.statistics)),
+               plan.light_sampling.reason());
   json["tiles"] = choice(plan.tile_side_px.value, plan.tile_side_px.reason());
   json["frame"] = frame_json(plan.frame);
   json["prediction"] = prediction_json(prediction);

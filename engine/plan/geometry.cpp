@@ -7,9 +7,6 @@ namespace {
 // with 2 to 6 spheres, 1.04 with 8, 1.15 with 12, 1.9 with 32.
 constexpr std::size_t few_for_single_rays = 7;
 
-/// Primitives times directions of soft lights whose grids are kept at once: some 500 MB.
-constexpr double most_listed = 16e6;
-
 // Random spheres under a sky, sweeps against grids, in processor time: 1.1 with 1,000, 0.65 with
 // 7,381 and 0.53 with 100,000.
 constexpr std::size_t few_for_sweeps = 2000;
@@ -33,8 +30,8 @@ FinderRow choose_structures(std::size_t count, double blocks, const SoftLightSea
   set(RayKind::to_soft_light, are_few ? Finder::one_by_one
                               : search.sweeps && Kind::has_light_sweep && count > few_for_sweeps
                                   ? Finder::light_sweep
-                              : listed <= most_listed ? Finder::light_grid
-                                                      : Finder::tree);
+                              : listed <= search.most_entries ? Finder::light_grid
+                                                              : Finder::tree);
   set(RayKind::to_point_light, are_few                                      ? Finder::one_by_one
                                : is_sought_from_points<Kind>(count, pixels) ? Finder::tree
                                                                             : Finder::point_grid);

@@ -32,6 +32,7 @@ Choice<Kernel> choose_kernel(const Features& features, const SceneStatistics& st
 struct SoftLightSearch {
   std::size_t directions = 0;  ///< that rays share, all lights together
   bool sweeps = false;         ///< whether all points of many tiles look at one after another
+  double most_entries = 0;     ///< that grids of all directions may have: primitives times these
 };
 
 FinderTable choose_finders(const Features& features, const SceneStatistics& statistics,

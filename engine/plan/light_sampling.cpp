@@ -1,7 +1,6 @@
 #include "engine/plan/light_sampling.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 
@@ -10,105 +9,155 @@ namespace {
 
 // Of each soft light, for each pixel: what scenes are promised.
 constexpr int least_places = 64;
-constexpr int most_places = 1024;
+constexpr int most_places = 4096;
 // Of each sample, however many a pixel has. Chosen: fewer would not fill what is looked up
 // together.
 constexpr int least_per_set = 8;
+constexpr int most_per_set = 128;
 constexpr int most_sets = 512;
-// Parts of a lattice, if there are enough places: even themselves, and as the numbers of samples
-// are, of twos and threes.
-constexpr std::array numbers_shared_out{12, 4};
-// Under a budget, if there is no time for more. Chosen.
-constexpr int least_in_budget = 16;
-// What a ray to a light takes one thread. Measured on the shipped scene `evening`: 9 ns.
-constexpr double ray_ms = 1e-5;
-// Of primitives times directions for each sample of a pixel, so that to build their grids takes
-// less than to look into them. Measured: 1,000 spheres in 512 directions take 40 ms of one thread.
+// What a set's share of a sky is off by, which the mean of all sets keeps, as it is a quotient: it
+// falls as the square of their places. Measured on random points under a sky that is partly hidden:
+// 8 places 0.0033, 16 less than 0.001.
+constexpr double bias_of_one_place = 0.2;
+// Of a target, what that may come to. Chosen.
+constexpr double bias_share = 1.0 / 3;
+// Places of a sky by the root of a pixel's samples, so that it falls with what they err. Chosen: of
+// 64 samples, 16 places each, the bias is a third of the error.
+constexpr double bias_growth = 1.5;
+// Primitives times directions, so that to build their grids takes less than to look into them, for
+// each sample of a pixel. Measured: 1,000 spheres in 512 directions take 40 ms of one thread.
 constexpr double most_entries_per_sample = 4e6;
+// The same for each look into them of a pilot, of 9 ns: half of its time.
+constexpr double most_entries_per_look = 0.05;
+// The same for each millisecond of a budget: a quarter of it.
+constexpr double most_entries_per_ms = 3e3;
 // In all: some 500 MB.
 constexpr double most_entries = 16e6;
-// What a target allows for each place. Measured on random points under skies that are half or in
-// patches hidden: 64 places err by 0.016, 128 by 0.0093. Images err less, where most points see all
-// of a light or nothing: so 36 of 36 targets, 0.03 to 0.003, were kept on 12 scenes.
+// What a target allows for each place. Measured on random points under skies that are partly hidden
+// and lamps before straight edges: 1,024 places err by 0.0024 and 0.0019; the square of 4,096 may
+// be a fifth of the target's.
 constexpr double error_of_one_place = 2.5;
+// Times the sets that a target needs. Chosen: pixels of many samples then have some for each.
+constexpr int spare_sets = 2;
+// Of a pixel under a budget, before any is chosen.
+constexpr int compared_samples = 4;
 
 /// Of a pixel: a block's points are written down at once.
 constexpr int most_swept_samples = 4096;
 
-/// Each sample has at least `least`.
-LightSampling for_samples(int samples, double primitives, int least) {
+int power_of_two_from(double least) {
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(least))));
+}
+
+/// What of a scene says how many places its lights need.
+struct SoftScene {
+  double grid_entries = 0;  ///< for each place: primitives in its directions' grids
+  bool has_sky = false;
+  bool asks_for_any = false;  ///< each sample has to find out whether it sees any of a light
+};
+
+SoftScene describe(const Scene& scene, const Features& features) {
+  SoftScene soft;
+  soft.grid_entries = 2 * static_cast<double>(features.primitive_count() * features.shared_lights);
+  soft.has_sky = std::any_of(scene.lights.begin(), scene.lights.end(),
+                             [](const Light& light) { return shape_of(light) == LightShape::sky; });
+  soft.asks_for_any = features.has_ambient && scene.shadows == Shadows::black;
+  return soft;
+}
+
+/// The sets that grids of so many entries are enough for, a power of two.
+int affordable_sets(double entries, int per_set, const SoftScene& soft, int least, int most) {
+  const double of_set = per_set * soft.grid_entries;
+  if (!(of_set > 0)) return most;
+  const double sets =
+      std::clamp(entries / of_set, static_cast<double>(least), static_cast<double>(most));
+  return static_cast<int>(std::bit_floor(static_cast<unsigned>(sets)));
+}
+
+int places_of_each(int samples) {
+  return std::max((least_places + samples - 1) / samples, least_per_set);
+}
+
+/// Each sample finds out by itself whether it sees any of a light.
+LightSampling for_samples(int samples, const SoftScene& soft) {
   LightSampling sampling;
-  sampling.per_set = std::max((least_places + samples - 1) / samples, least);
-  const double entries = 2 * sampling.per_set * primitives;  // of a set
+  sampling.per_set = places_of_each(samples);
+  if (soft.has_sky)
+    sampling.per_set =
+        std::max(sampling.per_set, power_of_two_from(bias_growth * std::sqrt(samples)));
+  if (soft.asks_for_any) sampling.per_set = std::max(sampling.per_set, least_places);
   // As many as a single set of all of a pixel's places would have are there in any case.
-  const double allowed = std::max(std::min(most_entries_per_sample * samples, most_entries),
-                                  2 * least_places * primitives);
-  const int wanted = std::min(4 * samples, most_sets);
-  const double sets = std::clamp(allowed / entries, 1.0, static_cast<double>(wanted));
-  sampling.sets = static_cast<int>(std::bit_floor(static_cast<unsigned>(sets)));
+  const double entries = std::max(std::min(most_entries_per_sample * samples, most_entries),
+                                  least_places * soft.grid_entries);
+  sampling.sets =
+      affordable_sets(entries, sampling.per_set, soft, 1,
+                      power_of_two_from(std::min(4.0 * samples, static_cast<double>(most_sets))));
   const int per_pixel = std::min(samples, sampling.sets);
-  sampling.per_set = std::max(sampling.per_set, (least_places + per_pixel - 1) / per_pixel);
+  sampling.per_set = std::max(sampling.per_set, places_of_each(per_pixel));
+  sampling.is_alone = per_pixel == 1;
   return sampling;
 }
 
-/// So many for each pixel.
-LightSampling shared_out(int places) {
-  for (const int sets : numbers_shared_out)
-    if (places >= least_per_set * sets)
-      return {.sets = sets, .per_set = (places + sets - 1) / sets, .is_shared_out = true};
-  return {.sets = 1, .per_set = places};
-}
-
-/// So many that a first picture, of a sixteenth of the pixels, takes half of the time.
-int for_budget(double budget_ms, const Scene& scene) {
-  double places = 0;  // of all lights together for each of a set's
-  for (const Light& light : scene.lights)
-    if (is_soft(light)) places += rays_of(light) == LightRays::parallel ? 2 : 1;
-  const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height / 16;
-  const double affordable = budget_ms / 2 / (pixels * places * ray_ms);
-  return static_cast<int>(
-      std::clamp(affordable, static_cast<double>(least_in_budget), 2.0 * least_places));
+/// All sets together leave out less than the target; `samples` are those of the first pixels that
+/// tell an error.
+LightSampling for_contract(const RenderSettings& settings, int samples, double pixels,
+                           const SoftScene& soft) {
+  LightSampling sampling;
+  double per_set = places_of_each(samples);
+  double places = least_places;
+  if (settings.target_rmse) {
+    const double target = *settings.target_rmse;
+    if (soft.has_sky)
+      per_set = std::clamp(std::sqrt(bias_of_one_place / (bias_share * target)), per_set,
+                           static_cast<double>(most_per_set));
+    places = std::clamp(error_of_one_place / target, places, static_cast<double>(most_places));
+  }
+  sampling.per_set = power_of_two_from(per_set);
+  const int needed = power_of_two_from(places / sampling.per_set);
+  double entries =
+      std::min(most_entries_per_look * pixels * samples * sampling.per_set, most_entries);
+  if (settings.budget_ms) entries = std::min(entries, most_entries_per_ms * *settings.budget_ms);
+  sampling.sets = affordable_sets(entries, sampling.per_set, soft, needed, spare_sets * needed);
+  sampling.is_alone = false;
+  if (soft.asks_for_any) sampling.sets_to_be_sure = needed;
+  return sampling;
 }
 
 }  // namespace
 
-Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& features) {
+Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& features,
+                                            int first_samples) {
   const RenderSettings& settings = scene.render;
-  LightSampling sampling;
-  if (features.soft_lights == 0) return {sampling, because("no light is larger than a point")};
-  if (settings.target_rmse) {
-    const double needed = std::ceil(error_of_one_place / *settings.target_rmse);
-    const auto places = static_cast<int>(
-        std::clamp(needed, static_cast<double>(least_places), static_cast<double>(most_places)));
-    // A budget's passes are foreseen by what a sample of the last one took.
-    sampling =
-        settings.budget_ms ? LightSampling{.sets = 1, .per_set = places} : shared_out(places);
-    const int taken = sampling.sets * sampling.per_set;
-    const char* const shared = sampling.is_shared_out ? "; a pixel's samples share them out" : "";
-    if (needed > most_places)
-      return {sampling, because("the most that are taken of each soft light: what {} places leave "
-                                "out may exceed the target, and is in no estimate{}",
-                                taken, shared)};
-    return {sampling,
-            because("what {} places of each soft light leave out is less than the target{}", taken,
-                    shared)};
+  if (features.soft_lights == 0)
+    return {LightSampling{}, because("no light is larger than a point")};
+  const SoftScene soft = describe(scene, features);
+  if (!settings.target_rmse && !settings.budget_ms) {
+    const LightSampling sampling = for_samples(settings.samples.value_or(1), soft);
+    if (sampling.sets == 1)
+      return {sampling, because("the same for all pixels: grids for more directions would take "
+                                "longer to build than to look into")};
+    return {sampling, because("in {} sets, of which neighbouring pixels and samples use different "
+                              "ones: grain in place of bands",
+                              sampling.sets)};
   }
-  if (settings.budget_ms) {
-    sampling.per_set = for_budget(*settings.budget_ms, scene);
-    return {sampling, because("{} to {} places, by what half of the budget allows", least_in_budget,
-                              2 * least_places)};
-  }
-  // Where a light brings the ambient part, each sample has to find out whether it sees any of it.
-  const bool is_seen_or_not = features.has_ambient && scene.shadows == Shadows::black;
-  const int least_per_sample = is_seen_or_not ? least_places : least_per_set;
-  const auto primitives = static_cast<double>(features.primitive_count() * features.soft_lights);
-  sampling = for_samples(settings.samples.value_or(1), std::max(primitives, 1.0), least_per_sample);
-  if (sampling.sets == 1)
-    return {sampling, because("the same for all pixels: grids for more directions would take "
-                              "longer to build than to look into")};
-  return {sampling, because("in {} sets, of which neighbouring pixels and samples use different "
-                            "ones: grain in place of bands",
-                            sampling.sets)};
+  const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
+  const LightSampling sampling =
+      for_contract(settings, settings.budget_ms ? compared_samples : first_samples, pixels, soft);
+  const int taken = sampling.sets * sampling.per_set;
+  if (!settings.target_rmse)
+    return {sampling, because("each sample at {} places of each soft light, of {} in all: pixels "
+                              "that are refined look at more of them",
+                              sampling.per_set, taken)};
+  if (error_of_one_place / *settings.target_rmse > most_places)
+    return {sampling, because("each sample at {} places of each soft light, of {} in all, the most "
+                              "that are taken: what they leave out may exceed the target, and is "
+                              "in no estimate",
+                              sampling.per_set, taken)};
+  return {sampling,
+          because("each sample at {} places of each soft light, of {} in all, which leave "
+                  "out less than the target: pixels that are refined look at more of "
+                  "them",
+                  sampling.per_set, taken)};
 }
 
 std::size_t shared_directions(const LightSampling& sampling, const Features& features) {
@@ -120,12 +169,13 @@ SoftLightSearch choose_soft_light_search(const RenderSettings& settings, const F
   if (features.shared_lights == 0) return {};
   const bool is_one_pass = !settings.target_rmse && !settings.budget_ms;
   return {shared_directions(sampling, features),
-          is_one_pass && !features.transmits && settings.samples.value_or(1) <= most_swept_samples};
+          is_one_pass && !features.transmits && settings.samples.value_or(1) <= most_swept_samples,
+          settings.budget_ms ? std::min(most_entries_per_ms * *settings.budget_ms, most_entries)
+                             : most_entries};
 }
 
-int light_samples_per_pixel(const LightSampling& sampling, int samples) {
-  return sampling.per_set *
-         (sampling.is_shared_out ? sampling.sets : std::min(samples, sampling.sets));
+int light_samples_per_pixel(const LightSampling& sampling, double samples) {
+  return static_cast<int>(sampling.per_set * std::clamp(samples, 1.0, 1.0 * sampling.sets));
 }
 
 std::size_t light_rays_per_sample(const Scene& scene) {

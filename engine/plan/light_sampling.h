@@ -11,8 +11,9 @@
 
 namespace raytracer {
 
-/// For scenes that have soft lights.
-Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& features);
+/// For a render whose first pass has so many samples per pixel.
+Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& features,
+                                            int first_samples);
 
 /// The most directions that rays to soft lights share, all lights together.
 std::size_t shared_directions(const LightSampling& sampling, const Features& features);
@@ -22,8 +23,8 @@ std::size_t shared_directions(const LightSampling& sampling, const Features& fea
 SoftLightSearch choose_soft_light_search(const RenderSettings& settings, const Features& features,
                                          const LightSampling& sampling);
 
-/// The places of each soft light that a pixel with so many samples has.
-int light_samples_per_pixel(const LightSampling& sampling, int samples);
+/// The places of each soft light that a pixel with so many samples, or in their mean, looks at.
+int light_samples_per_pixel(const LightSampling& sampling, double samples);
 
 /// How many rays a sample sends to lights, about.
 std::size_t light_rays_per_sample(const Scene& scene);

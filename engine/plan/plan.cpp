@@ -24,7 +24,8 @@ Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& mac
   plan.precision = precision_for(scene, plan);
   plan.arithmetic_error =
       foresee_arithmetic_error(plan.precision.value, plan.features, plan.statistics);
-  plan.light_sampling = choose_light_sampling(scene, plan.features);
+  plan.light_sampling =
+      choose_light_sampling(scene, plan.features, first_samples(scene.render, plan.statistics));
   plan.finders = choose_finders(
       plan.features, plan.statistics, plan.kernel.value,
       choose_soft_light_search(scene.render, plan.features, plan.light_sampling.value));
@@ -35,9 +36,9 @@ Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& mac
   return plan;
 }
 
-int light_samples_of(const Plan& plan, const Scene& scene) {
+int light_samples_of(const Plan& plan, double samples) {
   if (plan.features.soft_lights == 0) return 0;
-  return light_samples_per_pixel(plan.light_sampling.value, scene.render.samples.value_or(1));
+  return light_samples_per_pixel(plan.light_sampling.value, samples);
 }
 
 }  // namespace raytracer

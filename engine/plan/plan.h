@@ -32,7 +32,8 @@ struct Plan {
 Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& machine,
                WorkerPool* pool = nullptr);
 
-/// The places of each soft light that a pixel has, as the scene is rendered; 0 if there is none.
-int light_samples_of(const Plan& plan, const Scene& scene);
+/// The places of each soft light that a pixel with so many samples, or in their mean, looks at; 0
+/// if there is none.
+int light_samples_of(const Plan& plan, double samples);
 
 }  // namespace raytracer

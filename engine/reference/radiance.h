@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "engine/math/ray.h"
@@ -74,61 +75,55 @@ double share_along(const PackedScene& scene, const SurfacePoint& point, const Ve
   return query.share();
 }
 
-/// Calls visit(place) for those of the sets.
-template <typename Visit>
-void for_each_place(const PackedScene& scene, const SoftLight& soft, const PlaceSets& light_sets,
-                    const Visit& visit) {
-  const auto count = static_cast<std::size_t>(scene.light_sets);
-  for (std::size_t set = light_sets.index; set < count; set += light_sets.step)
-    for (std::size_t i = 0; i < soft.per_set; ++i) visit(soft.places[set * soft.per_set + i]);
+/// The places of a set.
+inline std::span<const Vec3> places_of(const SoftLight& soft, std::size_t light_set) {
+  return std::span(soft.places).subspan(light_set * soft.per_set, soft.per_set);
 }
 
 /// How much of a disc that shines reaches a point: the mean over places on it.
 template <typename Finder>
 double share_of_disc(const PackedScene& scene, const SoftLight& soft, const ArrivingLight& middle,
-                     const SurfacePoint& point, const PlaceSets& light_sets, const Finder& finder) {
+                     const SurfacePoint& point, std::size_t light_set, const Finder& finder) {
   const bool is_parallel = soft.light.rays == LightRays::parallel;
   const OrthonormalBasis around = orthonormal_basis(middle.towards);
   double sum = 0;
-  std::size_t count = 0;
-  for_each_place(scene, soft, light_sets, [&](const Vec3& place) {
-    ++count;
+  for (const Vec3& place : places_of(soft, light_set)) {
     if (is_parallel) {
       sum += share_along(scene, point, place, infinity, finder);
-      return;
+      continue;
     }
     const Vec3 path = middle.distance * middle.towards +
                       soft.light.size * (place.x * around.u + place.y * around.v);
     sum += share_along(scene, point, unit(path), length(path), finder);
-  });
-  return sum / static_cast<double>(count);
+  }
+  return sum / static_cast<double>(soft.per_set);
 }
 
 /// How much of a sky reaches a point: the mean, by the cosine, over the ends of axes above it.
 template <typename Finder>
 double share_of_sky(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,
-                    const Vec3& normal, const PlaceSets& light_sets, const Finder& finder) {
+                    const Vec3& normal, std::size_t light_set, const Finder& finder) {
   double sum = 0;
   double weights = 0;
-  for_each_place(scene, soft, light_sets, [&](const Vec3& axis) {
+  for (const Vec3& axis : places_of(soft, light_set)) {
     const double cosine = dot(normal, axis);
     const Vec3 towards = cosine < 0 ? -axis : axis;
     weights += std::abs(cosine);
     sum += std::abs(cosine) * share_along(scene, point, towards, soft.light.size, finder);
-  });
+  }
   return weights > 0 ? sum / weights : 0;
 }
 
-/// How much of a soft light reaches a point, by its places in some sets.
+/// How much of a soft light reaches a point, by the places of a set.
 template <typename Finder>
 double share_of_soft_light(const PackedScene& scene, const SoftLight& soft,
-                           const SurfacePoint& point, const Vec3& normal,
-                           const PlaceSets& light_sets, const Finder& finder) {
+                           const SurfacePoint& point, const Vec3& normal, std::size_t light_set,
+                           const Finder& finder) {
   if (soft.light.shape == LightShape::sky)
-    return share_of_sky(scene, soft, point, normal, light_sets, finder);
+    return share_of_sky(scene, soft, point, normal, light_set, finder);
   const ArrivingLight middle = arriving_light(soft.light, point);
   if (!(dot(normal, middle.towards) > 0)) return 0;
-  return share_of_disc(scene, soft, middle, point, light_sets, finder);
+  return share_of_disc(scene, soft, middle, point, light_set, finder);
 }
 
 /// The colour that a point makes of a soft light, without the ambient part.
@@ -141,10 +136,10 @@ inline Rgb soft_light(const SoftLight& soft, const SurfacePoint& point, const Po
 }
 
 /// The colour of a point under all lights, without what it mirrors.
-/// `view` is the unit vector towards the viewer; `light_sets`: of the places on soft lights.
+/// `view` is the unit vector towards the viewer; `light_set`: of the places on soft lights.
 template <typename Finder>
 Rgb shade(const PackedScene& scene, const Finder& finder, const SurfacePoint& point,
-          const PointShading& shading, const Vec3& view, const PlaceSets& light_sets) {
+          const PointShading& shading, const Vec3& view, std::size_t light_set) {
   const Material& material = shading.material;
   const Rgb ambient = material.color * (material.ka * scene.ambient);
   Rgb sum;
@@ -159,12 +154,14 @@ Rgb shade(const PackedScene& scene, const Finder& finder, const SurfacePoint& po
   }
   for (const SoftLight& soft : scene.soft_lights) {
     const Vec3& normal = shading.normal;
-    const double share = share_of_soft_light(scene, soft, point, normal, light_sets, finder);
+    const double share = share_of_soft_light(scene, soft, point, normal, light_set, finder);
     if (scene.shadows == Shadows::black) {
-      // What only a pixel's other samples look at may be seen as well.
-      const bool is_seen = share > 0 || (scene.shares_light_sets &&
-                                         share_of_soft_light(scene, soft, point, normal,
-                                                             PlaceSets::all(), finder) > 0);
+      bool is_seen = share > 0;
+      for (int i = 1; i < scene.sets_to_be_sure && !is_seen; ++i) {
+        const std::size_t set =
+            (light_set + static_cast<std::size_t>(i)) % static_cast<std::size_t>(scene.light_sets);
+        is_seen = share_of_soft_light(scene, soft, point, normal, set, finder) > 0;
+      }
       if (is_seen) sum += ambient;
     }
     if (share > 0) sum += share * soft_light(soft, point, shading, view);
@@ -219,11 +216,11 @@ struct Sight {
   bool meets_object = false;
 };
 
-/// `direction` is unit. `light_sets` are those of what the eye sees itself, `followed_light_sets`
-/// those of what it sees in mirrors and through glass.
+/// `direction` is unit. `light_set` is that of what the eye sees itself, `followed_light_set`
+/// that of what it sees in mirrors and through glass.
 template <typename Finder>
 Sight see(const PackedScene& scene, const Finder& finder, const Vec3& direction,
-          const PlaceSets& light_sets = {}, const PlaceSets& followed_light_sets = {}) {
+          std::size_t light_set = 0, std::size_t followed_light_set = 0) {
   Sight sight;
   Rgb& sum = sight.radiance;
   std::vector<WeightedRay> rays{{{SurfacePoint{}, direction}}};
@@ -240,7 +237,7 @@ Sight see(const PackedScene& scene, const Finder& finder, const Vec3& direction,
     const SurfacePoint point = query.point();
     const PointShading shading = shading_at(scene, point);
     sum += current.weight * shade(scene, finder, point, shading, -current.ray.direction,
-                                  current.depth == 0 ? light_sets : followed_light_sets);
+                                  current.depth == 0 ? light_set : followed_light_set);
     if (current.depth < scene.max_depth) add_followers(scene, current, point, shading, rays);
   }
   return sight;

@@ -147,12 +147,19 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
       transfer_ms_ * static_cast<double>(pixels.size()) / (static_cast<double>(width_) * height_);
   std::vector<SampledPixel> sampled(pixels.size());
   const std::vector<char> is_done = run_tasks(tasks, [&](const RefinementTask& task) {
-    const Tile tile = errors_.tile_of(task.block);
-    const std::size_t count = task.end - task.begin;
-    sample_pixels(
-        tracing_.tracer, patterns_.at(task.samples_per_pixel), tracing_.scene.render.transfer,
-        {tile.x_begin, tile.y_begin, std::span(places).subspan(task.begin, count), image_.channels},
-        std::span(sampled).subspan(task.begin, count));
+    std::vector<BlockPixels> blocks;
+    for (std::size_t begin = task.begin; begin < task.end;) {
+      const std::size_t block = errors_.block_of(pixels[begin].pixel);
+      std::size_t end = begin + 1;
+      while (end < task.end && errors_.block_of(pixels[end].pixel) == block) ++end;
+      const Tile tile = errors_.tile_of(block);
+      blocks.push_back({tile.x_begin, tile.y_begin, std::span(places).subspan(begin, end - begin),
+                        image_.channels});
+      begin = end;
+    }
+    sample_pixels(tracing_.tracer, patterns_.at(task.samples_per_pixel),
+                  tracing_.scene.render.transfer, blocks,
+                  std::span(sampled).subspan(task.begin, task.end - task.begin));
   });
 
   const auto for_each_done = [&](const auto& visit) {
@@ -187,8 +194,9 @@ bool RefinedImage::refine_all(const SamplePattern& pattern) {
   PixelSpreads spreads(width_, height_);
   std::atomic<std::size_t> not_numbers{0};
   const std::vector<char> is_done = run_tasks(tasks, [&](const RefinementTask& task) {
+    const auto block = static_cast<std::size_t>(&task - tasks.data());
     not_numbers += render_tile(tracing_.tracer, pattern, tracing_.scene.render.transfer,
-                               errors_.tile_of(task.block), &finer, {.pixels = &spreads})
+                               errors_.tile_of(block), &finer, {.pixels = &spreads})
                        .not_numbers;
   });
   shown_.change([&](Image& image) {

@@ -1,7 +1,9 @@
 #include "engine/render/refinement_tasks.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <utility>
 
 #include "engine/errors/error_model.h"
 #include "engine/math/block.h"
@@ -9,18 +11,15 @@
 namespace raytracer {
 namespace {
 
-/// Pixels of a block that get as many samples, side by side.
-void sort_by_samples(std::vector<PixelSamples>& pixels, const PixelErrors& errors) {
-  for (auto begin = pixels.begin(); begin != pixels.end();) {
-    const std::size_t block = errors.block_of(begin->pixel);
-    const auto end = std::find_if(begin, pixels.end(), [&](const PixelSamples& pixel) {
-      return errors.block_of(pixel.pixel) != block;
-    });
-    std::stable_sort(begin, end, [](const PixelSamples& a, const PixelSamples& b) {
-      return a.samples < b.samples;
-    });
-    begin = end;
-  }
+/// By their samples, and otherwise as they were.
+void sort_by_samples(std::vector<PixelSamples>& pixels) {
+  std::map<int, std::size_t> places;  // how many get so many samples; then where the next goes
+  for (const PixelSamples& pixel : pixels) ++places[pixel.samples];
+  std::size_t first = 0;
+  for (auto& [samples, place] : places) first += std::exchange(place, first);
+  std::vector<PixelSamples> sorted(pixels.size());
+  for (const PixelSamples& pixel : pixels) sorted[places.find(pixel.samples)->second++] = pixel;
+  pixels.swap(sorted);
 }
 
 }  // namespace
@@ -30,7 +29,6 @@ std::vector<RefinementTask> block_tasks(const PixelErrors& errors, int samples) 
   for (std::size_t block = 0; block < tasks.size(); ++block) {
     const Tile tile = errors.tile_of(block);
     const int pixels = (tile.x_end - tile.x_begin) * (tile.y_end - tile.y_begin);
-    tasks[block].block = block;
     tasks[block].samples = static_cast<double>(samples) * pixels;
     for (std::size_t i = 0; i < subtiles_in_block; ++i)
       tasks[block].error2 += errors.of_subtile(subtiles_in_block * block + i);
@@ -40,14 +38,19 @@ std::vector<RefinementTask> block_tasks(const PixelErrors& errors, int samples) 
 
 std::vector<RefinementTask> pixel_tasks(std::vector<PixelSamples>& pixels,
                                         const PixelErrors& errors) {
-  sort_by_samples(pixels, errors);
+  sort_by_samples(pixels);
+  double all = 0;
+  for (const PixelSamples& pixel : pixels) all += pixel.samples;
+  // The same for any number of threads: where rays branch, those that are traced together are added
+  // up in an order that all of them make.
+  const double most =
+      std::clamp(all / RefinementModel::tasks_per_pass, RefinementModel::least_task_samples,
+                 RefinementModel::task_samples);
   std::vector<RefinementTask> tasks;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const std::size_t block = errors.block_of(pixels[i].pixel);
     const int samples = pixels[i].samples;
-    if (tasks.empty() || tasks.back().block != block || tasks.back().samples_per_pixel != samples ||
-        tasks.back().samples >= RefinementModel::task_samples)
-      tasks.push_back({.block = block, .begin = i, .samples_per_pixel = samples});
+    if (tasks.empty() || tasks.back().samples_per_pixel != samples || tasks.back().samples >= most)
+      tasks.push_back({.begin = i, .samples_per_pixel = samples});
     RefinementTask& task = tasks.back();
     task.samples += samples;
     task.error2 += errors.of_pixel(pixels[i].pixel);

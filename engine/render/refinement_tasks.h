@@ -9,9 +9,8 @@
 
 namespace raytracer {
 
-/// A block, or some of its pixels.
+/// A block, or some pixels of blocks.
 struct RefinementTask {
-  std::size_t block = 0;
   double samples = 0;     ///< in all
   double error2 = 0;      ///< of its pixels, as expected
   std::size_t begin = 0;  ///< of its pixels among those of the pass ...
@@ -19,10 +18,11 @@ struct RefinementTask {
   int samples_per_pixel = 0;
 };
 
-/// One for each block of the image, with as many samples in all pixels.
+/// One for each block of the image in turn, with as many samples in all pixels.
 std::vector<RefinementTask> block_tasks(const PixelErrors& errors, int samples);
 
-/// For pixels block by block. They are sorted: each task's are side by side.
+/// For pixels that are block by block. They are sorted, and stay block by block among those that
+/// get as many samples: each task's are side by side.
 std::vector<RefinementTask> pixel_tasks(std::vector<PixelSamples>& pixels,
                                         const PixelErrors& errors);
 

@@ -68,7 +68,7 @@ std::optional<RegionRendering<Channel>> render_region(const PreparedScene& scene
       .region = region,
       .error_multiplier = choose_error_multiplier(built.plan.statistics).initial,
       .precision = built.plan.precision.value,
-      .light_samples = light_samples_of(built.plan, built.scene),
+      .light_samples = light_samples_of(built.plan, built.scene.render.samples.value_or(1)),
       .beyond = tracing.beyond};
   const std::size_t length = row_length(region, *image);
   part.values.reserve(length * static_cast<std::size_t>(region.y_end - region.y_begin));

@@ -28,12 +28,12 @@ BasicRendering<Channel> make_rendering(const BuiltScene& built, WorkerPool& pool
   rendering.plan_ms = built.plan_ms;
   rendering.build_ms = built.build_ms;
   rendering.precision = built.plan.precision.value;
-  rendering.light_samples = light_samples_of(built.plan, built.scene);
 
   // From here on kernels see packed arrays only.
   Tracing tracing{built, pool, progress};
   trace(tracing, rendering);
   rendering.trace_ms = tracing.watch.elapsed_ms();
+  rendering.light_samples = light_samples_of(built.plan, rendering.samples_per_pixel);
   rendering.beyond = tracing.beyond;
   if (rendering.stop == Stop::cancelled) return rendering;
   if (!rendering.estimated_error)

@@ -66,25 +66,11 @@ struct PixelValue {
   BeyondRange seen{};
 };
 
-/// Sample by sample, where packets of a single pixel's share sets out sixteen samples at a time.
-PlaceSets light_sets_of_followed(const PackedScene& scene, std::size_t sample,
-                                 const SamplePattern& pattern) {
-  const auto sets = static_cast<std::size_t>(scene.light_sets);
-  if (!scene.shares_light_sets) return {sample % sets};
-  return share_of_sets(sample, pattern.half_a_count, pattern.points.size(), sets);
-}
-
-PlaceSets light_sets_of_eye(const PackedScene& scene, int x, int y, std::size_t sample,
-                            const SamplePattern& pattern) {
-  if (scene.shares_light_sets) return light_sets_of_followed(scene, sample, pattern);
-  const int set = light_set_of(x, y, static_cast<int>(sample), scene.light_sets);
-  return {static_cast<std::size_t>(set)};
-}
-
 /// The halves are compared after the transfer.
 PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& pattern,
                         Transfer transfer, int x, int y, int channels) {
   const View& view = tracer.scene->view;
+  const int sets = tracer.scene->light_sets;
   const SamplePoint moved = jitter_of(x, y);
   PixelValue pixel;
   Mean half_a{{}, 0};
@@ -98,8 +84,8 @@ PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& patt
     const Sight sight =
         see(*tracer.scene, tracer.finder,
             view.direction(x + sample.x + across, view.height - 1 - y + sample.y + up),
-            light_sets_of_eye(*tracer.scene, x, y, i, pattern),
-            light_sets_of_followed(*tracer.scene, i, pattern));
+            static_cast<std::size_t>(light_set_of(x, y, static_cast<int>(i), sets)),
+            i % static_cast<std::size_t>(sets));
     const Rgb seen = clamped(sight.radiance);
     pixel.seen += beyond_range(sight.radiance);
     Mean& half = i < pattern.half_a_count ? half_a : half_b;
@@ -148,15 +134,18 @@ BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, T
 }
 
 void sample(const ReferenceTracer& tracer, const SamplePattern& pattern, Transfer transfer,
-            const BlockPixels& pixels, std::span<SampledPixel> results) {
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const PixelValue pixel = sample_pixel(
-        tracer, pattern, Transfer::linear, pixels.x_begin + pixels.places[i] % block_side,
-        pixels.y_begin + pixels.places[i] / block_side, pixels.channels);
-    store(pixel.mean, transfer, pixels.channels, results[i].values.data());
-    results[i].spread = pixel.spread;
-    results[i].is_number = pixel.seen.not_numbers == 0;
-  }
+            std::span<const BlockPixels> blocks, std::span<SampledPixel> results) {
+  auto result = results.begin();
+  for (const BlockPixels& pixels : blocks)
+    for (const std::uint8_t place : pixels.places) {
+      const PixelValue pixel =
+          sample_pixel(tracer, pattern, Transfer::linear, pixels.x_begin + place % block_side,
+                       pixels.y_begin + place / block_side, pixels.channels);
+      store(pixel.mean, transfer, pixels.channels, result->values.data());
+      result->spread = pixel.spread;
+      result->is_number = pixel.seen.not_numbers == 0;
+      ++result;
+    }
 }
 
 template <typename T>
@@ -173,25 +162,23 @@ BeyondRange trace(const PacketTracer<T>& tracer, const SamplePattern& pattern, T
 
 template <typename T>
 void sample(const PacketTracer<T>& tracer, const SamplePattern& pattern, Transfer transfer,
-            const BlockPixels& pixels, std::span<SampledPixel> results) {
-  sample_pixels(tracer.scene, pattern, transfer, pixels, tracer.target, results);
+            std::span<const BlockPixels> blocks, std::span<SampledPixel> results) {
+  sample_pixels(tracer.scene, pattern, transfer, blocks, tracer.target, results);
 }
 
 /// What traces samples again: all of their rays are followed ones.
 ExactScene make_exact_scene(const Plan& plan, const PackedScene& packed, WorkerPool& pool) {
   Features features = plan.features;
   features.reflects = true;
-  FinderTable finders =
-      choose_finders(features, plan.statistics, plan.kernel.value,
-                     {shared_directions(plan.light_sampling.value, features), false});
+  FinderTable finders = choose_finders(features, plan.statistics, plan.kernel.value, {});
   for (std::size_t kind = 0; kind < finders.size(); ++kind) {
     const auto of = [&](RayKind rays) -> Finder& {
       return finders[kind][static_cast<std::size_t>(rays)];
     };
     of(RayKind::from_eye) = Finder::none;
-    // So few that a tree, which there is, costs less than grids.
-    if (finder_of(plan.finders[kind], RayKind::to_soft_light) == Finder::light_sweep)
-      of(RayKind::to_soft_light) = of(RayKind::followed);
+    // So few that a tree, which there is, costs less than grids of their own.
+    const Finder planned = finder_of(plan.finders[kind], RayKind::to_soft_light);
+    of(RayKind::to_soft_light) = planned == Finder::light_sweep ? of(RayKind::followed) : planned;
   }
   ExactScene exact;
   exact.scene = std::make_shared<const PacketScene<double>>(
@@ -210,7 +197,7 @@ ExactScene make_exact_scene(const Plan& plan, const PackedScene& packed, WorkerP
 
 Tracer make_tracer(const Plan& plan, PackedScene packed, WorkerPool& pool) {
   packed.light_sets = plan.light_sampling.value.sets;
-  packed.shares_light_sets = plan.light_sampling.value.is_shared_out;
+  packed.sets_to_be_sure = plan.light_sampling.value.sets_to_be_sure;
   for (SoftLight& soft : packed.soft_lights)
     soft = place_samples(soft.light, plan.light_sampling.value);
   if (plan.kernel.value == Kernel::packets) {
@@ -257,8 +244,8 @@ bool render_tiles(const Tracer& tracer, const SamplePattern& pattern, Transfer t
 }
 
 void sample_pixels(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
-                   const BlockPixels& pixels, std::span<SampledPixel> results) {
-  std::visit([&](const auto& chosen) { sample(chosen, pattern, transfer, pixels, results); },
+                   std::span<const BlockPixels> blocks, std::span<SampledPixel> results) {
+  std::visit([&](const auto& chosen) { sample(chosen, pattern, transfer, blocks, results); },
              tracer);
 }
 

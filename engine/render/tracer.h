@@ -49,9 +49,9 @@ bool render_tiles(const Tracer& tracer, const SamplePattern& pattern, Transfer t
                   std::span<const Tile> tiles, const Canvas& canvas, const TileErrors& errors,
                   const TilePass& pass);
 
-/// Samples single pixels of a block, side by side, at the places of a pattern that has half
-/// buffers and is not jittered; `results` has one for each.
+/// Samples single pixels of blocks at the places of a pattern that has half buffers and is not
+/// jittered; `results` has one for each, block by block.
 void sample_pixels(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
-                   const BlockPixels& pixels, std::span<SampledPixel> results);
+                   std::span<const BlockPixels> blocks, std::span<SampledPixel> results);
 
 }  // namespace raytracer

@@ -3,66 +3,73 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <map>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <set>
 #include <utility>
+#include <vector>
 
 namespace raytracer {
 namespace {
 
-/// The weight that samples from `begin` to `end` give each set.
-std::map<std::size_t, double> weights(std::size_t begin, std::size_t end, std::size_t half_count,
-                                      std::size_t count, std::size_t sets) {
-  std::map<std::size_t, double> weights;
-  for (std::size_t nth = begin; nth < end; ++nth) {
-    const PlaceSets share = share_of_sets(nth, half_count, count, sets);
-    for (std::size_t set = share.index; set < sets; set += share.step)
-      weights[set] += static_cast<double>(share.step) / static_cast<double>(sets);
+PackedLight soft_light(LightShape shape) {
+  return {.kind = 0,
+          .rays = LightRays::converging,
+          .place = {0, 0, 1},
+          .emission = {1, 1, 1},
+          .fades = false,
+          .shape = shape,
+          .size = 0.3};
+}
+
+/// The unit square's place that became one in the unit disc.
+std::pair<double, double> in_square(const Vec3& place) {
+  const double turns = std::atan2(place.y, place.x) / (2 * std::numbers::pi);
+  return {place.x * place.x + place.y * place.y, turns - std::floor(turns)};
+}
+
+TEST(LightPlaces, every_run_of_sets_has_a_place_in_each_rectangle_of_its_share) {
+  const SoftLight soft =
+      place_samples(soft_light(LightShape::disc), {.sets = 32, .per_set = 8, .is_alone = false});
+  ASSERT_EQ(soft.places.size(), 256U);
+  for (std::size_t count = 8; count <= 256; count *= 2)
+    for (std::size_t begin = 0; begin < 256; begin += count)
+      for (std::size_t columns = 1; columns <= count; columns *= 2) {
+        const std::size_t rows = count / columns;
+        std::set<std::pair<int, int>> met;
+        for (std::size_t i = begin; i < begin + count; ++i) {
+          const auto [u, v] = in_square(soft.places[i]);
+          met.emplace(static_cast<int>(u * static_cast<double>(columns)),
+                      static_cast<int>(v * static_cast<double>(rows)));
+        }
+        EXPECT_EQ(met.size(), count) << begin << ": " << columns << " x " << rows;
+      }
+}
+
+TEST(LightPlaces, axes_of_a_sky_are_unit_and_all_above_it) {
+  const SoftLight soft =
+      place_samples(soft_light(LightShape::sky), {.sets = 16, .per_set = 16, .is_alone = false});
+  Vec3 sum;
+  for (const Vec3& axis : soft.places) {
+    EXPECT_NEAR(length(axis), 1, 1e-12);
+    EXPECT_GT(axis.z, 0);
+    sum = sum + axis;
   }
-  return weights;
+  const Vec3 mean = 1.0 / static_cast<double>(soft.places.size()) * sum;
+  EXPECT_NEAR(mean.x, 0, 0.01);
+  EXPECT_NEAR(mean.y, 0, 0.01);
+  EXPECT_NEAR(mean.z, 0.5, 0.005);  // a hemisphere's centroid
 }
 
-TEST(LightPlaces, each_half_of_the_samples_gives_all_sets_the_same_weight) {
-  for (const std::size_t sets : {1U, 4U, 12U})
-    for (const std::size_t count : {1U, 2U, 4U, 5U, 6U, 16U, 24U, 40U, 48U, 96U, 1000U}) {
-      const std::size_t half = count / 2;
-      const auto expect_even = [&](std::size_t begin, std::size_t end) {
-        const auto all = weights(begin, end, half, count, sets);
-        EXPECT_EQ(all.size(), sets) << count;
-        for (const auto& [set, weight] : all)
-          EXPECT_NEAR(weight, static_cast<double>(end - begin) / static_cast<double>(sets), 1e-9)
-              << set << " of " << sets << ", " << count;
-      };
-      if (half > 0) expect_even(0, half);
-      expect_even(half, count);
-    }
-}
-
-TEST(LightPlaces, samples_share_sets_out_where_their_numbers_agree) {
-  for (const auto& [count, step] : {std::pair(4U, 2U), {16U, 4U}, {24U, 12U}, {6U, 3U}, {10U, 1U}})
-    EXPECT_EQ(share_of_sets(0, count / 2, count, 12).step, step) << count;
-}
-
-TEST(LightPlaces, sets_that_are_shared_out_are_parts_of_one_lattice) {
-  for (const LightShape shape : {LightShape::sky, LightShape::disc}) {
-    const PackedLight light{.kind = 0,
-                            .rays = LightRays::parallel,
-                            .place = {0, 0, 1},
-                            .emission = {1, 1, 1},
-                            .fades = false,
-                            .shape = shape,
-                            .size = 0.3};
-    const auto sorted = [&](const LightSampling& sampling) {
-      std::vector<Vec3> places = place_samples(light, sampling).places;
-      std::sort(places.begin(), places.end(),
-                [](const Vec3& a, const Vec3& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-      return places;
-    };
-    const auto parts = sorted({.sets = 12, .per_set = 70, .is_shared_out = true});
-    const auto whole = sorted({.sets = 1, .per_set = 840});
-    ASSERT_EQ(parts.size(), whole.size());
-    for (std::size_t i = 0; i < whole.size(); ++i)
-      EXPECT_NEAR(length(parts[i] - whole[i]), 0, 1e-12) << i;
+TEST(LightPlaces, neighbours_and_a_pixel_s_samples_use_different_sets) {
+  for (const int sets : {4, 16, 128}) {
+    std::set<int> of_square;
+    for (int i = 0; i < 4; ++i) of_square.insert(light_set_of(i % 2, i / 2, 0, sets));
+    EXPECT_EQ(of_square.size(), 4U) << sets;
+    std::set<int> of_pixel;
+    for (int sample = 0; sample < sets; ++sample) of_pixel.insert(light_set_of(1, 0, sample, sets));
+    EXPECT_EQ(of_pixel.size(), static_cast<std::size_t>(sets));
   }
 }
 

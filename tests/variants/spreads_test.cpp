@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -112,8 +111,8 @@ Sampled sample(const Plan& plan, const Scene& scene, const std::vector<std::uint
   Sampled sampled{std::vector<SampledPixel>(places.size()),
                   Image(width, height, channel_count(scene)), PixelSpreads(width, height)};
   const SamplePattern pattern = sample_pattern(samples);
-  sample_pixels(tracer, pattern, scene.render.transfer, {32, 16, places, channel_count(scene)},
-                sampled.pixels);
+  const BlockPixels pixels{32, 16, places, channel_count(scene)};
+  sample_pixels(tracer, pattern, scene.render.transfer, {&pixels, 1}, sampled.pixels);
   render_tile(tracer, pattern, scene.render.transfer, {0, 0, width, height}, &sampled.whole,
               {.pixels = &sampled.spreads});
   return sampled;
@@ -184,46 +183,6 @@ TEST(SampledPixels, are_as_those_of_a_whole_image_in_all_kernels) {
 
 TEST(SampledPixels, have_the_cover_of_a_whole_image) {
   expect_as_together_in_all_kernels(corner(false), {8, 48, 260});
-}
-
-/// A wide sun and a sky over that corner, to a target.
-Scene soft_corner() {
-  json sun = distant_json({1, 0, 1});
-  sun["angle"] = 0.7;
-  const json mirror = {{"color", {0.8, 0.8, 0.8}}, {"reflectivity", 0.3}};
-  Scene scene =
-      scene_of(document(camera_json(37, 23, 1, {0, 0, -5}, {}),
-                        {sphere_json({1.5, -1, 0}, 1, mirror), sphere_json({2.4, -0.7, -1}, 0.3),
-                         plane_json({0, 0, 2}, {0.3, -0.4, -1})},
-                        {sun, {{"type", "sky"}, {"intensity", 0.5}}}));
-  scene.render.target_rmse = 0.01;
-  return scene;
-}
-
-TEST(SampledPixels, share_out_places_on_soft_lights_alike_on_every_instruction_set) {
-  const std::vector<std::uint8_t> places = some_places();
-  Scene scene = soft_corner();
-  for (const Precision precision : {Precision::single_precision, Precision::double_precision}) {
-    scene.render.precision = precision;
-    for (const int samples : {8, 20, 64, 320}) {
-      std::optional<Sampled> first;
-      for (const InstructionSet& set : supported_instruction_sets()) {
-        const Plan plan = make_plan(scene, {set});
-        ASSERT_TRUE(plan.light_sampling.value.is_shared_out);
-        const Sampled sampled = sample(plan, scene, places, samples);
-        if (!first) first = sampled;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-          const float* const together =
-              sampled.whole.pixel(32 + places[i] % 16, 16 + places[i] / 16);
-          for (std::size_t k = 0; k < 3; ++k) {
-            const float alone = sampled.pixels[i].values[k];
-            EXPECT_NEAR(alone, first->pixels[i].values[k], 1e-5) << set.name << " " << samples;
-            EXPECT_NEAR(alone, together[k], 0.02) << set.name << " " << samples;
-          }
-        }
-      }
-    }
-  }
 }
 
 /// Hundreds of spheres in that corner, near and far, smaller and larger than its pixels.

@@ -68,6 +68,9 @@ class BlockBeyondRange {
     }
   }
 
+  /// Whether all samples of the ray's pixel were.
+  bool is_number(std::size_t ray) const { return is_empty_ || marks_[ray] != not_a_number; }
+
  private:
   using Shape = PacketShape<D>;
   static constexpr T clamped = 1;

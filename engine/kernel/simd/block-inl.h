@@ -2,6 +2,7 @@
 
 #include <hwy/contrib/math/math-inl.h>
 
+#include <array>
 #include <cstdint>
 
 #include "engine/kernel/sample_point.h"
@@ -13,13 +14,17 @@ namespace raytracer::HWY_NAMESPACE {
 
 inline constexpr int block_pixels = block_side * block_side;
 
+/// Some of a block's pixels: row by row, a bit for each.
+using PixelBits = std::array<std::uint16_t, block_side>;
+
 /// Pixels begin <= (x, y) < begin + size, y = 0 on top, at most `block_side` either way.
 struct Block {
   int x_begin;
   int y_begin;
   int width;
   int height;
-  std::uint32_t subtiles;  ///< those to trace, as Tile::subtiles
+  std::uint32_t subtiles;             ///< those to trace, as Tile::subtiles
+  const PixelBits* pixels = nullptr;  ///< those of them to trace, if not all
 };
 
 /// How a packet covers pixels: as near to a square as its lanes allow, because neighbours in both

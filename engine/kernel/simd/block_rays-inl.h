@@ -1,6 +1,7 @@
 // The rays from the eye through a block's pixels.
 
 #include <cstddef>
+#include <cstdint>
 
 #include "engine/kernel/simd/render_tile.h"
 #include "engine/lights/light_places.h"
@@ -38,10 +39,21 @@ class BlockRays {
                 away_from_middle(sample.y, jitter_) * moved.y};
   }
 
-  /// The lanes whose pixels are in the block.
+  /// The lanes whose pixels are in the block, and wanted.
   HWY_INLINE hn::Mask<D> active(D d, const PacketPlace<D>& place) const {
-    return hn::And(hn::Lt(offsets_.x, hn::Set(d, static_cast<T>(block_.width - place.x))),
-                   hn::Lt(offsets_.y, hn::Set(d, static_cast<T>(block_.height - place.y))));
+    const auto is_in =
+        hn::And(hn::Lt(offsets_.x, hn::Set(d, static_cast<T>(block_.width - place.x))),
+                hn::Lt(offsets_.y, hn::Set(d, static_cast<T>(block_.height - place.y))));
+    if (HWY_LIKELY(block_.pixels == nullptr)) return is_in;
+    using Shape = PacketShape<D>;
+    std::uint32_t wanted = 0;
+    for (int row = 0; row < Shape::height; ++row) {
+      const std::uint32_t pixels = (*block_.pixels)[static_cast<std::size_t>(place.y + row)];
+      wanted |= (pixels >> place.x & ((1U << Shape::width) - 1)) << (row * Shape::width);
+    }
+    alignas(8) std::uint8_t bytes[8] = {static_cast<std::uint8_t>(wanted),
+                                        static_cast<std::uint8_t>(wanted >> 8U)};
+    return hn::And(is_in, hn::LoadMaskBits(d, bytes));
   }
 
   const EyeRays<D> eye;
@@ -53,13 +65,12 @@ class BlockRays {
   int height_;
 };
 
-/// The sets of places on soft lights that the nth of a pattern's samples uses.
+/// The set of places on soft lights that a pixel's nth sample uses, but for its place in a square
+/// of 2 x 2.
 template <typename T>
 HWY_INLINE LightSet<T> light_set_of_sample(const PacketScene<T>& scene, std::size_t nth,
-                                           const SamplePattern& pattern, LightLedger<T>* ledger) {
-  const auto sets = static_cast<std::size_t>(scene.light_sets);
-  if (!scene.shares_light_sets) return {{nth % sets}, ledger};
-  return {share_of_sets(nth, pattern.half_a_count, pattern.points.size(), sets), ledger};
+                                           LightLedger<T>* ledger) {
+  return {nth % static_cast<std::size_t>(scene.light_sets), ledger};
 }
 
 /// A block's packets at one sample's place.
@@ -78,19 +89,16 @@ class SamplePackets {
 
   static constexpr int count() { return PacketShape<D>::packets; }
   HWY_INLINE std::size_t first_pixel() const { return first_pixel_; }
-  /// Pixels differ from each other by their place in a square of 2 x 2, if there are several sets
-  /// and they are not shared out.
+  /// Pixels differ from each other by their place in a square of 2 x 2, if there are several sets.
   HWY_INLINE LightSets<T> light_sets() const {
     LightSets<T> sets(light_set_);
     const PacketScene<T>& scene = rays_.eye.scene();
-    sets.by_quarters = scene.light_sets > 1 && !scene.shares_light_sets;
+    sets.by_quarters = scene.light_sets > 1;
     if (!sets.by_quarters) return sets;
     const int sample = static_cast<int>(light_set_.index);
     for (int i = 0; i < 4; ++i) {
       const int set = light_set_of(i % 2, i / 2, sample, scene.light_sets);
-      LightSet<T>* const quarter = sets.of_quarter(static_cast<std::size_t>(i));
-      for (std::size_t part = 0; part < LightSets<T>::part_count / 4; ++part)
-        quarter[part].index = static_cast<std::size_t>(set);
+      sets.of_quarters[i].index = static_cast<std::size_t>(set);
     }
     return sets;
   }

@@ -27,8 +27,8 @@ void ask(const PacketScene<double>& scene, const SamplePattern& pattern, const T
 }
 
 void sample(const PacketScene<double>& scene, const SamplePattern& pattern, Transfer transfer,
-            const BlockPixels& pixels, SampledPixel* results) {
-  sample_block(scene, pattern, transfer, pixels, results);
+            std::span<const BlockPixels> blocks, SampledPixel* results) {
+  sample_blocks(scene, pattern, transfer, blocks, results);
 }
 
 }  // namespace
@@ -59,10 +59,10 @@ void record_tile(const PacketScene<double>& scene, const SamplePattern& pattern,
 }
 
 void sample_pixels(const PacketScene<double>& scene, const SamplePattern& pattern,
-                   Transfer transfer, const BlockPixels& pixels, std::int64_t target,
+                   Transfer transfer, std::span<const BlockPixels> blocks, std::int64_t target,
                    std::span<SampledPixel> results) {
   HWY_DISPATCH_TABLE(sample)
-  [dispatch_index(target)](scene, pattern, transfer, pixels, results.data());
+  [dispatch_index(target)](scene, pattern, transfer, blocks, results.data());
 }
 
 }  // namespace raytracer

@@ -57,10 +57,10 @@ HWY_NOINLINE void trace_doubtful_again(D d, const PacketScene<double>& scene,
   for (int quarter = 0; quarter < (light_sets.by_quarters ? 4 : 1); ++quarter) {
     // Of rays in no order all that they use together.
     const auto at = static_cast<std::size_t>(quarter);
-    const PlaceSets sets =
-        light_sets.by_quarters ? *light_sets.of_quarter(at) : light_sets.followed;
-    LightSets<double> of_quarter({sets, nullptr});
-    of_quarter.followed = {light_sets.followed, nullptr};
+    const std::size_t set =
+        light_sets.by_quarters ? light_sets.of_quarters[at].index : light_sets.followed.index;
+    LightSets<double> of_quarter({set, nullptr});
+    of_quarter.followed = {light_sets.followed.index, nullptr};
     const auto trace_again = [&]() HWY_ATTR {
       trace_in_double(scene, samples, of_quarter, exact);
       for (std::size_t i = 0; i < samples.count; ++i) {

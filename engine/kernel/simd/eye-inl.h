@@ -95,7 +95,7 @@ HWY_NOINLINE void shade_packets(D d, const EyeRays<D>& eye, const Hits<T>& hits,
                                 const LightSets<T>& light_sets, bool fetches, Followed& followed,
                                 SampleColours<T>& colours) {
   constexpr std::size_t lanes = hn::MaxLanes(d);
-  static_assert(LightSets<T>::rays_in_part % lanes == 0);
+  static_assert(LightSets<T>::rays_in_quarter % lanes == 0);
   const PacketScene<T>& scene = eye.scene();
   if (fetches) fetch_for_shading(d, scene, hits, 0);
   for (std::size_t i = 0; i < count; ++i) {
@@ -133,27 +133,56 @@ struct PixelsByLightSet {
   }
 };
 
-/// As shade_packets() of a block, in packets of pixels that use one set of places on soft lights.
+/// As shade_packets() of blocks, in packets of pixels that use one set of places on soft lights.
 template <class D, class Followed, typename T = hn::TFromD<D>>
-HWY_NOINLINE void shade_by_light_sets(D d, const EyeRays<D>& eye, const Hits<T>& hits,
-                                      const LightSets<T>& light_sets, Followed& followed,
-                                      SampleColours<T>& colours) {
+HWY_NOINLINE void shade_by_light_sets(D d, const EyeRays<D>& eye, const Hits<T>* hits,
+                                      std::size_t block_count, const LightSets<T>& light_sets,
+                                      Followed& followed, SampleColours<T>* colours) {
   using Shape = PacketShape<D>;
-  std::size_t from[block_pixels];
+  const PacketScene<T>& scene = eye.scene();
+  const bool may_doubt = may_be_inexact<T> && scene.exact.scene != nullptr;
+  const V3<hn::Vec<D>> background = broadcast(d, scene.background);
+  for (std::size_t block = 0; block < block_count; ++block)
+    for (std::size_t at = 0; at < block_pixels; at += hn::Lanes(d))
+      store(d, background, at, colours[block]);
+  // Only what has hit something, so that packets are full of it.
+  struct Place {
+    std::size_t block;
+    std::size_t at;
+  } from[block_pixels];
   Hits<T> arranged;
-  for (std::size_t to = 0; to < block_pixels; ++to) {
-    const PixelsByLightSet<D> place(static_cast<int>(to));
-    from[to] = Shape::index_of(place.x, place.y);
-    for (const auto& column : Hits<T>::columns) (arranged.*column)[to] = (hits.*column)[from[to]];
-  }
   SampleColours<T> arranged_colours;
-  shade_packets(d, eye, arranged, Shape::packets, light_sets, false, followed, arranged_colours);
-  const bool may_doubt = may_be_inexact<T> && eye.scene().exact.scene;
-  for (std::size_t at = 0; at < block_pixels; ++at) {
-    colours.red[from[at]] = arranged_colours.red[at];
-    colours.green[from[at]] = arranged_colours.green[at];
-    colours.blue[from[at]] = arranged_colours.blue[at];
-    if (may_doubt) colours.doubt[from[at]] = arranged_colours.doubt[at];
+  std::size_t count = 0;
+  const auto shade = [&](const LightSet<T>& light_set) HWY_ATTR {
+    const std::size_t packets = (count + hn::Lanes(d) - 1) / hn::Lanes(d);
+    for (std::size_t i = count; i < packets * hn::Lanes(d); ++i)
+      for (const auto& column : Hits<T>::columns)
+        (arranged.*column)[i] = T(column == &Hits<T>::id ? -1 : 0);
+    shade_packets(d, eye, arranged, packets, LightSets<T>(light_set), false, followed,
+                  arranged_colours);
+    for (std::size_t i = 0; i < count; ++i) {
+      SampleColours<T>& to = colours[from[i].block];
+      to.red[from[i].at] = arranged_colours.red[i];
+      to.green[from[i].at] = arranged_colours.green[i];
+      to.blue[from[i].at] = arranged_colours.blue[i];
+      if (may_doubt) to.doubt[from[i].at] = arranged_colours.doubt[i];
+    }
+    count = 0;
+  };
+  constexpr int in_quarter = block_pixels / 4;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    for (std::size_t block = 0; block < block_count; ++block)
+      for (int nth = in_quarter * quarter; nth < in_quarter * (quarter + 1); ++nth) {
+        const PixelsByLightSet<D> place(nth);
+        const std::size_t at = Shape::index_of(place.x, place.y);
+        if (hits[block].id[at] < 0) continue;
+        for (const auto& column : Hits<T>::columns)
+          (arranged.*column)[count] = (hits[block].*column)[at];
+        from[count++] = {block, at};
+        if (count == block_pixels) shade(light_sets.of_quarters[quarter]);
+      }
+    // One set for all quarters needs no other packets.
+    if (light_sets.by_quarters || quarter == 3) shade(light_sets.of_quarters[quarter]);
   }
 }
 
@@ -165,7 +194,7 @@ HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Hits<T>& hits, std:
                            SampleColours<T>& colours) {
   followed.light_set = light_sets.followed;
   if (HWY_UNLIKELY(light_sets.by_quarters))
-    shade_by_light_sets(d, eye, hits, light_sets, followed, colours);
+    shade_by_light_sets(d, eye, &hits, 1, light_sets, followed, &colours);
   else
     shade_packets(d, eye, hits, count, light_sets, fetches, followed, colours);
 }
@@ -181,6 +210,23 @@ HWY_INLINE void shade_hits(D d, const EyeRays<D>& eye, const Hits<T>& hits, std:
     shade_hits(d, eye, hits, count, light_sets, fetches, queues.single, colours);
 }
 
+/// The colours of what packets of some blocks have hit, by light sets.
+template <class D, typename T = hn::TFromD<D>>
+HWY_INLINE void shade_blocks(D d, const EyeRays<D>& eye, const Hits<T>* hits,
+                             std::size_t block_count, const LightSets<T>& light_sets,
+                             RayQueues<T>& queues, SampleColours<T>* colours) {
+  if (may_be_inexact<T> && eye.scene().exact.scene)
+    for (std::size_t i = 0; i < block_count; ++i) std::fill_n(colours[i].doubt, block_pixels, T(0));
+  const auto shade = [&](auto& followed) HWY_ATTR {
+    followed.light_set = light_sets.followed;
+    shade_by_light_sets(d, eye, hits, block_count, light_sets, followed, colours);
+  };
+  if (HWY_UNLIKELY(eye.scene().transmits))
+    shade(queues.branching);
+  else
+    shade(queues.single);
+}
+
 /// Adds what the rays see that have been queued to the colours of their blocks.
 template <typename T>
 HWY_INLINE void trace_queued(const PacketScene<T>& scene, RayQueues<T>& queues,
@@ -192,25 +238,19 @@ HWY_INLINE void trace_queued(const PacketScene<T>& scene, RayQueues<T>& queues,
     trace_followed(scene, queues.single, colours);
 }
 
-/// The colours that packets of rays from the eye see, not yet clamped, but for the rays that
-/// follow, which are queued; at most as many rays as a block has pixels. If `fetches`, what
-/// shading a packet will need is fetched before its turn. `rays` has count() packets, and for the
-/// i-th of them, if is_in(i), direction(d, i), the active(d, i) lanes, and the candidates(i) of
-/// what they go through; image_point(k) of the k-th ray; light_sets(); and first_pixel(), its first
-/// pixel's number among those that are queued together.
-///
-/// All packets are intersected before any is shaded: chains of dependent operations stay short, and
-/// the processor overlaps several packets.
+/// What packets of rays from the eye hit; at most as many rays as a block has pixels. `rays` has
+/// count() packets, and for the i-th of them, if is_in(i), direction(d, i), the active(d, i) lanes,
+/// and the candidates(i) of what they go through; image_point(k) of the k-th ray; light_sets(); and
+/// first_pixel(), its first pixel's number among those that are queued together.
 ///
 /// `cover`, if there is one, gets 1 where a ray has met something, else 0.
 template <class D, class Rays, typename T = hn::TFromD<D>>
-HWY_NOINLINE void trace_from_eye(D d, const EyeRays<D>& eye, const Rays& rays, bool fetches,
-                                 RayQueues<T>& queues, SampleColours<T>& colours, T* cover) {
+HWY_INLINE void intersect_from_eye(D d, const EyeRays<D>& eye, const Rays& rays, Hits<T>& hits,
+                                   T* cover) {
   using V = hn::Vec<D>;
   constexpr int lanes = PacketShape<D>::lanes;
   const PacketScene<T>& scene = eye.scene();
   const V none = hn::Set(d, T(-1));
-  Hits<T> hits;
   for (int i = 0; i < rays.count(); ++i) {
     const std::size_t at = static_cast<std::size_t>(i) * lanes;
     if (!rays.is_in(i)) {
@@ -226,7 +266,20 @@ HWY_NOINLINE void trace_from_eye(D d, const EyeRays<D>& eye, const Rays& rays, b
     if (cover != nullptr)
       hn::Store(hn::IfThenElseZero(hn::Ge(hit.id, hn::Zero(d)), hn::Set(d, T(1))), d, cover + at);
   }
-  if (may_be_inexact<T> && scene.exact.scene) std::fill_n(colours.doubt, block_pixels, T(0));
+}
+
+/// The colours that packets see, as intersect_from_eye() has them, not yet clamped, but for the
+/// rays that follow, which are queued. If `fetches`, what shading a packet will need is fetched
+/// before its turn.
+///
+/// All packets are intersected before any is shaded: chains of dependent operations stay short, and
+/// the processor overlaps several packets.
+template <class D, class Rays, typename T = hn::TFromD<D>>
+HWY_NOINLINE void trace_from_eye(D d, const EyeRays<D>& eye, const Rays& rays, bool fetches,
+                                 RayQueues<T>& queues, SampleColours<T>& colours, T* cover) {
+  Hits<T> hits;
+  intersect_from_eye(d, eye, rays, hits, cover);
+  if (may_be_inexact<T> && eye.scene().exact.scene) std::fill_n(colours.doubt, block_pixels, T(0));
   shade_hits(d, eye, hits, static_cast<std::size_t>(rays.count()), rays.light_sets(), fetches,
              queues, colours);
 }

@@ -46,7 +46,9 @@
 #include "engine/kernel/simd/beyond_range-inl.h"
 #include "engine/kernel/simd/store-inl.h"
 #include "engine/kernel/simd/block_rays-inl.h"
+#include "engine/kernel/simd/block_sums-inl.h"
 #include "engine/kernel/simd/sampled_block-inl.h"
 #include "engine/kernel/simd/render_tile-inl.h"
+#include "engine/kernel/simd/picked_pixels-inl.h"
 #include "engine/kernel/simd/sample_pixels-inl.h"
 // clang-format on

@@ -1,7 +1,10 @@
-// Single pixels of a block, whose samples are traced side by side.
+// Single pixels of a block: the samples of each are traced side by side, or under soft lights the
+// pixels.
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <type_traits>
 
 #include "engine/kernel/simd/sample_pixels.h"
@@ -33,18 +36,13 @@ class PixelPackets {
  public:
   /// Of the pixel whose lower left corner is (x, y), y = 0 at the bottom.
   HWY_INLINE PixelPackets(const EyeRays<D>& eye, const SampleLanes<T>& samples, double x, double y,
-                          const LightSets<T>& light_sets, Candidates& candidates)
-      : eye_(eye),
-        samples_(samples),
-        x_(x),
-        y_(y),
-        light_sets_(light_sets),
-        candidates_(candidates) {}
+                          Candidates& candidates)
+      : eye_(eye), samples_(samples), x_(x), y_(y), candidates_(candidates) {}
 
   HWY_INLINE int count() const { return static_cast<int>((samples_.count + lanes - 1) / lanes); }
   static constexpr bool is_in(int /*i*/) { return true; }
   static constexpr std::size_t first_pixel() { return 0; }
-  HWY_INLINE const LightSets<T>& light_sets() const { return light_sets_; }
+  HWY_INLINE LightSets<T> light_sets() const { return LightSets<T>({}); }  // there is no soft light
   HWY_INLINE Candidates& candidates(int /*i*/) const { return candidates_; }
   HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
     return eye_.direction(d, x_, y_, hn::Load(d, samples_.right + first(i)),
@@ -65,31 +63,8 @@ class PixelPackets {
   const SampleLanes<T>& samples_;
   double x_;
   double y_;
-  const LightSets<T>& light_sets_;
   Candidates& candidates_;
 };
-
-/// The sets of places on soft lights that a pixel's samples from `begin` on use: those of a part
-/// the same; rays that follow, and a part that is of both halves, all.
-template <typename T>
-HWY_INLINE LightSets<T> light_sets_of_pixel(const PacketScene<T>& scene,
-                                            const SamplePattern& pattern, std::size_t begin) {
-  if (!scene.shares_light_sets) return LightSets<T>({});
-  LightSets<T> sets({PlaceSets::all(), nullptr});
-  constexpr std::size_t in_part = LightSets<T>::rays_in_part;
-  const std::size_t whole_in_a = pattern.half_a_count / in_part;
-  const std::size_t b_begin = (pattern.half_a_count + in_part - 1) / in_part;
-  const std::size_t count = (pattern.points.size() + in_part - 1) / in_part;
-  for (std::size_t i = 0; i < LightSets<T>::part_count; ++i) {
-    const std::size_t part = begin / in_part + i;
-    if (part >= count || (part >= whole_in_a && part < b_begin)) continue;
-    const std::size_t nth = part < whole_in_a ? part : part - b_begin + whole_in_a;
-    sets.of_parts[i] = {share_of_sets(nth, whole_in_a, count - b_begin + whole_in_a,
-                                      static_cast<std::size_t>(scene.light_sets)),
-                        nullptr};
-  }
-  return sets;
-}
 
 /// Sums over each pixel's samples, the pixels side by side.
 template <typename T>
@@ -169,9 +144,10 @@ HWY_INLINE void sample_pixel(D d, const EyeRays<D>& eye, const Packets& packets,
   sums.is_number[pixel] &= hn::AllFalse(d, hn::IsNaN(numbers));
 }
 
+/// Samples of a pixel side by side: they meet the same things.
 template <typename T>
-void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
-                  const BlockPixels& pixels, SampledPixel* results) {
+void sample_each(const PacketScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
+                 const BlockPixels& pixels, SampledPixel* results) {
   using D = hn::ScalableTag<T>;
   const D d;
   using V = hn::Vec<D>;
@@ -195,7 +171,6 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
   std::fill_n(sums.is_number, block_pixels, true);
   for (std::size_t begin = 0; begin < pattern.points.size(); begin += block_pixels) {
     const SampleLanes<T> samples(pattern, begin);
-    const LightSets<T> light_sets = light_sets_of_pixel(scene, pattern, begin);
     for (std::size_t i = 0; i < pixels.places.size(); ++i) {
       const int x = pixels.places[i] % block_side;
       const int y = pixels.places[i] / block_side;
@@ -205,7 +180,7 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
                                    y / subtile_side * subtiles_across + x / subtile_side};
       const auto sample = [&](auto& own) HWY_ATTR {
         const PixelPackets<D, std::decay_t<decltype(own)>> packets(eye, samples, x_left, y_low,
-                                                                   light_sets, own);
+                                                                   own);
         sample_pixel(d, eye, packets, samples, begin == 0, has_cover, i, queues, sums);
       };
       if (narrows) {
@@ -217,32 +192,42 @@ void sample_block(const PacketScene<T>& scene, const SamplePattern& pattern, Tra
     }
   }
   const std::size_t count = pattern.points.size();
+  const V share = share_of(d, count);
+  PixelResults<T> sampled;
   for (std::size_t first = 0; first < pixels.places.size(); first += lanes) {
     const V3<V> all = load(d, sums.all, first);
     const V3<V> half_a = load(d, sums.half_a, first);
     const V3<V> origin = load(d, sums.origin, first);
     const V squares = hn::Load(d, sums.squares + first);
-    const V share = share_of(d, count);
-    Spread<V> spread;
     if (has_cover) {
       const CoveredColour<V> covered{all, hn::Load(d, sums.cover + first)};
       const CoveredColour<V> half{half_a, hn::Load(d, sums.half_a_cover + first)};
-      spread = spread_of(d, half, covered, origin, squares, count, Transfer::linear);
-      const CoveredColour<V> shown = resolved(d, covered, share, transfer);
-      store(d, shown.colour, first, sums.all);
-      hn::Store(shown.cover, d, sums.cover + first);
+      sampled.set(d, first, resolved(d, covered, share, transfer),
+                  spread_of(d, half, covered, origin, squares, count, Transfer::linear));
     } else {
-      spread = spread_of(d, half_a, all, origin, squares, count, Transfer::linear);
-      store(d, resolved(d, all, share, transfer), first, sums.all);
+      sampled.set(d, first, resolved(d, all, share, transfer),
+                  spread_of(d, half_a, all, origin, squares, count, Transfer::linear));
     }
-    hn::Store(spread.error2, d, sums.half_a.red + first);
-    hn::Store(spread.variance, d, sums.squares + first);
   }
   for (std::size_t i = 0; i < pixels.places.size(); ++i)
-    results[i] = {{static_cast<float>(sums.all.red[i]), static_cast<float>(sums.all.green[i]),
-                   static_cast<float>(sums.all.blue[i]), static_cast<float>(sums.cover[i])},
-                  {static_cast<float>(sums.half_a.red[i]), static_cast<float>(sums.squares[i])},
-                  sums.is_number[i]};
+    results[i] = sampled.pixel(i, sums.is_number[i]);
+}
+
+template <typename T>
+void sample_blocks(const PacketScene<T>& scene, const SamplePattern& pattern, Transfer transfer,
+                   std::span<const BlockPixels> blocks, SampledPixel* results) {
+  const bool is_together = !scene.soft_lights.empty();
+  for (std::size_t begin = 0; begin < blocks.size();) {
+    const std::size_t count =
+        is_together ? std::min(blocks_at_once, blocks.size() - begin) : std::size_t{1};
+    const auto some = blocks.subspan(begin, count);
+    if (is_together)
+      sample_side_by_side(scene, pattern, transfer, some, results);
+    else
+      sample_each(scene, pattern, transfer, some.front(), results);
+    for (const BlockPixels& block : some) results += block.places.size();
+    begin += count;
+  }
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

@@ -1,7 +1,8 @@
-// The SIMD kernels' other entry: single pixels of a block, whose samples are traced side by side.
+// The SIMD kernels' other entry: single pixels of a block.
 //
 // Few of a block's pixels need many samples, and seldom as many as each other: a packet has one
-// pixel's samples, which meet the same things.
+// pixel's samples, which meet the same things. Under soft lights, to which most rays go, it has one
+// sample of many pixels, as those that use the same places on them do.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +16,13 @@
 namespace raytracer {
 
 /// Traces one sample at each place of `pattern`, which has half buffers and is not jittered, in
-/// each of the pixels, and leaves what they come to after `transfer` in `results`, one for each.
+/// each of the blocks' pixels, and leaves what they come to after `transfer` in `results`, one for
+/// each, block by block.
 void sample_pixels(const PacketScene<float>& scene, const SamplePattern& pattern, Transfer transfer,
-                   const BlockPixels& pixels, std::int64_t target, std::span<SampledPixel> results);
+                   std::span<const BlockPixels> blocks, std::int64_t target,
+                   std::span<SampledPixel> results);
 void sample_pixels(const PacketScene<double>& scene, const SamplePattern& pattern,
-                   Transfer transfer, const BlockPixels& pixels, std::int64_t target,
+                   Transfer transfer, std::span<const BlockPixels> blocks, std::int64_t target,
                    std::span<SampledPixel> results);
 
 }  // namespace raytracer

@@ -39,15 +39,13 @@ class SoftLightOnPacket {
         packet_(packet),
         between_(between) {}
 
-  /// The share of a disc that the lanes of `lit` have, by its places in some sets; 0 in others.
-  HWY_INLINE V share_of_disc(const PacketSoftLight<T>& soft, const PlaceSets& sets,
+  /// The share of a disc that the lanes of `lit` have, by the places of a set; 0 in others.
+  HWY_INLINE V share_of_disc(const PacketSoftLight<T>& soft, std::size_t set,
                              const ArrivingLights<V>& middle, M lit) const {
     V sum = hn::Zero(d_);
     const M none = hn::AndNot(lit, lit);
-    std::size_t count = 0;
     if (!soft.directions.empty()) {
-      for_each_place(soft, sets, [&](std::size_t i, std::size_t in_set) HWY_ATTR {
-        ++count;
+      for_each_place(soft, set, [&](std::size_t i, std::size_t in_set) HWY_ATTR {
         sum = hn::Add(sum, share_along(soft.directions[i], nullptr, none,
                                        broadcast(d_, soft.directions[i].place),
                                        soft.first_told + in_set, lit));
@@ -58,8 +56,7 @@ class SoftLightOnPacket {
       const LightCandidates<T> candidates(scene_, shaft, is_searched);
       const BasisPacket<V> around = basis_across(d_, middle.towards);
       const V3<V> path = scale(middle.towards, middle.path);
-      for_each_place(soft, sets, [&](std::size_t i, std::size_t) HWY_ATTR {
-        ++count;
+      for_each_place(soft, set, [&](std::size_t i, std::size_t) HWY_ATTR {
         const V across = hn::Set(d_, soft.places[i].x * soft.size);
         const V along = hn::Set(d_, soft.places[i].y * soft.size);
         const V3<V> to = mul_add(around.u, across, mul_add(around.v, along, path));
@@ -71,16 +68,16 @@ class SoftLightOnPacket {
           sum = hn::Add(sum, share_along(towards, distance, lit));
       });
     }
-    return hn::Mul(sum, hn::Set(d_, T(1) / static_cast<T>(count)));
+    return hn::Mul(sum, hn::Set(d_, T(1) / static_cast<T>(soft.per_set)));
   }
 
   /// Likewise of a sky: by the cosine.
-  HWY_INLINE V share_of_sky(const PacketSoftLight<T>& soft, const PlaceSets& sets, M active) const {
+  HWY_INLINE V share_of_sky(const PacketSoftLight<T>& soft, std::size_t set, M active) const {
     const V zero = hn::Zero(d_);
     V sum = zero;
     V weights = zero;
     const bool is_shared = !soft.directions.empty();
-    for_each_place(soft, sets, [&](std::size_t i, std::size_t in_set) HWY_ATTR {
+    for_each_place(soft, set, [&](std::size_t i, std::size_t in_set) HWY_ATTR {
       const V3<V> axis = broadcast(d_, is_shared ? soft.directions[i].place : soft.places[i]);
       const V cosine = dot(surface_.normal, axis);
       const M opposite = hn::Lt(cosine, zero);
@@ -99,25 +96,26 @@ class SoftLightOnPacket {
     return hn::IfThenElseZero(hn::And(active, hn::Gt(weights, zero)), hn::Div(sum, weights));
   }
 
-  /// Lanes of `lit` that see something of a light, of whose places in their own sets they have the
-  /// share `had`: where that is nothing, all sets are asked. share_of(sets, lanes) is what lanes
-  /// have by some sets.
+  /// Lanes of `lit` that see something of a light, of which they have the share `had` by their own
+  /// set: where that is nothing, others are asked, too. share_of(set, lanes) is what lanes have.
   template <class ShareOf>
   HWY_INLINE M sees_any(V had, M lit, const ShareOf& share_of) const {
     M dark = hn::AndNot(hn::Gt(had, hn::Zero(d_)), lit);
-    if (scene_.shares_light_sets && !hn::AllFalse(d_, dark))
-      dark = hn::AndNot(hn::Gt(share_of(PlaceSets::all(), dark), hn::Zero(d_)), dark);
+    for (int i = 1; i < scene_.sets_to_be_sure && !hn::AllFalse(d_, dark); ++i) {
+      const std::size_t set = (light_set_.index + static_cast<std::size_t>(i)) %
+                              static_cast<std::size_t>(scene_.light_sets);
+      dark = hn::AndNot(hn::Gt(share_of(set, dark), hn::Zero(d_)), dark);
+    }
     return hn::AndNot(dark, lit);
   }
 
  private:
-  /// Calls visit(place, its number in its set) for those of the sets.
+  /// Calls visit(place, its number in the set) for those of a set.
   template <class Visit>
-  HWY_INLINE void for_each_place(const PacketSoftLight<T>& soft, const PlaceSets& sets,
+  HWY_INLINE void for_each_place(const PacketSoftLight<T>& soft, std::size_t set,
                                  const Visit& visit) const {
-    const auto count = static_cast<std::size_t>(scene_.light_sets);
-    for (std::size_t set = sets.index; set < count; set += sets.step)
-      for (std::size_t i = 0; i < soft.per_set; ++i) visit(set * soft.per_set + i, i);
+    const std::size_t first = set * soft.per_set;
+    for (std::size_t i = 0; i < soft.per_set; ++i) visit(first + i, i);
   }
 
   /// From a direction that rays share, or in the lanes of `opposites` from its opposite; its place
@@ -193,12 +191,11 @@ HWY_NOINLINE V3<V> soft_light(D d, const PacketScene<T>& scene, const Surface<D>
       lit = hn::And(active, hn::Gt(incidence, zero));
       if (hn::AllFalse(d, lit)) continue;
     }
-    const auto share_of = [&](const PlaceSets& sets, M lanes) HWY_ATTR {
-      const V share = is_sky ? light.share_of_sky(soft, sets, lanes)
-                             : light.share_of_disc(soft, sets, middle, lanes);
-      return hn::IfThenElseZero(lanes, share);
+    const auto share_of = [&](std::size_t set, M lanes) HWY_ATTR {
+      return is_sky ? light.share_of_sky(soft, set, lanes)
+                    : light.share_of_disc(soft, set, middle, lanes);
     };
-    const V had = share_of(light_set, lit);
+    const V had = hn::IfThenElseZero(lit, share_of(light_set.index, lit));
     const V reflected = is_sky ? material.diffuse() : material.share(d, middle.towards, incidence);
     const V share = hn::IfThenElseZero(hn::Gt(had, zero), hn::Mul(had, reflected));
     V shown = zero;

@@ -38,7 +38,7 @@ double rays_of_sample(const Scene& scene, int samples) {
   Overrides overrides;
   overrides.samples = samples;
   const Scene many = with_overrides(scene, overrides);
-  const LightSampling places = choose_light_sampling(many, find_features(many)).value;
+  const LightSampling places = choose_light_sampling(many, find_features(many), samples).value;
   double rays = 1;
   for (const Light& light : many.lights) rays += is_soft(light) ? places.per_set : 1;
   return rays;
