@@ -143,6 +143,7 @@ TEST_F(NatsAway, client_that_waits_for_a_shared_render_gets_it) {
   Answer image;
   std::thread client([&] { image = post(front, "/render", scene); });
   EXPECT_TRUE(eventually([&] { return task_count(front) > 0; }));
+  std::this_thread::sleep_for(200ms);  // until all are stored: half a job is refused
   nats().kill();
   nats().start();
   client.join();
