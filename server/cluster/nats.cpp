@@ -347,24 +347,35 @@ void NatsConnection::remove_consumer(const std::string& stream, const std::strin
 
 std::vector<ConsumerFill> NatsConnection::consumers(const std::string& stream) {
   require_connection();
-  jsConsumerInfoList* made = nullptr;
+  // By name, one after the other: the list of all holds null for one that ends while NATS makes it,
+  // which libnats cannot read.
+  jsConsumerNamesList* listed = nullptr;
   jsErrCode error{};
-  natsStatus status = NATS_ERR;
-  // One that ends while NATS lists it is told as null, which libnats cannot read.
-  for (int tries = 0; tries < 5 && status == NATS_ERR && error == jsErrCode{}; ++tries)
-    status = js_Consumers(&made, context_.get(), stream.c_str(), nullptr, &error);
+  const natsStatus status =
+      js_ConsumerNames(&listed, context_.get(), stream.c_str(), nullptr, &error);
   if (status == NATS_NOT_FOUND && error != JSStreamNotFoundErr) return {};
   require(status, "listing what is handed out", error);
-  const std::unique_ptr<jsConsumerInfoList, Destroy<jsConsumerInfoList, jsConsumerInfoList_Destroy>>
-      list(made);
+  const std::unique_ptr<jsConsumerNamesList,
+                        Destroy<jsConsumerNamesList, jsConsumerNamesList_Destroy>>
+      names(listed);
   std::vector<ConsumerFill> consumers;
-  for (int i = 0; i < list->Count; ++i) {
-    const jsConsumerInfo& info = *list->List[i];
-    const char* const description = info.Config->Description;
-    consumers.push_back({info.Name, description != nullptr ? description : "", info.NumPending,
-                         static_cast<std::uint64_t>(info.NumAckPending)});
-  }
+  for (int i = 0; i < names->Count; ++i)
+    if (const auto fill = consumer(stream, names->List[i])) consumers.push_back(*fill);
   return consumers;
+}
+
+std::optional<ConsumerFill> NatsConnection::consumer(const std::string& stream,
+                                                     const std::string& name) {
+  jsConsumerInfo* told = nullptr;
+  jsErrCode error{};
+  const natsStatus status =
+      js_GetConsumerInfo(&told, context_.get(), stream.c_str(), name.c_str(), nullptr, &error);
+  if (status == NATS_NOT_FOUND && error != JSStreamNotFoundErr) return std::nullopt;
+  require(status, "asking what is handed out of " + name, error);
+  const std::unique_ptr<jsConsumerInfo, Destroy<jsConsumerInfo, jsConsumerInfo_Destroy>> info(told);
+  const char* const description = info->Config->Description;
+  return ConsumerFill{name, description != nullptr ? description : "", info->NumPending,
+                      static_cast<std::uint64_t>(info->NumAckPending)};
 }
 
 TaskSource NatsConnection::source(const std::string& stream, const std::string& consumer) {

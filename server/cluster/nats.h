@@ -160,6 +160,8 @@ class NatsConnection {
 
  private:
   void require_connection() const;
+  /// Nothing if it has ended.
+  std::optional<ConsumerFill> consumer(const std::string& stream, const std::string& name);
 
   std::unique_ptr<__natsConnection, void (*)(__natsConnection*)> connection_;
   std::unique_ptr<__jsCtx, void (*)(__jsCtx*)> context_;
