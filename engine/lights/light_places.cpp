@@ -1,5 +1,6 @@
 #include "engine/lights/light_places.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -114,10 +115,20 @@ SoftLight place_samples(const PackedLight& light, const LightSampling& sampling)
   return soft;
 }
 
-int light_set_of(int x, int y, int sample, int sets) {
+int light_set_of_sample(std::size_t nth, std::size_t half_a_count, int sets) {
+  const auto all = static_cast<std::size_t>(sets);
+  if (half_a_count == 0 || sets == 1) return static_cast<int>(nth % all);
+  const std::size_t of_half = all / 2;
+  const bool is_in_a = nth < half_a_count;
+  const std::size_t begin = is_in_a ? 0 : std::min(half_a_count, of_half);
+  const std::size_t nth_of_half = is_in_a ? nth : nth - half_a_count;
+  return static_cast<int>(begin + nth_of_half % of_half);
+}
+
+int light_set_of(int x, int y, int of_sample, int sets) {
   // Ordered dithering (B. Bayer, 1973).
   constexpr int order[2][2] = {{0, 2}, {3, 1}};
-  return (order[y % 2][x % 2] * sets / 4 + sample) % sets;
+  return (order[y % 2][x % 2] * sets / 4 + of_sample) % sets;
 }
 
 }  // namespace raytracer

@@ -35,8 +35,14 @@ struct SoftLight {
 
 SoftLight place_samples(const PackedLight& light, const LightSampling& sampling);
 
-/// The set that a sample of a pixel uses, of 1, 2 or a multiple of 4: each of a square of 2 x 2
-/// pixels another, as far as there are, and each of as many samples.
-int light_set_of(int x, int y, int sample, int sets);
+/// The set that a pixel's nth sample uses, of 1, 2 or a multiple of 4, where the first
+/// `half_a_count` samples are one of two half buffers, or 0 where it has none: each sample another,
+/// as far as there are. Half buffers never share one, so that they differ by what sets err however
+/// many samples there are.
+int light_set_of_sample(std::size_t nth, std::size_t half_a_count, int sets);
+
+/// The set that a pixel uses in place of that of its sample: each of a square of 2 x 2 pixels
+/// another, as far as there are.
+int light_set_of(int x, int y, int of_sample, int sets);
 
 }  // namespace raytracer

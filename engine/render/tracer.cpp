@@ -79,13 +79,14 @@ PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& patt
   double squares = 0;  // of the others' differences from it
   for (std::size_t i = 0; i < pattern.points.size(); ++i) {
     const SamplePoint& sample = pattern.points[i];
+    const int light_set = light_set_of_sample(i, pattern.half_a_count, sets);
     const double across = away_from_middle(sample.x, pattern.jitter) * moved.x;
     const double up = away_from_middle(sample.y, pattern.jitter) * moved.y;
     const Sight sight =
         see(*tracer.scene, tracer.finder,
             view.direction(x + sample.x + across, view.height - 1 - y + sample.y + up),
-            static_cast<std::size_t>(light_set_of(x, y, static_cast<int>(i), sets)),
-            i % static_cast<std::size_t>(sets));
+            static_cast<std::size_t>(light_set_of(x, y, light_set, sets)),
+            static_cast<std::size_t>(light_set));
     const Rgb seen = clamped(sight.radiance);
     pixel.seen += beyond_range(sight.radiance);
     Mean& half = i < pattern.half_a_count ? half_a : half_b;

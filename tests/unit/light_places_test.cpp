@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -68,9 +69,26 @@ TEST(LightPlaces, neighbours_and_a_pixel_s_samples_use_different_sets) {
     for (int i = 0; i < 4; ++i) of_square.insert(light_set_of(i % 2, i / 2, 0, sets));
     EXPECT_EQ(of_square.size(), 4U) << sets;
     std::set<int> of_pixel;
-    for (int sample = 0; sample < sets; ++sample) of_pixel.insert(light_set_of(1, 0, sample, sets));
+    for (std::size_t nth = 0; nth < static_cast<std::size_t>(sets); ++nth)
+      of_pixel.insert(light_set_of(1, 0, light_set_of_sample(nth, 0, sets), sets));
     EXPECT_EQ(of_pixel.size(), static_cast<std::size_t>(sets));
   }
+}
+
+TEST(LightPlaces, half_buffers_share_no_set) {
+  for (const int sets : {2, 4, 16, 128})
+    for (const std::size_t half : {1U, 2U, 8U, 24U, 64U, 300U}) {
+      std::set<int> of_a;
+      std::set<int> of_b;
+      for (std::size_t nth = 0; nth < 2 * half; ++nth)
+        (nth < half ? of_a : of_b).insert(light_set_of_sample(nth, half, sets));
+      const auto each = std::min(half, static_cast<std::size_t>(sets) / 2);
+      EXPECT_EQ(of_a.size(), each) << sets << ", " << half;
+      EXPECT_EQ(of_b.size(), each) << sets << ", " << half;
+      of_a.merge(of_b);
+      EXPECT_EQ(of_a.size(), 2 * each) << sets << ", " << half;
+    }
+  EXPECT_EQ(light_set_of_sample(5, 4, 1), 0);
 }
 
 }  // namespace

@@ -68,9 +68,11 @@ class BlockRays {
 /// The set of places on soft lights that a pixel's nth sample uses, but for its place in a square
 /// of 2 x 2.
 template <typename T>
-HWY_INLINE LightSet<T> light_set_of_sample(const PacketScene<T>& scene, std::size_t nth,
+HWY_INLINE LightSet<T> light_set_of_sample(const PacketScene<T>& scene,
+                                           const SamplePattern& pattern, std::size_t nth,
                                            LightLedger<T>* ledger) {
-  return {nth % static_cast<std::size_t>(scene.light_sets), ledger};
+  const int set = raytracer::light_set_of_sample(nth, pattern.half_a_count, scene.light_sets);
+  return {static_cast<std::size_t>(set), ledger};
 }
 
 /// A block's packets at one sample's place.
@@ -95,9 +97,9 @@ class SamplePackets {
     const PacketScene<T>& scene = rays_.eye.scene();
     sets.by_quarters = scene.light_sets > 1;
     if (!sets.by_quarters) return sets;
-    const int sample = static_cast<int>(light_set_.index);
+    const int of_sample = static_cast<int>(light_set_.index);
     for (int i = 0; i < 4; ++i) {
-      const int set = light_set_of(i % 2, i / 2, sample, scene.light_sets);
+      const int set = light_set_of(i % 2, i / 2, of_sample, scene.light_sets);
       sets.of_quarters[i].index = static_cast<std::size_t>(set);
     }
     return sets;

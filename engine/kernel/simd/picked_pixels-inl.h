@@ -132,7 +132,7 @@ void sample_side_by_side(const PacketScene<T>& scene, const SamplePattern& patte
   const EyeRays<hn::ScalableTag<T>> eye(d, scene);
   for (std::size_t nth = 0; nth < pattern.points.size(); ++nth) {
     const SamplePoint& sample = pattern.points[nth];
-    const LightSet<T> light_set = light_set_of_sample<T>(scene, nth, nullptr);
+    const LightSet<T> light_set = light_set_of_sample<T>(scene, pattern, nth, nullptr);
     for (std::size_t i = 0; i < count; ++i) picked[i].intersect(sample, light_set, hits[i]);
     shade_blocks(d, eye, hits.get(), count, picked[0].packets(sample, light_set).light_sets(),
                  queues, colours.get());

@@ -114,7 +114,7 @@ void record_blocks(const PacketScene<T>& scene, const SamplePattern& pattern, co
       for (std::size_t sample = 0; sample < pattern.points.size(); ++sample)
         trace_packets(d, rays.eye,
                       SamplePackets<D>(rays, candidates, block, pattern.points[sample],
-                                       light_set_of_sample(scene, sample, &ledger), 0),
+                                       light_set_of_sample(scene, pattern, sample, &ledger), 0),
                       false, queues, colours, static_cast<T*>(nullptr));
     }
 }

@@ -99,7 +99,7 @@ class SampledBlock {
             candidates_,
             block_,
             task_.pattern.points[sample],
-            light_set_of_sample(task_.scene, sample, task_.ledger),
+            light_set_of_sample(task_.scene, task_.pattern, sample, task_.ledger),
             first_pixel_};
   }
   /// Which of its rays have met something, if that is wanted.

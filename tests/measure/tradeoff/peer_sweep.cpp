@@ -1,6 +1,7 @@
 #include "tests/measure/tradeoff/peer_sweep.h"
 
 #include <algorithm>
+#include <iostream>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -35,6 +36,8 @@ PeerSweep sweep_peer(peers::Peer& peer, const Image& exact, Transfer transfer,
       const double rmse = difference(drawing.image, exact).rmse;
       sweep.settings.push_back(setting);
       const std::string way = drawing.way.empty() ? "" : ", " + drawing.way;
+      std::cerr << "  " << peer.name() << ' ' << setting.name << way << ": "
+                << drawing.times.trace_ms << " ms, " << rmse << std::endl;
       sweep.points.push_back({setting.name + way, drawing.times.trace_ms, rmse});
       if (rmse <= least_target || rmse > ladder.worth_it * error_before ||
           (known && drawing.times.trace_ms > sweep.points[*known].trace_ms))
