@@ -119,10 +119,11 @@ int light_set_of_sample(std::size_t nth, std::size_t half_a_count, int sets) {
   const auto all = static_cast<std::size_t>(sets);
   if (half_a_count == 0 || sets == 1) return static_cast<int>(nth % all);
   const std::size_t of_half = all / 2;
+  const std::size_t first = 2 * half_a_count;
   const bool is_in_a = nth < half_a_count;
   const std::size_t begin = is_in_a ? 0 : std::min(half_a_count, of_half);
   const std::size_t nth_of_half = is_in_a ? nth : nth - half_a_count;
-  return static_cast<int>(begin + nth_of_half % of_half);
+  return static_cast<int>((first + begin + nth_of_half % of_half) % all);
 }
 
 int light_set_of(int x, int y, int of_sample, int sets) {

@@ -10,8 +10,8 @@ namespace {
 // Of each soft light, for each pixel: what scenes are promised.
 constexpr int least_places = 64;
 constexpr int most_places = 4096;
-// Of each sample, however many a pixel has. Chosen: fewer would not fill what is looked up
-// together.
+// Of each sample of a fixed number, however many a pixel has, and of a sky. Chosen: fewer would not
+// fill what is looked up together.
 constexpr int least_per_set = 8;
 constexpr int most_per_set = 128;
 constexpr int most_sets = 512;
@@ -105,8 +105,11 @@ LightSampling for_samples(int samples, const SoftScene& soft) {
   return sampling;
 }
 
-/// All sets together leave out less than the target; `samples` are those of the first pixels that
-/// tell an error.
+/// How many places leave out the share of a target that they may.
+double places_for(double target) { return error_of_one_place / (left_out_share * target); }
+
+/// All sets together leave out at most a share of the target; `samples` are those of the first
+/// pixels that tell an error.
 LightSampling for_contract(const RenderSettings& settings, int samples, double pixels,
                            const SoftScene& soft) {
   LightSampling sampling;
@@ -117,8 +120,7 @@ LightSampling for_contract(const RenderSettings& settings, int samples, double p
     if (soft.has_sky)
       per_set = std::clamp(std::sqrt(bias_of_one_place / (bias_share * target)),
                            static_cast<double>(least_per_set), static_cast<double>(most_per_set));
-    places = std::clamp(error_of_one_place / (left_out_share * target), places,
-                        static_cast<double>(most_places));
+    places = std::clamp(places_for(target), places, static_cast<double>(most_places));
   }
   sampling.per_set = power_of_two_from(per_set);
   const int needed = power_of_two_from(places / sampling.per_set);
@@ -156,14 +158,13 @@ Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& 
     return {sampling, because("each sample at {} places of each soft light, of {} in all: pixels "
                               "that are refined look at more of them",
                               sampling.per_set, taken)};
-  if (error_of_one_place / *settings.target_rmse > most_places)
+  if (places_for(*settings.target_rmse) > most_places)
     return {sampling, because("each sample at {} places of each soft light, of {} in all, the most "
-                              "that are taken: what they leave out may exceed the target, and is "
-                              "in no estimate",
+                              "that a target gets: what they leave out may exceed it",
                               sampling.per_set, taken)};
   return {sampling,
           because("each sample at {} places of each soft light, of {} in all, which leave "
-                  "out less than the target: pixels that are refined look at more of "
+                  "out at most half of the target: pixels that are refined look at more of "
                   "them",
                   sampling.per_set, taken)};
 }

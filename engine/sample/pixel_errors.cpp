@@ -26,10 +26,12 @@ PixelErrors::PixelErrors(int width, int height, const ErrorMultiplier& multiplie
       columns_(blocks_along(width)),
       rows_(blocks_along(height)),
       stride_(subtiles_across * columns_ + 2),
+      unrefined_multiplier_(multiplier.initial),
       multiplier_(multiplier.initial),
       least_multiplier_(multiplier.least),
       spreads_(width, height),
       samples_(spreads_.error2.size()),
+      is_refined_(samples_.size()),
       variances_(samples_.size()),
       seen_(samples_.size()),
       subtiles_(subtiles_in_block * columns_ * rows_),
@@ -53,6 +55,11 @@ void PixelErrors::set(std::size_t pixel, int samples, const PixelSpread& spread)
   sample_count_ += samples - samples_[pixel];
   samples_[pixel] = samples;
   spreads_.set(pixel, spread);
+}
+
+void PixelErrors::refine(std::size_t pixel, int samples, const PixelSpread& spread) {
+  set(pixel, samples, spread);
+  is_refined_[pixel] = 1;
 }
 
 void PixelErrors::set_guess(std::size_t subtile, double error2) {
@@ -231,7 +238,7 @@ void PixelErrors::sum_subtiles() {
       for_each_pixel(first, [&](std::size_t pixel, int x, int y) {
         seen_[pixel] =
             may_err(subtile)
-                ? static_cast<float>(shown(unscaled(subtile, pixel, inverse_power), x, y))
+                ? static_cast<float>(shown(unscaled(subtile, pixel, inverse_power), pixel, x, y))
                 : 0;
         sum += of_pixel(pixel);
       });
@@ -248,7 +255,8 @@ void PixelErrors::calibrate(const RefinementChange& change) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t pixel = change.pixels[i];
       const float after = unscaled(subtile_of(pixel), pixel, inverse_power);
-      expected[i] = static_cast<double>(seen_[pixel]) + shown(after, x_of(pixel), y_of(pixel));
+      expected[i] =
+          static_cast<double>(seen_[pixel]) + shown(after, pixel, x_of(pixel), y_of(pixel));
     }
   });
   double sum = 0;
@@ -263,6 +271,7 @@ void PixelErrors::calibrate(const RefinementChange& change) {
       (change.squares * weight / sum + Model::prior_pixels) / (weight + Model::prior_pixels);
   multiplier_ = std::clamp(multiplier_ * std::max(growth, Model::least_multiplier_change),
                            least_multiplier_, Model::most_multiplier);
+  unrefined_multiplier_ = Model::unrefined_multiplier;
 }
 
 float PixelErrors::unscaled(std::size_t subtile, std::size_t pixel,

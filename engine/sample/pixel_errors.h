@@ -12,7 +12,9 @@
 // pixel's halves agree or differ by chance.
 //
 // How much half buffers overstate, nobody knows beforehand (ErrorMultiplier). But a refinement
-// shows it: what it changes is what the pixels before it and after it erred.
+// shows it of the pixels that it refines: what it changes is what they erred before it and after
+// it. Of those that it leaves it says nothing: some were left because their halves happened to
+// agree.
 //
 // Limits: what no sample met is in no difference; objects smaller than pixels are counted
 // (SubpixelObjects).
@@ -55,6 +57,8 @@ class PixelErrors {
   void set_all(int samples);
   /// A pixel has so many samples, at least 1, which tell this.
   void set(std::size_t pixel, int samples, const PixelSpread& spread);
+  /// The same of a pixel that is in the RefinementChange that is told next.
+  void refine(std::size_t pixel, int samples, const PixelSpread& spread);
   /// The pixels of a subtile have one sample each, or one for all, and together probably this
   /// squared error. So it stays until forget_guesses() or set_all().
   void set_guess(std::size_t subtile, double error2);
@@ -125,8 +129,9 @@ class PixelErrors {
   /// The squared error of linear light without the multiplier.
   float unscaled(std::size_t subtile, std::size_t pixel, InversePower& inverse_power) const;
   /// What that comes to where it is shown, with the multiplier.
-  double shown(float unscaled, int x, int y) const {
-    return shown_(multiplier_ * static_cast<double>(unscaled), x, y);
+  double shown(float unscaled, std::size_t pixel, int x, int y) const {
+    const double multiplier = is_refined_[pixel] != 0 ? multiplier_ : unrefined_multiplier_;
+    return shown_(multiplier * static_cast<double>(unscaled), x, y);
   }
   bool may_err(std::size_t subtile) const {
     return rates_[subtile].of_variance > 0 || rates_[subtile].least > 0 || subpixel_;
@@ -174,10 +179,12 @@ class PixelErrors {
   std::size_t columns_;  ///< of blocks
   std::size_t rows_;
   std::size_t stride_;  ///< of a row of `sums_`
-  double multiplier_;
+  double unrefined_multiplier_;
+  double multiplier_;  ///< of refined pixels
   double least_multiplier_;
   PixelSpreads spreads_;
   std::vector<int> samples_;
+  std::vector<char> is_refined_;
   std::int64_t sample_count_ = 0;  ///< of all pixels
   std::vector<float> variances_;   ///< those that count
   std::vector<float> seen_;        ///< squared errors at the last estimate(), without what

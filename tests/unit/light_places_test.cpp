@@ -91,5 +91,19 @@ TEST(LightPlaces, half_buffers_share_no_set) {
   EXPECT_EQ(light_set_of_sample(5, 4, 1), 0);
 }
 
+TEST(LightPlaces, a_refinement_uses_other_sets) {
+  const auto sets_of = [](std::size_t samples) {
+    std::set<int> used;
+    for (std::size_t nth = 0; nth < samples; ++nth)
+      used.insert(light_set_of_sample(nth, samples / 2, 128));
+    return used;
+  };
+  std::set<int> used = sets_of(4);
+  for (const std::size_t samples : {16U, 32U}) {
+    used.merge(sets_of(samples));
+    EXPECT_TRUE(used.size() == 20 || used.size() == 52) << used.size();
+  }
+}
+
 }  // namespace
 }  // namespace raytracer

@@ -1,0 +1,70 @@
+// Contracts keep their targets where soft lights make every pixel err: against pictures of many
+// more samples.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "engine/engine.h"
+#include "tests/support/scenes.h"
+
+namespace raytracer::test {
+namespace {
+
+/// A cloud of spheres, most of which see some of a light and not all.
+json cloud(const json& light) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> share(-1, 1);
+  std::vector<json> spheres;
+  for (int i = 0; i < 1000; ++i) {
+    const double x = 9 * share(random);
+    const double y = 9 * share(random);
+    const double z = 9 * share(random);
+    spheres.push_back(sphere_json({x, y, z}, 0.4 + 0.2 * share(random)));
+  }
+  json text = document(camera_json(175, 125, 0.75, {21, 17, -29}, {0, 0, 0}), spheres, {light});
+  text["shadows"] = "ambient";
+  return text;
+}
+
+double rms_difference(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    const double difference = static_cast<double>(a.values[i]) - static_cast<double>(b.values[i]);
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / static_cast<double>(a.values.size()));
+}
+
+class SoftContract : public testing::TestWithParam<const char*> {};
+
+TEST_P(SoftContract, keeps_its_target) {
+  json text = cloud(json::parse(GetParam()));
+  WorkerPool pool(2);
+  const auto rendered = [&](const json& settings) {
+    text["render"] = settings;
+    RenderProgress progress;
+    return render(scene_of(text), Limits{}, pool, progress);
+  };
+  const Image exact = rendered({{"samples", 256}}).image;
+  for (const double target : {0.03, 0.02, 0.015}) {
+    const Rendering rendering = rendered({{"target_rmse", target}});
+    EXPECT_EQ(rendering.stop, Stop::target) << target;
+    const double error = rms_difference(rendering.image, exact);
+    EXPECT_LE(error, target);
+    ASSERT_TRUE(rendering.estimated_error);
+    EXPECT_GT(*rendering.estimated_error, error / 1.25) << target;
+    EXPECT_LT(*rendering.estimated_error, 2.5 * error) << target;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , SoftContract,
+    testing::Values(R"({"type": "sky"})",
+                    R"({"type": "distant", "direction": [-0.3, -1, 0.4], "angle": 0.5})",
+                    R"({"type": "point", "position": [15, 25, -20], "radius": 6,
+                        "falloff": "none"})"));
+
+}  // namespace
+}  // namespace raytracer::test
