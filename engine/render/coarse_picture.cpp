@@ -177,7 +177,7 @@ class CoarseTracing {
           const ThreadStopwatch watch;
           beyond[i] = trace_once(tracing_, row, picture_.image);
           note(row, count, watch.elapsed_ms());
-          tracing_.report(0);  // what has passed of the budget
+          tracing_.report(0);
         },
         stop);
     for (const BeyondRange& in_row : beyond) tracing_.beyond += in_row;

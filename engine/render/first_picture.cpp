@@ -60,6 +60,7 @@ std::optional<CoarsePicture> trace_first_picture(Tracing& tracing) {
           block.subtiles = other_subtiles;
           beyond[i] += trace_once(tracing, block, picture->image);
           picture->coarseness[index] = 0;
+          tracing.report(0);
         });
       },
       stop);

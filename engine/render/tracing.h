@@ -83,14 +83,18 @@ struct Tracing {
     return image;
   }
 
-  /// Under a budget progress is the time's. Under a target alone nobody knows how many passes will
-  /// follow: each takes half of what those before have left.
+  /// Under a budget progress is the time's, and slows down before the end: what is begun may take
+  /// longer. Under a target alone nobody knows how many passes will follow: each takes half of what
+  /// those before have left.
   void report(double pass_fraction) {
+    constexpr double near_end = 0.95;
     double fraction = pass_fraction;
-    if (scene.render.budget_ms)
-      fraction = std::min(1.0, watch.elapsed_ms() / *scene.render.budget_ms);
-    else if (scene.render.target_rmse)
+    if (scene.render.budget_ms) {
+      fraction = watch.elapsed_ms() / *scene.render.budget_ms;
+      if (fraction > near_end) fraction = 1 - (1 - near_end) * near_end / fraction;
+    } else if (scene.render.target_rmse) {
       fraction = 1 - std::ldexp(1 - pass_fraction / 2, -passes_done);
+    }
     double before = progress.fraction;
     while (before < fraction && !progress.fraction.compare_exchange_weak(before, fraction)) {
     }

@@ -301,11 +301,8 @@ TEST(Render, reports_its_progress_up_to_one) {
   EXPECT_EQ(rendering.samples_per_pixel, 4);
 }
 
-TEST(Render, by_a_contract_is_not_done_before_its_progress_says_so) {
-  json text =
-      document(camera_json(100, 100), {sphere_json({0, 0, 5}, 1)}, {distant_json({0, 0, 1})});
-  text["render"] = {{"target_rmse", 1e-6}};
-  const Scene scene = scene_of(text);
+/// Stops the render as soon as its progress says that it is done.
+Stop stopped_when_done(const Scene& scene) {
   WorkerPool pool(1);
   RenderProgress progress;
   Rendering rendering;
@@ -313,7 +310,18 @@ TEST(Render, by_a_contract_is_not_done_before_its_progress_says_so) {
   while (progress.fraction < 1) std::this_thread::yield();
   progress.stop = true;
   renderer.join();
-  EXPECT_NE(rendering.stop, Stop::cancelled) << "the progress was 1, and there was more to stop";
+  return rendering.stop;
+}
+
+TEST(Render, by_a_contract_is_not_done_before_its_progress_says_so) {
+  json text =
+      document(camera_json(100, 100), {sphere_json({0, 0, 5}, 1)}, {distant_json({0, 0, 1})});
+  for (const auto& [bound, value] :
+       {std::pair{"target_rmse", 1e-6}, {"budget_ms", 1e-9}, {"budget_ms", 3.0}}) {
+    text["render"] = {{bound, value}};
+    EXPECT_NE(stopped_when_done(scene_of(text)), Stop::cancelled)
+        << bound << ' ' << value << ": the progress was 1, and there was more to stop";
+  }
 }
 
 }  // namespace
