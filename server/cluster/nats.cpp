@@ -345,10 +345,8 @@ void NatsConnection::remove_consumer(const std::string& stream, const std::strin
   require(status, "ending " + name, error);
 }
 
-std::vector<ConsumerFill> NatsConnection::consumers(const std::string& stream) {
+std::vector<std::string> NatsConnection::consumer_names(const std::string& stream) {
   require_connection();
-  // By name, one after the other: the list of all holds null for one that ends while NATS makes it,
-  // which libnats cannot read.
   jsConsumerNamesList* listed = nullptr;
   jsErrCode error{};
   const natsStatus status =
@@ -358,9 +356,14 @@ std::vector<ConsumerFill> NatsConnection::consumers(const std::string& stream) {
   const std::unique_ptr<jsConsumerNamesList,
                         Destroy<jsConsumerNamesList, jsConsumerNamesList_Destroy>>
       names(listed);
+  return {names->List, names->List + names->Count};
+}
+
+std::vector<ConsumerFill> NatsConnection::consumers(const std::string& stream) {
+  // One by one: libnats cannot read the list of all where one ends while NATS makes it.
   std::vector<ConsumerFill> consumers;
-  for (int i = 0; i < names->Count; ++i)
-    if (const auto fill = consumer(stream, names->List[i])) consumers.push_back(*fill);
+  for (const std::string& name : consumer_names(stream))
+    if (const auto fill = consumer(stream, name)) consumers.push_back(*fill);
   return consumers;
 }
 
@@ -370,7 +373,7 @@ std::optional<ConsumerFill> NatsConnection::consumer(const std::string& stream,
   jsErrCode error{};
   const natsStatus status =
       js_GetConsumerInfo(&told, context_.get(), stream.c_str(), name.c_str(), nullptr, &error);
-  if (status == NATS_NOT_FOUND && error != JSStreamNotFoundErr) return std::nullopt;
+  if (status == NATS_NOT_FOUND) return std::nullopt;
   require(status, "asking what is handed out of " + name, error);
   const std::unique_ptr<jsConsumerInfo, Destroy<jsConsumerInfo, jsConsumerInfo_Destroy>> info(told);
   const char* const description = info->Config->Description;

@@ -149,6 +149,8 @@ class NatsConnection {
                        std::chrono::milliseconds time, std::chrono::seconds longest_idle);
   void remove_consumer(const std::string& stream, const std::string& name);
   std::vector<ConsumerFill> consumers(const std::string& stream);
+  /// Their names, by one request for many.
+  std::vector<std::string> consumer_names(const std::string& stream);
   TaskSource source(const std::string& stream, const std::string& consumer);
 
   /// Tells those who listen() now. If NATS is away nobody hears it.

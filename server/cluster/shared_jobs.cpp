@@ -83,7 +83,7 @@ SharedJobs::~SharedJobs() {
 }
 
 void SharedJobs::require_room() {
-  if (parts_.store.open_jobs().size() < parts_.most_open) return;
+  if (parts_.store.open_job_count() < parts_.most_open) return;
   refuse(429, "The queue of the cluster is full; try again later", {{"Retry-After", "2"}});
 }
 
@@ -201,7 +201,7 @@ void SharedJobs::remove(const std::string& id) {
 std::map<JobStatus, std::size_t> SharedJobs::counts() const {
   std::map<JobStatus, std::size_t> counts;
   try {
-    const std::size_t open = parts_.store.open_jobs().size();
+    const std::size_t open = parts_.store.open_job_count();
     const std::size_t all = parts_.store.job_ids().size();
     counts[JobStatus::running] = open;
     counts[JobStatus::done] = all - std::min(open, all);

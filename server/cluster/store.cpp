@@ -217,6 +217,10 @@ std::vector<OpenJob> ClusterStore::open_jobs() {
   return jobs;
 }
 
+std::size_t ClusterStore::open_job_count() {
+  return nats_.consumer_names("raytracer_tasks").size();
+}
+
 TaskSource ClusterStore::tasks_of(const OpenJob& job) {
   return nats_.source("raytracer_tasks", consumer_of(job.renderer, job.id));
 }

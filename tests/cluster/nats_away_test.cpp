@@ -18,6 +18,16 @@ using namespace std::chrono_literals;
 
 class NatsAway : public ClusterTest {};
 
+/// Whether there are tasks, to which no more come.
+bool are_all_queued(const ServerProcess& front) {
+  std::uint64_t before = 0;
+  return eventually([&] {
+    std::this_thread::sleep_for(50ms);
+    const std::uint64_t now = task_count(front);
+    return now > 0 && std::exchange(before, now) == now;
+  });
+}
+
 std::string readiness(const ServerProcess& server) {
   const Answer answer = get(server, "/readyz");
   return answer.status == 200 ? json_of(answer).value("status", "") : "";
@@ -118,13 +128,8 @@ TEST_F(NatsAway, render_that_its_client_gave_up_meanwhile_is_forgotten) {
     connection.set_read_timeout(patience(2s));
     EXPECT_FALSE(connection.Post("/render", endless_scene(), "application/json"));
   });
-  // All are queued once there come no more: a render that cannot be queued has failed by itself.
-  std::uint64_t before = 0;
-  EXPECT_TRUE(eventually([&] {
-    std::this_thread::sleep_for(50ms);
-    const std::uint64_t now = task_count(front);
-    return now > 0 && std::exchange(before, now) == now;
-  }));
+  // A render that cannot be queued has failed by itself.
+  EXPECT_TRUE(are_all_queued(front));
   nats().kill();
   client.join();
   EXPECT_TRUE(eventually([&] { return front.log().find("status=499") != std::string::npos; }))
@@ -142,8 +147,7 @@ TEST_F(NatsAway, client_that_waits_for_a_shared_render_gets_it) {
   const std::string scene = long_scene(60);
   Answer image;
   std::thread client([&] { image = post(front, "/render", scene); });
-  EXPECT_TRUE(eventually([&] { return task_count(front) > 0; }));
-  std::this_thread::sleep_for(200ms);  // until all are stored: half a job is refused
+  EXPECT_TRUE(are_all_queued(front)) << "half a job is refused";
   nats().kill();
   nats().start();
   client.join();
