@@ -104,7 +104,8 @@ Drawing EmbreePeer::draw() {
 
 std::vector<Ladder> EmbreePeer::ladders() {
   constexpr double always = std::numeric_limits<double>::infinity();  // a finer grid may be worse
-  constexpr int fine = 8;  // where each grid is slow: larger ones grow by a part of that
+  constexpr int fine = 8;  // where each grid is slow: larger ones grow by a part of themselves,
+                           // but for the best ones, which fill packets
   double build_ms = 0;
   world_ = build(build_ms);
   image_ = Image(scene_.camera.width, scene_.camera.height);
@@ -114,11 +115,11 @@ std::vector<Ladder> EmbreePeer::ladders() {
   for (const int light_side : light_sides) {
     Ladder all{{}, always};
     Ladder filling_packets{{}, always};
-    for (int side = 1; side <= largest_side; side += light_side > 0 ? 1 + side / fine : 1) {
+    for (int side = 1; side <= largest_side; side += light_side > 0 ? 1 + side / fine : 1)
       all.settings.push_back(grid(side, light_side));
+    for (int side = 1; side <= largest_side; ++side)
       if (side * side % packet_width_ == 0)
         filling_packets.settings.push_back(grid(side, light_side));
-    }
     ladders.push_back(std::move(all));
     ladders.push_back(std::move(filling_packets));
   }

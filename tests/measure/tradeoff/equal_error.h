@@ -3,8 +3,8 @@
 //
 // The setting of each peer is the cheapest of a sweep whose true error is at most the target; the
 // project is asked for the target. Then all run in turn, round after round. Errors are from the
-// project's own picture of thousands of samples: a peer's shading that differs counts as error, and
-// where that keeps it from a target, the least error that it came to is given.
+// project's own picture of hundreds to thousands of samples: a peer's shading that differs counts
+// as error, and where that keeps it from a target, the least error that it came to is given.
 #pragma once
 
 #include <optional>

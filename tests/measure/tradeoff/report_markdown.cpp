@@ -31,7 +31,8 @@ std::string error_text(const std::optional<double>& error) {
 constexpr const char* heading =
     "Errors are root mean squares over all pixels and channels, before rounding to 8 bits, from "
     "the "
-    "project's own picture of thousands of samples per pixel in double precision, whose own error "
+    "project's own picture of hundreds to thousands of samples per pixel in double precision, "
+    "whose own error "
     "is estimated from the picture before it (see engine/tradeoff/reference.h). Times are "
     "milliseconds of tracing.\n";
 
@@ -46,7 +47,9 @@ constexpr const char* about_equal_error =
     "where that takes less than 20 ms again and again, for their median; programs once. Medians; "
     "ratios are medians of the rounds' ratios, above 1 where the project is faster; the scenes "
     "with the worst ratios come first. Under soft lights each of Embree's samples sees 1 x 1 to "
-    "8 x 8 random places of each, one in each of its strata. What a peer draws without ambient "
+    "8 x 8 random places of each, one in each of its strata; its grids of more than 8 a side are "
+    "then 10, 12, 14, 16, 19, 22, 25 and 29 a side, and all that fill packets. What a peer draws "
+    "without ambient "
     "light is compared with a picture without it.\n\n";
 
 std::string ratio_text(const TargetFigures& target, std::size_t peer, const PeerOutcome& outcome) {

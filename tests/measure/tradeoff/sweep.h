@@ -11,7 +11,7 @@ namespace raytracer::published {
 struct SweepPoint {
   std::string setting{};
   double trace_ms = 0;
-  double rmse = 0;  ///< true: from a picture of thousands of samples per pixel
+  double rmse = 0;  ///< true: from a picture of hundreds to thousands of samples per pixel
 };
 
 using Sweep = std::vector<SweepPoint>;
