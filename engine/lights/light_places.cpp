@@ -46,7 +46,7 @@ double scrambled(std::uint32_t fraction, std::uint64_t seed) {
   std::uint32_t result = 0;
   for (int digit = 0; digit < digits; ++digit) {
     const std::uint64_t before = std::uint64_t{fraction} >> (digits - digit);
-    const auto place = static_cast<std::uint64_t>(digit + 1);
+    const std::uint64_t place = static_cast<std::uint64_t>(digit) + 1;
     const auto turn = static_cast<std::uint32_t>(mixed(before + (place << 32U) + seed) & 1U);
     result = result << 1U | ((fraction >> (digits - 1 - digit) & 1U) ^ turn);
   }

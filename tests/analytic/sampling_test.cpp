@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <fstream>
 #include <optional>
 #include <thread>
@@ -230,7 +231,7 @@ TEST(Contract, of_accuracy_is_kept_where_rays_branch_often) {
   text["render"] = {{"target_rmse", 0.01}, {"max_depth", depth}};
   WorkerPool pool(2);
   RenderProgress progress;
-  const Limits limits{.work = width * height * (1 + depth) * most};
+  const Limits limits{.work = std::int64_t{width} * height * (1 + depth) * most};
   const Rendering rendering = render(scene_of(text), limits, pool, progress);
   EXPECT_EQ(rendering.stop, Stop::target);
   text["render"] = {{"samples", 1024}, {"max_depth", depth}};

@@ -2,11 +2,11 @@
 // more samples.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <random>
 #include <vector>
 
 #include "engine/engine.h"
+#include "tests/support/rms_difference.h"
 #include "tests/support/scenes.h"
 
 namespace raytracer::test {
@@ -26,15 +26,6 @@ json cloud(const json& light) {
   json text = document(camera_json(175, 125, 0.75, {21, 17, -29}, {0, 0, 0}), spheres, {light});
   text["shadows"] = "ambient";
   return text;
-}
-
-double rms_difference(const Image& a, const Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) {
-    const double difference = static_cast<double>(a.values[i]) - static_cast<double>(b.values[i]);
-    sum += difference * difference;
-  }
-  return std::sqrt(sum / static_cast<double>(a.values.size()));
 }
 
 class SoftContract : public testing::TestWithParam<const char*> {};

@@ -214,7 +214,8 @@ TEST(ShownError, grows_steadily_with_the_deviation) {
     for (int channel = 0; channel < 3; ++channel)
       image.pixel(0, 0)[channel] = static_cast<float>(encode_channel(linear, Transfer::srgb));
     double before = 0;
-    for (double deviation = 0.05 * linear; deviation < 0.25 * linear; deviation *= 1.001) {
+    for (int step = 0; step < 1600; ++step) {  // from 0.05 to 0.25 of it
+      const double deviation = 0.05 * linear * std::pow(1.001, step);
       const double here = shown(3 * deviation * deviation, 0, 0) / (deviation * deviation);
       if (before > 0) {
         EXPECT_NEAR(here / before, 1, 0.003) << deviation << " of " << linear;
