@@ -244,8 +244,9 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
   const std::vector<TimedTile> tiles =
       spread_tiles(all, columns, std::min(all.size(), Model::most_tiles));
   if (is_swept(tracer)) {
-    std::vector<Tile> swept;
-    for (const TimedTile& timed : tiles) swept.push_back(timed.tile);
+    std::vector<Tile> swept(tiles.size());
+    std::transform(tiles.begin(), tiles.end(), swept.begin(),
+                   [](const TimedTile& timed) { return timed.tile; });
     return rehearse_swept(scene, tracer, swept, all.size(), pool, progress);
   }
   const SamplePattern one = sample_pattern(1);

@@ -48,7 +48,8 @@ class BlockRays {
     using Shape = PacketShape<D>;
     std::uint32_t wanted = 0;
     for (int row = 0; row < Shape::height; ++row) {
-      const std::uint32_t pixels = (*block_.pixels)[static_cast<std::size_t>(place.y + row)];
+      const int y = place.y + row;
+      const std::uint32_t pixels = (*block_.pixels)[static_cast<std::size_t>(y)];
       wanted |= (pixels >> place.x & ((1U << Shape::width) - 1)) << (row * Shape::width);
     }
     alignas(8) std::uint8_t bytes[8] = {static_cast<std::uint8_t>(wanted),
