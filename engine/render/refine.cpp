@@ -49,17 +49,19 @@ void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering
   bool is_complete = render_pilot(pilot, tracing, refined);
   const bool has_estimate = is_complete && pilot > 1;
   if (has_estimate) refined.look_for_subpixel_objects();
+  constexpr double far_off = 2;  // where a pass that brings little may be the last one needed
   int passes_in_vain = 0;
   while (is_complete && has_estimate && refined.error2() > refined2 &&
-         passes_in_vain < RefinementModel::most_passes_in_vain &&
+         (passes_in_vain < RefinementModel::most_passes_in_vain || settings.budget_ms) &&
          !tracing.is_over_time(refined.choosing_ms())) {
     const double before = refined.error2();
     std::vector<PixelSamples> pixels =
         refined.choose_samples(RefinementModel::aim * refined2, most_samples);
     if (pixels.empty()) break;
     is_complete = refined.refine(std::move(pixels));
-    const bool is_less = refined.error2() < RefinementModel::least_fall * before;
-    passes_in_vain = is_less ? 0 : passes_in_vain + 1;
+    const bool is_in_vain = refined.error2() > RefinementModel::least_fall * before &&
+                            refined.error2() > far_off * refined2;
+    passes_in_vain = is_in_vain ? passes_in_vain + 1 : 0;
   }
   rendering.samples_per_pixel = refined.mean_samples();
   const double error2 = refined.error2();

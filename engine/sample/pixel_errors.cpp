@@ -57,11 +57,6 @@ void PixelErrors::set(std::size_t pixel, int samples, const PixelSpread& spread)
   spreads_.set(pixel, spread);
 }
 
-void PixelErrors::refine(std::size_t pixel, int samples, const PixelSpread& spread) {
-  set(pixel, samples, spread);
-  is_refined_[pixel] = 1;
-}
-
 void PixelErrors::set_guess(std::size_t subtile, double error2) {
   guesses_[subtile] = error2 > 0 ? error2 : 0;
 }
@@ -254,9 +249,12 @@ void PixelErrors::calibrate(const RefinementChange& change) {
     InversePower inverse_power;
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t pixel = change.pixels[i];
+      // All by one multiplier, as that is what the change corrects.
+      const double before = is_refined_[pixel] != 0 ? 1 : multiplier_ / unrefined_multiplier_;
+      is_refined_[pixel] = 1;
       const float after = unscaled(subtile_of(pixel), pixel, inverse_power);
-      expected[i] =
-          static_cast<double>(seen_[pixel]) + shown(after, pixel, x_of(pixel), y_of(pixel));
+      expected[i] = before * static_cast<double>(seen_[pixel]) +
+                    shown(after, pixel, x_of(pixel), y_of(pixel));
     }
   });
   double sum = 0;

@@ -57,8 +57,6 @@ class PixelErrors {
   void set_all(int samples);
   /// A pixel has so many samples, at least 1, which tell this.
   void set(std::size_t pixel, int samples, const PixelSpread& spread);
-  /// The same of a pixel that is in the RefinementChange that is told next.
-  void refine(std::size_t pixel, int samples, const PixelSpread& spread);
   /// The pixels of a subtile have one sample each, or one for all, and together probably this
   /// squared error. So it stays until forget_guesses() or set_all().
   void set_guess(std::size_t subtile, double error2);

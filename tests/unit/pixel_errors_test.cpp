@@ -120,10 +120,29 @@ TEST_F(PixelErrorsTest, of_those_that_a_refinement_leaves_are_as_of_independent_
   for (int y = 0; y < height; ++y)
     for (int x = 12; x < width; ++x)
       pixels.push_back(static_cast<std::uint32_t>(errors.index(x, y)));
-  for (const std::uint32_t pixel : pixels) errors.refine(pixel, 16, {0.00125F, 0.2F});
+  for (const std::uint32_t pixel : pixels) errors.set(pixel, 16, {0.00125F, 0.2F});
   errors.estimate({pixels, 0});
   EXPECT_NEAR(errors.of_pixel(left), 0.01, 1e-4);
   EXPECT_NEAR(errors.of_pixel(errors.index(20, 9)), 0.6 * 0.7 * 0.00125, 1e-5);
+}
+
+TEST_F(PixelErrorsTest, are_corrected_alike_by_each_of_several_refinements) {
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) tell(x, y, 0.01, 0.2);
+  PixelErrors errors(width, height, {.initial = 0.7, .least = 0.4}, shown_, pool_);
+  errors.spreads() = spreads_;
+  errors.set_all(4);
+  errors.estimate();
+  // What they change is what they err by the multiplier that there is.
+  for (const int x_begin : {0, width / 3, 2 * width / 3}) {
+    std::vector<std::uint32_t> pixels;
+    for (int y = 0; y < height; ++y)
+      for (int x = x_begin; x < x_begin + width / 3; ++x)
+        pixels.push_back(static_cast<std::uint32_t>(errors.index(x, y)));
+    for (const std::uint32_t pixel : pixels) errors.set(pixel, 16, {0.00125F, 0.2F});
+    errors.estimate({pixels, static_cast<double>(pixels.size()) * 0.7 * (0.01 + 0.00125)});
+    EXPECT_NEAR(errors.of_pixel(pixels.front()), 0.7 * 0.00125, 0.05 * 0.00125) << x_begin;
+  }
 }
 
 TEST_F(PixelErrorsTest, are_what_a_refinement_changed) {
@@ -140,7 +159,7 @@ TEST_F(PixelErrorsTest, are_what_a_refinement_changed) {
     refined.estimate();
     const double expected_before = refined.of_pixel(pixels[0]);
     EXPECT_NEAR(expected_before, 0.01, 1e-4);
-    for (const std::uint32_t pixel : pixels) refined.refine(pixel, 16, {0.00125F, 0.2F});
+    for (const std::uint32_t pixel : pixels) refined.set(pixel, 16, {0.00125F, 0.2F});
     PixelErrors alike = refined;
     alike.estimate();
     const double uncorrected = alike.of_pixel(pixels[0]);
