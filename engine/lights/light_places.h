@@ -38,8 +38,8 @@ SoftLight place_samples(const PackedLight& light, const LightSampling& sampling)
 /// The set that a pixel's nth sample uses, of 1, 2 or a multiple of 4, where the first
 /// `half_a_count` samples are one of two half buffers, or 0 where it has none: each sample another,
 /// as far as there are. Half buffers never share one, so that they differ by what sets err however
-/// many samples there are. Those of twice as many samples use others, so that a refinement changes
-/// what both err.
+/// many samples there are. Those of twice as many samples use others, as far as there are, so that
+/// a refinement changes what both err.
 int light_set_of_sample(std::size_t nth, std::size_t half_a_count, int sets);
 
 /// The set that a pixel uses in place of that of its sample: each of a square of 2 x 2 pixels

@@ -34,6 +34,17 @@ class PixelErrorsTest : public testing::Test {
     return errors_;
   }
 
+  /// All pixels err alike.
+  PixelErrors even_errors(double initial) {
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) tell(x, y, 0.01, 0.2);
+    PixelErrors errors(width, height, {initial, multiplier.least}, shown_, pool_);
+    errors.spreads() = spreads_;
+    errors.set_all(4);
+    errors.estimate();
+    return errors;
+  }
+
   WorkerPool pool_{1};
   PixelSpreads spreads_{width, height};
   Image image_{width, height};
@@ -108,12 +119,7 @@ TEST_F(PixelErrorsTest, are_none_beyond_the_rim) {
 }
 
 TEST_F(PixelErrorsTest, of_those_that_a_refinement_leaves_are_as_of_independent_halves) {
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) tell(x, y, 0.01, 0.2);
-  PixelErrors errors(width, height, {.initial = 0.7, .least = 0.4}, shown_, pool_);
-  errors.spreads() = spreads_;
-  errors.set_all(4);
-  errors.estimate();
+  PixelErrors errors = even_errors(0.7);
   const std::size_t left = errors.index(5, 9);
   EXPECT_NEAR(errors.of_pixel(left), 0.7 * 0.01, 1e-4);
   std::vector<std::uint32_t> pixels;
@@ -127,12 +133,7 @@ TEST_F(PixelErrorsTest, of_those_that_a_refinement_leaves_are_as_of_independent_
 }
 
 TEST_F(PixelErrorsTest, are_corrected_alike_by_each_of_several_refinements) {
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) tell(x, y, 0.01, 0.2);
-  PixelErrors errors(width, height, {.initial = 0.7, .least = 0.4}, shown_, pool_);
-  errors.spreads() = spreads_;
-  errors.set_all(4);
-  errors.estimate();
+  PixelErrors errors = even_errors(0.7);
   // What they change is what they err by the multiplier that there is.
   for (const int x_begin : {0, width / 3, 2 * width / 3}) {
     std::vector<std::uint32_t> pixels;
