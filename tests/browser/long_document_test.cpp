@@ -20,11 +20,13 @@ std::string long_document() {
   "camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.9, "width": 60, "height": 40},
   "objects": [
 )";
-  for (int i = 0; i < 60'000; ++i)
+  for (int i = 0; i < 60'000; ++i) {
+    const int row = i / 245;
     fmt::format_to(
         std::back_inserter(text),
         "    {{\"type\": \"sphere\", \"center\": [{:.2f}, {:.2f}, 1], \"radius\": 0.02}},\n",
-        i % 245 * 0.04 - 5, i / 245 * 0.04 - 5);
+        i % 245 * 0.04 - 5, row * 0.04 - 5);
+  }
   text.erase(text.size() - 2, 1);
   return text + "  ]\n}\n";
 }

@@ -126,7 +126,7 @@ std::vector<NamedScene> scenes() {
       for (const std::string& material : {matt, mirror}) {
         const std::string others = "," + floor + "," + random_spheres(20, 0.3, mirror);
         const auto add = [&](const char* kind, const std::string& objects) {
-          scenes.push_back({std::to_string(count) + kind + under + " of " + material,
+          scenes.push_back({fmt::format("{}{}{} of {}", count, kind, under, material),
                             with_objects(objects + others, lights)});
         };
         add(" cylinders", random_cylinders(count, material));
@@ -149,9 +149,10 @@ std::vector<NamedScene> scenes() {
                                  std::string(distant_lights) + "," + point_light)});
   for (const auto& [light, material] :
        {std::pair(sky, matt), std::pair(near_sky, glass), std::pair(sun, mirror),
-        std::pair(lamp, matt), std::pair(lamp, glass), std::pair(sky + "," + sun, glass)})
+        std::pair(lamp, matt), std::pair(lamp, glass),
+        std::pair(fmt::format("{},{}", sky, sun), glass)})
     scenes.push_back(
-        {"soft light " + light + " on " + material,
+        {fmt::format("soft light {} on {}", light, material),
          small(with_objects(random_spheres(60, 0.6, material) + "," + random_cylinders(4, matt) +
                                 "," + random_cones(4, matt) + "," + smooth_sheet(4, matt) + "," +
                                 floor,
