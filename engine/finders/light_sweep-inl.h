@@ -117,7 +117,27 @@ HWY_NOINLINE void cut_crowded_cells(SweptPoints<T>& points) {
   }
 }
 
-/// Of blocks of cells, by the cells'.
+/// Of all cells in the rows, by the cells' bounds.
+template <typename T>
+HWY_NOINLINE void find_margins(SweptPoints<T>& points) {
+  const std::size_t count =
+      static_cast<std::size_t>(points.columns) * static_cast<std::size_t>(points.rows);
+  points.margins.above.resize(count);
+  points.margins.below.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    T above = points.cells[i].above;
+    T below = points.cells[i].below;
+    if (points.has_parts)
+      for (const auto& part : points.parts_of(i)) {
+        above = std::min(above, part.above);
+        below = std::max(below, part.below);
+      }
+    points.margins.above[i] = above;
+    points.margins.below[i] = below;
+  }
+}
+
+/// Of blocks of cells, by the cells' margins.
 template <typename T>
 HWY_NOINLINE void bound_blocks(SweptPoints<T>& points) {
   constexpr int across = 1 << SweptPoints<T>::block_log2;
@@ -126,20 +146,12 @@ HWY_NOINLINE void bound_blocks(SweptPoints<T>& points) {
     for (int x = 0; x < points.columns; x += across) {
       T above = std::numeric_limits<T>::max();
       T below = std::numeric_limits<T>::lowest();
-      const auto include = [&](const auto& cell) {
-        above = std::min(above, cell.above);
-        below = std::max(below, cell.below);
-      };
       for (int row = y; row < std::min(y + across, points.rows); ++row)
         for (int column = x; column < std::min(x + across, points.columns); ++column) {
-          const auto index =
-              static_cast<std::size_t>(row) * static_cast<std::size_t>(points.columns) +
-              static_cast<std::size_t>(column);
-          include(points.cells[index]);
-          if (!points.has_parts) continue;
-          const auto& parts = points.parts[index];
-          for (std::uint32_t i = 0; i < parts.across * parts.across; ++i)
-            include(points.cells[parts.first + i]);
+          const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(points.columns) +
+                         static_cast<std::size_t>(column);
+          above = std::min(above, points.margins.above[i]);
+          below = std::max(below, points.margins.below[i]);
         }
       points.blocks.push_back({above, below});
     }
@@ -167,6 +179,7 @@ HWY_NOINLINE void renew_bounds(D d, SweptPoints<T>& points) {
     cell.above = hn::GetLane(hn::MinOfLanes(d, above));
     cell.below = hn::GetLane(hn::MaxOfLanes(d, below));
   }
+  find_margins(points);
   bound_blocks(points);
 }
 
@@ -259,84 +272,124 @@ HWY_NOINLINE void sort_into_cells(D d, SweptPoints<T>& points) {
   renew_bounds(d, points);
 }
 
+/// Where primitives touch the plane, in cells.
+template <class V>
+struct TouchedCells {
+  V x_low, y_low, x_high, y_high;
+};
+
 /// Primitives on their way over the points, each with the cells that it touches: found without a
 /// branch that depends on them, and gone through later, when they are in the caches.
 template <typename T>
 class PassingPrimitives {
  public:
-  explicit HWY_INLINE PassingPrimitives(SweptPoints<T>& points) : points_(points) {}
+  static constexpr std::size_t most = 8192;  ///< visits
+
+  explicit HWY_INLINE PassingPrimitives(const SweptPoints<T>& points) : points_(points) {}
 
   HWY_INLINE std::size_t count() const { return count_; }
-  HWY_INLINE const typename SweptPoints<T>::Visit& operator[](std::size_t i) const {
-    return visits_[i];
+  HWY_INLINE std::size_t cell(std::size_t i) const { return static_cast<std::size_t>(cells_[i]); }
+  HWY_INLINE std::size_t primitive(std::size_t i) const {
+    return static_cast<std::size_t>(primitives_[i]);
   }
   HWY_INLINE void clear() { count_ = 0; }
 
-  /// Adds the cells of a rectangle, in cells of the plane, in which something at `w` may hide
-  /// points. Calls go_through() when there is no room for more.
+  /// Adds primitives, the one of the first lane at index `first`, at `w` along the direction, and
+  /// of the cells that they touch those in which they may hide points. Returns the lanes of those
+  /// that touch more than two cells either way, which are not added. There is to be room for four
+  /// visits of each.
+  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+  HWY_INLINE M add(D d, std::size_t first, const TouchedCells<V>& touched, V w, M touches) {
+    const hn::RebindToSigned<D> di;
+    const V zero = hn::Zero(d);
+    const V one = hn::Set(d, T(1));
+    const V columns = hn::Set(d, static_cast<T>(points_.columns));
+    const V rows = hn::Set(d, static_cast<T>(points_.rows));
+    const V x = hn::Floor(hn::Max(touched.x_low, zero));
+    const V y = hn::Floor(hn::Max(touched.y_low, zero));
+    const V across = hn::Sub(hn::Floor(hn::Min(touched.x_high, hn::Sub(columns, one))), x);
+    const V down = hn::Sub(hn::Floor(hn::Min(touched.y_high, hn::Sub(rows, one))), y);
+    const M is_small = hn::And(hn::Le(across, one), hn::Le(down, one));
+    const M added = hn::And(touches, is_small);
+    const V cell = hn::MulAdd(y, columns, x);
+    const M is_wide = hn::Gt(across, zero);
+    const M is_high = hn::Gt(down, zero);
+    const auto add_cells = [&](V at, M are) HWY_ATTR {
+      const auto index = hn::ConvertTo(di, hn::IfThenElseZero(are, at));
+      const M may_hide =
+          hn::And(are, hn::Or(hn::Gt(w, hn::GatherIndex(d, points_.margins.above.data(), index)),
+                              hn::Lt(w, hn::GatherIndex(d, points_.margins.below.data(), index))));
+      const auto which = hn::RebindMask(di, may_hide);
+      hn::CompressStore(hn::Iota(di, static_cast<Index>(first)), which, di, primitives_ + count_);
+      count_ += hn::CompressStore(index, which, di, cells_ + count_);
+    };
+    add_cells(cell, added);
+    add_cells(hn::Add(cell, one), hn::And(added, is_wide));
+    add_cells(hn::Add(cell, columns), hn::And(added, is_high));
+    add_cells(hn::Add(hn::Add(cell, columns), one), hn::And(added, hn::And(is_wide, is_high)));
+    return hn::AndNot(is_small, touches);
+  }
+  /// The same for one, which may touch more. Calls go_through() when there is no room.
   template <class GoThrough>
-  HWY_INLINE void add(std::uint32_t primitive, T x_low, T y_low, T x_high, T y_high, T w,
-                      const GoThrough& go_through) {
-    const int x_begin = std::max(static_cast<int>(x_low), 0);
-    const int y_begin = std::max(static_cast<int>(y_low), 0);
-    const int x_end = std::min(static_cast<int>(x_high), points_.columns - 1);
-    const int y_end = std::min(static_cast<int>(y_high), points_.rows - 1);
+  HWY_NOINLINE void add_large(std::size_t primitive, const TouchedCells<T>& touched, T w,
+                              const GoThrough& go_through) {
+    const int x_begin = std::max(static_cast<int>(touched.x_low), 0);
+    const int y_begin = std::max(static_cast<int>(touched.y_low), 0);
+    const int x_end = std::min(static_cast<int>(touched.x_high), points_.columns - 1);
+    const int y_end = std::min(static_cast<int>(touched.y_high), points_.rows - 1);
     for (int row = y_begin; row <= y_end; ++row) {
-      const std::uint32_t first =
-          static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(points_.columns);
       if (count_ + static_cast<std::size_t>(points_.columns) > most) go_through();
       for (int column = x_begin; column <= x_end; ++column) {
-        const std::uint32_t cell = first + static_cast<std::uint32_t>(column);
-        add_cell(cell, primitive, w);
-        if (!points_.has_parts || points_.parts[cell].across == 0) continue;
-        const auto across = static_cast<T>(points_.parts[cell].across);
-        const auto from_x = static_cast<T>(column);
-        const auto from_y = static_cast<T>(row);
-        add_parts(points_.parts[cell], (x_low - from_x) * across, (y_low - from_y) * across,
-                  (std::min(x_high, from_x + 1) - from_x) * across,
-                  (std::min(y_high, from_y + 1) - from_y) * across, primitive, w, go_through);
+        const auto cell =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(points_.columns) +
+            static_cast<std::size_t>(column);
+        cells_[count_] = static_cast<Index>(cell);
+        primitives_[count_] = static_cast<Index>(primitive);
+        count_ += static_cast<std::size_t>(w > points_.margins.above[cell]) |
+                  static_cast<std::size_t>(w < points_.margins.below[cell]);
       }
     }
   }
 
  private:
-  static constexpr std::size_t most = 8192;
+  using Index = hwy::MakeSigned<T>;
+  static constexpr std::size_t vector_past_end = 16;
 
-  HWY_INLINE void add_cell(std::uint32_t index, std::uint32_t primitive, T w) {
-    const auto& cell = points_.cells[index];
-    visits_[count_] = {index, primitive};
-    hwy::Prefetch(points_.values.data() + SweptPoints<T>::column_count * cell.begin);
-    count_ += static_cast<std::size_t>(w > cell.above) | static_cast<std::size_t>(w < cell.below);
-  }
-
-  template <class GoThrough>
-  HWY_NOINLINE void add_parts(const typename SweptPoints<T>::Parts& parts, T x_low, T y_low,
-                              T x_high, T y_high, std::uint32_t primitive, T w,
-                              const GoThrough& go_through) {
-    const int most_index = static_cast<int>(parts.across) - 1;
-    const int x_begin = std::max(static_cast<int>(x_low), 0);
-    const int y_begin = std::max(static_cast<int>(y_low), 0);
-    const int x_end = std::min(static_cast<int>(x_high), most_index);
-    const int y_end = std::min(static_cast<int>(y_high), most_index);
-    for (int row = y_begin; row <= y_end; ++row) {
-      if (count_ + parts.across + static_cast<std::size_t>(points_.columns) > most) go_through();
-      for (int column = x_begin; column <= x_end; ++column)
-        add_cell(parts.first + static_cast<std::uint32_t>(row) * parts.across +
-                     static_cast<std::uint32_t>(column),
-                 primitive, w);
-    }
-  }
-
-  SweptPoints<T>& points_;
+  const SweptPoints<T>& points_;
   std::size_t count_ = 0;
-  typename SweptPoints<T>::Visit visits_[most + 1];
+  Index cells_[most + vector_past_end];
+  Index primitives_[most + vector_past_end];
 };
+
+/// Calls go(cell) with a cell, or with those that it is cut into that a primitive touches and in
+/// which it may hide points.
+template <typename T, class Go>
+HWY_INLINE void for_each_part(const SweptPoints<T>& points, std::size_t cell,
+                              const TouchedCells<T>& touched, T w, const Go& go) {
+  if (!points.has_parts || points.parts[cell].across == 0) return go(points.cells[cell]);
+  const auto& parts = points.parts[cell];
+  const auto columns = static_cast<std::size_t>(points.columns);
+  const auto across = static_cast<T>(parts.across);
+  const auto most = static_cast<T>(parts.across - 1);
+  const auto from_x = static_cast<T>(cell % columns);
+  const auto from_y = static_cast<T>(cell / columns);
+  const auto index = [&](T place, T from) {
+    return static_cast<std::uint32_t>(std::clamp((place - from) * across, T(0), most));
+  };
+  const std::uint32_t x_end = index(touched.x_high, from_x);
+  const std::uint32_t y_end = index(touched.y_high, from_y);
+  for (std::uint32_t y = index(touched.y_low, from_y); y <= y_end; ++y)
+    for (std::uint32_t x = index(touched.x_low, from_x); x <= x_end; ++x) {
+      const auto& part = points.cells[parts.first + y * parts.across + x];
+      if (w > part.above || w < part.below) go(part);
+    }
+}
 
 /// Puts out the light of a cell's points of which `hides(get)` says that it is hidden.
 template <class D, class Hides, typename T = hn::TFromD<D>>
-HWY_INLINE void hide_in_cell(D d, SweptPoints<T>& points, std::uint32_t index, const Hides& hides) {
+HWY_INLINE void hide_in_cell(D d, SweptPoints<T>& points, const typename SweptPoints<T>::Cell& cell,
+                             const Hides& hides) {
   using Points = SweptPoints<T>;
-  const auto& cell = points.cells[index];
   const std::size_t size = cell.end - cell.begin;
   T* const values = points.values.data() + Points::column_count * cell.begin;
   for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "engine/math/triple.h"
@@ -38,6 +39,11 @@ struct SweptPoints {
     T below;
   };
   static constexpr int block_log2 = 3;
+  /// Of each cell in the rows, with what it is cut into; apart, as vectors look them up.
+  struct Margins {
+    LargeArray<T> above;
+    LargeArray<T> below;
+  };
   /// Of a crowded cell those that it is cut into, `across` either way; of others 0.
   struct Parts {
     std::uint32_t first;
@@ -50,11 +56,6 @@ struct SweptPoints {
     LargeArray<std::uint32_t> cells;    ///< of each point
     std::size_t count = 0;
   };
-  /// A primitive of those that are on the way over the points, and a cell that it touches.
-  struct Visit {
-    std::uint32_t cell;
-    std::uint32_t primitive;
-  };
 
   Triple<T> axes[3];  ///< across the direction, and it
   T u_low{};
@@ -65,13 +66,18 @@ struct SweptPoints {
   int rows = 0;
   bool has_parts = false;
 
+  /// What a cell in the rows is cut into.
+  std::span<const Cell> parts_of(std::size_t cell) const {
+    return {cells.data() + parts[cell].first, std::size_t{parts[cell].across} * parts[cell].across};
+  }
   int blocks_across() const { return ((columns - 1) >> block_log2) + 1; }
   int blocks_down() const { return ((rows - 1) >> block_log2) + 1; }
 
   Found found;
   std::vector<Cell> cells;
-  std::vector<Parts> parts;         ///< of each cell in the rows, if there are any
-  std::vector<Bounds> blocks;       ///< of cells in the rows, and what they are cut into
+  std::vector<Parts> parts;    ///< of each cell in the rows, if there are any
+  std::vector<Bounds> blocks;  ///< of cells in the rows, and what they are cut into
+  Margins margins;
   LargeArray<T> values;             ///< cell by cell, its columns
   LargeArray<std::uint32_t> lanes;  ///< cell by cell: 16 times the packet's number, and the lane
   std::size_t visits = 0;           ///< since the cells' bounds were renewed
