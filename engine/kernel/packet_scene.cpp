@@ -1,6 +1,7 @@
 #include "engine/kernel/packet_scene.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <span>
 #include <utility>
@@ -130,17 +131,23 @@ void make_geometry(const PackedScene& scene, const std::vector<PackedLight>& lig
   const auto view_of = [&](const PackedLight& light, WorkerPool& of) {
     return Layout::light_view(primitives, light, finders, scene.numbers, of);
   };
-  // Where it is worth it a view for each thread at a time, and those that are left by all together.
   geometry.lights.resize(lights.size());
+  std::vector<std::size_t> seen;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    if (finder_of(finders, ray_kind_of(lights[i])) != Finder::light_sweep) seen.push_back(i);
+  // Where it is worth it a view for each thread at a time, and those that are left by all together.
+  // The next one to whoever is free: of some, as of the other end of a sky's axis, little is made.
   const std::size_t threads = pool.thread_count();
-  const bool are_many = lights.size() * primitives.size() >= few_items;
-  const std::size_t alone = are_many ? lights.size() - lights.size() % threads : 0;
-  pool.run(std::min(alone, threads), [&](std::size_t thread) {
+  const bool are_many = seen.size() * primitives.size() >= few_items;
+  const std::size_t alone = are_many ? seen.size() - seen.size() % threads : 0;
+  std::atomic<std::size_t> next{0};
+  pool.run(std::min(alone, threads), [&](std::size_t) {
     WorkerPool own(1);
-    for (std::size_t i = thread; i < alone; i += threads)
-      geometry.lights[i] = view_of(lights[i], own);
+    for (std::size_t i = next++; i < alone; i = next++)
+      geometry.lights[seen[i]] = view_of(lights[seen[i]], own);
   });
-  for (std::size_t i = alone; i < lights.size(); ++i) geometry.lights[i] = view_of(lights[i], pool);
+  for (std::size_t i = alone; i < seen.size(); ++i)
+    geometry.lights[seen[i]] = view_of(lights[seen[i]], pool);
 }
 
 /// Whether distant lights' grids are larger than what a processor's caches keep of them. Where they
