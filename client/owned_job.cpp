@@ -19,11 +19,14 @@ void OwnedJob::wait(const std::string& doing) {
 }
 
 void OwnedJob::wait(const std::string& doing, const std::function<void(const Job&)>& show) {
-  microseconds pause(1000);
+  // So that no more than a small part of the time is lost, and of a short render not much either.
+  constexpr int lost_of = 20;
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
   for (; job_.status == "queued" || job_.status == "running"; job_ = api_.job(job_.id)) {
     show(job_);
-    api_.pause(pause);
-    pause = std::min(pause * 3 / 2, microseconds(200'000));
+    const auto waited = std::chrono::duration_cast<microseconds>(Clock::now() - begin);
+    api_.pause(std::clamp(waited / lost_of, microseconds(1000), microseconds(200'000)));
   }
   if (job_.status != "done")
     throw ServerError(fmt::format("{}: the server's job is {}{}{}", doing, job_.status,

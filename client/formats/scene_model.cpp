@@ -8,8 +8,11 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <span>
 #include <string_view>
 #include <utility>
+
+#include "client/formats/threads.h"
 
 namespace raytracer::client::model {
 namespace {
@@ -76,6 +79,7 @@ class DocumentWriter {
 
   /// A point or a direction. Not -x: that makes -0 of 0.
   void place(const Triple& all) { numbers({0 - all[0], all[1], all[2]}); }
+  static void write_place(DocumentWriter& to, const Triple& all) { to.place(all); }
 
   template <typename Items, typename Write>
   void lines(const Items& items, Write write) {
@@ -87,31 +91,54 @@ class DocumentWriter {
     }
   }
 
-  template <typename Items, typename Write>
-  void list(std::string_view name, const Items& items, Write write) {
+  /// Of numbers, for which there is a write(writer, item): long ones by several threads.
+  template <typename Item, typename Write>
+  void list(std::string_view name, const std::vector<Item>& items, Write write) {
+    constexpr std::size_t in_piece = 1 << 15;
     print(", \"{}\": [", name);
-    lines(items, write);
+    const std::span<const Item> all = items;
+    std::vector<DocumentWriter> pieces(std::min(useful_threads(), items.size() / in_piece + 1));
+    for (std::size_t begin = 0; begin < items.size(); begin += pieces.size() * in_piece) {
+      in_threads(pieces.size(), [&](std::size_t i) {
+        const std::size_t first = std::min(begin + i * in_piece, items.size());
+        pieces[i].text_.clear();
+        pieces[i].list_piece(all.subspan(first, std::min(in_piece, items.size() - first)), write,
+                             first == 0);
+      });
+      if (begin == 0 && items.size() > pieces.size() * in_piece)  // about as long as the others
+        text_.reserve(text_.size() + (items.size() / in_piece + 2) * pieces.front().text_.size());
+      for (const DocumentWriter& piece : pieces) text_ += piece.text_;
+    }
     print("]");
+  }
+
+  template <typename Item, typename Write>
+  void list_piece(std::span<const Item> items, Write write, bool is_first) {
+    for (const Item& item : items) {
+      text_ += is_first ? "\n    " : ",\n    ";
+      write(*this, item);
+      is_first = false;
+    }
   }
 
   /// Of one item, which has a name of its own, no list.
   void places(std::string_view name, std::string_view name_of_one, const std::vector<Triple>& all,
               bool is_one) {
-    if (!is_one) return list(name, all, [this](const Triple& one) { place(one); });
+    if (!is_one) return list(name, all, write_place);
     print(", \"{}\": ", name_of_one);
     place(all.front());
   }
 
   void colors(const std::vector<Rgb>& all) {
     if (all.empty()) return;
-    list("colors", all, [this](const Rgb& one) {
-      print("[");
-      share(one[0]);
-      print(", ");
-      share(one[1]);
-      print(", ");
-      share(one[2]);
-      print("]");
+    list("colors", all, [](DocumentWriter& to, const Rgb& one) {
+      to.text_ += '[';
+      to.share(one[0]);
+      to.text_ += ", ";
+      to.share(one[1]);
+      to.text_ += ", ";
+      to.share(one[2]);
+      to.text_ += ']';
     });
   }
 
@@ -128,7 +155,7 @@ class DocumentWriter {
   void radii(std::string_view name, const std::vector<double>& all) {
     if (std::adjacent_find(all.begin(), all.end(), std::not_equal_to<>()) == all.end())
       return print(", \"{}\": {}", name, all.front());
-    list(name, all, [this](double one) { number(one); });
+    list(name, all, [](DocumentWriter& to, double one) { to.number(one); });
   }
 
   void view(const View& view) {
@@ -213,14 +240,14 @@ class DocumentWriter {
   }
 
   void shape(const Mesh& mesh) {
-    const auto write_place = [this](const Triple& one) { place(one); };
     print("{{\"type\": \"mesh\"");
     list("vertices", mesh.vertices, write_place);
     if (!mesh.normals.empty()) list("normals", mesh.normals, write_place);
     colors(mesh.colors);
-    list("triangles", mesh.triangles, [this](const std::array<std::uint32_t, 3>& corners) {
-      print("[{}, {}, {}]", corners[0], corners[2], corners[1]);
-    });
+    list("triangles", mesh.triangles,
+         [](DocumentWriter& to, const std::array<std::uint32_t, 3>& corners) {
+           to.print("[{}, {}, {}]", corners[0], corners[2], corners[1]);
+         });
   }
 
   std::string text_;

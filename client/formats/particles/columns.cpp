@@ -27,6 +27,7 @@ float as_float(double value) {
 
 /// As spreadsheets, R, Python and simulations leave a number out.
 bool is_missing(std::string_view field) {
+  if (!field.empty() && field.front() >= '0' && field.front() <= '9') return false;  // as most are
   const std::string text = in_small_letters(field);
   for (const char* const known : {"", "nan", "-nan", "na", "n/a", "null"})
     if (text == known) return true;

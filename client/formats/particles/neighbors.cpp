@@ -7,6 +7,7 @@
 #include <span>
 
 #include "client/formats/particles/elements.h"
+#include "client/formats/threads.h"
 
 namespace raytracer::client {
 namespace {
@@ -128,19 +129,24 @@ double typical_spacing(const std::vector<model::Triple>& places) {
   const std::size_t asked =
       std::clamp(most_looks / std::max<std::size_t>(1, places.size()), least_asked, most_asked);
   const std::size_t step = std::max<std::size_t>(1, places.size() / asked);
-  std::vector<double> nearest;
-  for (std::size_t i = 0; i < places.size(); i += step) {
-    double least = std::numeric_limits<double>::max();
-    for (const model::Triple& other : places) {
-      const double distance = squared_distance(places[i], other);
-      if (distance > 0 && distance < least) least = distance;
+  constexpr double none = std::numeric_limits<double>::max();
+  std::vector<double> nearest((places.size() + step - 1) / step, none);  // squared
+  const std::size_t threads = std::min(useful_threads(), nearest.size());
+  in_threads(threads, [&](std::size_t thread) {
+    for (std::size_t i = thread; i < nearest.size(); i += threads) {
+      double least = none;
+      for (const model::Triple& other : places) {
+        const double distance = squared_distance(places[i * step], other);
+        if (distance > 0 && distance < least) least = distance;
+      }
+      nearest[i] = least;
     }
-    if (least < std::numeric_limits<double>::max()) nearest.push_back(std::sqrt(least));
-  }
+  });
+  std::erase(nearest, none);
   if (nearest.empty()) return 1;
   const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
   std::nth_element(nearest.begin(), middle, nearest.end());
-  return *middle;
+  return std::sqrt(*middle);
 }
 
 }  // namespace raytracer::client
