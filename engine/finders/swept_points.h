@@ -83,6 +83,12 @@ struct SweptPoints {
   std::size_t visits = 0;           ///< since the cells' bounds were renewed
 };
 
+/// In which order blocks of primitives pass over points: all of a kind's.
+struct BlockOrder {
+  std::vector<std::uint32_t> blocks;
+  std::size_t near_count = 0;  ///< the first of them have primitives on which points lie
+};
+
 /// A box around what passes over points.
 template <typename T>
 struct SweptBox {

@@ -8,6 +8,7 @@
 #include "engine/finders/swept_points.h"
 #include "engine/kernel/light_ledger.h"
 #include "engine/kernel/packet_scene.h"
+#include "engine/kernel/sweep_order.h"
 
 namespace raytracer {
 
@@ -20,10 +21,12 @@ struct SweptDirection {
 /// Sets in `dark` the bits of those lanes of the ledgers' packets, taken one ledger after another,
 /// that look at the direction and have something before it that is found by sweeps.
 void sweep_direction(const PacketScene<float>& scene, const SweptDirection& direction,
-                     std::span<const LightLedger<float>> ledgers, std::int64_t target,
-                     SweptPoints<float>& points, LightLedger<float>::Lanes* dark);
+                     std::span<const LightLedger<float>> ledgers, const SweepOrder& order,
+                     std::int64_t target, SweptPoints<float>& points,
+                     LightLedger<float>::Lanes* dark);
 void sweep_direction(const PacketScene<double>& scene, const SweptDirection& direction,
-                     std::span<const LightLedger<double>> ledgers, std::int64_t target,
-                     SweptPoints<double>& points, LightLedger<double>::Lanes* dark);
+                     std::span<const LightLedger<double>> ledgers, const SweepOrder& order,
+                     std::int64_t target, SweptPoints<double>& points,
+                     LightLedger<double>::Lanes* dark);
 
 }  // namespace raytracer

@@ -64,6 +64,7 @@ std::size_t SweptLight<T>::begin_sweeps() {
   for (const LightLedger<T>& ledger : ledgers_) packet_count_ += ledger.packet_count();
   dark_.assign(scene_.told_places * packet_count_, 0);
   if (packet_count_ == 0) return 0;
+  order_ = order_sweeps<T>(scene_, ledgers_);
   for (std::size_t light = 0; light < scene_.soft_lights.size(); ++light) {
     const PacketSoftLight<T>& soft = scene_.soft_lights[light];
     for (std::size_t place = 0; place < soft.directions.size(); ++place)
@@ -76,7 +77,7 @@ template <typename T>
 void SweptLight<T>::sweep_one(std::size_t direction, SweepMemory<T>& memory) {
   const Direction& of = directions_[direction];
   std::unique_ptr<SweptPoints<T>> points = memory.take();
-  sweep_direction(scene_, of.swept, ledgers_, target_, *points,
+  sweep_direction(scene_, of.swept, ledgers_, order_, target_, *points,
                   dark_.data() + of.told * packet_count_);
   memory.give_back(std::move(points));
 }

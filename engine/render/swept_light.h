@@ -69,6 +69,7 @@ class SweptLight {
   const PacketScene<T>& scene_;
   std::int64_t target_;
   std::vector<LightLedger<T>> ledgers_;
+  SweepOrder order_;
   std::size_t packet_count_ = 0;
   std::vector<Direction> directions_;
   std::vector<Lanes> dark_;  ///< for each place in the ledgers, of all packets

@@ -77,7 +77,7 @@ HWY_NOINLINE std::size_t find_points(D d, std::span<const LightLedger<T>> ledger
 
 template <typename T>
 void sweep(const PacketScene<T>& scene, const SweptDirection& direction,
-           std::span<const LightLedger<T>> ledgers, SweptPoints<T>& points,
+           std::span<const LightLedger<T>> ledgers, const SweepOrder& order, SweptPoints<T>& points,
            typename LightLedger<T>::Lanes* dark) {
   const hn::ScalableTag<T> d;
   const PacketSoftLight<T>& soft = scene.soft_lights[direction.light];
@@ -115,7 +115,7 @@ void sweep(const PacketScene<T>& scene, const SweptDirection& direction,
   scene.geometry.for_each([&]<class Kind>(const Geometry<Kind, T>& geometry) HWY_ATTR {
     if constexpr (Kind::has_light_sweep)
       if (geometry.finder(RayKind::to_soft_light) == Finder::light_sweep)
-        sweep_over(d, geometry, points);
+        sweep_over(d, geometry, order[kind_index<Kind>], points);
   });
   tell_dark(points, dark);
 }

@@ -15,15 +15,15 @@ namespace raytracer::HWY_NAMESPACE {
 namespace {
 
 void sweep_in_single(const PacketScene<float>& scene, const SweptDirection& direction,
-                     std::span<const LightLedger<float>> ledgers, SweptPoints<float>& points,
-                     LightLedger<float>::Lanes* dark) {
-  sweep(scene, direction, ledgers, points, dark);
+                     std::span<const LightLedger<float>> ledgers, const SweepOrder& order,
+                     SweptPoints<float>& points, LightLedger<float>::Lanes* dark) {
+  sweep(scene, direction, ledgers, order, points, dark);
 }
 
 void sweep_in_double(const PacketScene<double>& scene, const SweptDirection& direction,
-                     std::span<const LightLedger<double>> ledgers, SweptPoints<double>& points,
-                     LightLedger<double>::Lanes* dark) {
-  sweep(scene, direction, ledgers, points, dark);
+                     std::span<const LightLedger<double>> ledgers, const SweepOrder& order,
+                     SweptPoints<double>& points, LightLedger<double>::Lanes* dark) {
+  sweep(scene, direction, ledgers, order, points, dark);
 }
 
 }  // namespace
@@ -40,17 +40,19 @@ HWY_EXPORT(sweep_in_double);
 }  // namespace
 
 void sweep_direction(const PacketScene<float>& scene, const SweptDirection& direction,
-                     std::span<const LightLedger<float>> ledgers, std::int64_t target,
-                     SweptPoints<float>& points, LightLedger<float>::Lanes* dark) {
+                     std::span<const LightLedger<float>> ledgers, const SweepOrder& order,
+                     std::int64_t target, SweptPoints<float>& points,
+                     LightLedger<float>::Lanes* dark) {
   HWY_DISPATCH_TABLE(sweep_in_single)
-  [dispatch_index(target)](scene, direction, ledgers, points, dark);
+  [dispatch_index(target)](scene, direction, ledgers, order, points, dark);
 }
 
 void sweep_direction(const PacketScene<double>& scene, const SweptDirection& direction,
-                     std::span<const LightLedger<double>> ledgers, std::int64_t target,
-                     SweptPoints<double>& points, LightLedger<double>::Lanes* dark) {
+                     std::span<const LightLedger<double>> ledgers, const SweepOrder& order,
+                     std::int64_t target, SweptPoints<double>& points,
+                     LightLedger<double>::Lanes* dark) {
   HWY_DISPATCH_TABLE(sweep_in_double)
-  [dispatch_index(target)](scene, direction, ledgers, points, dark);
+  [dispatch_index(target)](scene, direction, ledgers, order, points, dark);
 }
 
 }  // namespace raytracer

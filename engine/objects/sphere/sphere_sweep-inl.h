@@ -50,7 +50,8 @@ HWY_NOINLINE void go_through(D d, SweptPoints<T>& points, const PassingDiscs<T>&
 
 /// All spheres over the points.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE void sweep_over(D d, const Geometry<SphereKind, T>& spheres, SweptPoints<T>& points) {
+HWY_NOINLINE void sweep_over(D d, const Geometry<SphereKind, T>& spheres, const BlockOrder& order,
+                             SweptPoints<T>& points) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
   constexpr std::size_t visits_to_renew = 4;  // for each cell
   constexpr T rounding = 16 * std::numeric_limits<T>::epsilon();
@@ -67,9 +68,11 @@ HWY_NOINLINE void sweep_over(D d, const Geometry<SphereKind, T>& spheres, SweptP
   PassingPrimitives<T> visits(points);
   WorthOfAsking worth;
   Discs discs;
-  for (std::size_t begin = 0; begin < spheres.count; begin += Discs::most) {
-    const std::size_t block = begin / Discs::most;
-    if (worth.asks_about(block) && worth.leaves_out(!may_hide(points, columns.blocks[block])))
+  for (std::size_t nth = 0; nth < order.blocks.size(); ++nth) {
+    if (nth == order.near_count && points.visits > points.cells.size()) renew_bounds(d, points);
+    const std::size_t block = order.blocks[nth];
+    const std::size_t begin = block * Discs::most;
+    if (worth.asks_about(nth) && worth.leaves_out(!may_hide(points, columns.blocks[block])))
       continue;
     std::uint64_t large = 0;
     const auto go = [&]() HWY_ATTR { go_through(d, points, discs, visits); };
