@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -88,12 +89,14 @@ struct Tracing {
   /// those before have left.
   void report(double pass_fraction) {
     constexpr double near_end = 0.95;
+    constexpr double before_end = 1 - std::numeric_limits<double>::epsilon();
     double fraction = pass_fraction;
     if (scene.render.budget_ms) {
       fraction = watch.elapsed_ms() / *scene.render.budget_ms;
-      if (fraction > near_end) fraction = 1 - (1 - near_end) * near_end / fraction;
+      if (fraction > near_end)
+        fraction = std::min(1 - (1 - near_end) * near_end / fraction, before_end);
     } else if (scene.render.target_rmse) {
-      fraction = 1 - std::ldexp(1 - pass_fraction / 2, -passes_done);
+      fraction = std::min(1 - std::ldexp(1 - pass_fraction / 2, -passes_done), before_end);
     }
     double before = progress.fraction;
     while (before < fraction && !progress.fraction.compare_exchange_weak(before, fraction)) {

@@ -49,6 +49,7 @@ void PixelErrors::set_all(int samples) {
   for (int y = 0; y < height_; ++y) std::fill_n(&samples_[index(0, y)], width_, samples);
   sample_count_ = std::int64_t{samples} * width_ * height_;
   std::fill(guesses_.begin(), guesses_.end(), no_guess);
+  std::fill(is_refined_.begin(), is_refined_.end(), char{});
 }
 
 void PixelErrors::set(std::size_t pixel, int samples, const PixelSpread& spread) {
