@@ -97,7 +97,12 @@ class DocumentWriter {
     constexpr std::size_t in_piece = 1 << 15;
     print(", \"{}\": [", name);
     const std::span<const Item> all = items;
-    std::vector<DocumentWriter> pieces(std::min(useful_threads(), items.size() / in_piece + 1));
+    if (all.size() <= in_piece) {
+      list_piece(all, write, true);
+      return print("]");
+    }
+    std::vector<DocumentWriter> pieces(
+        std::min(useful_threads(), (items.size() + in_piece - 1) / in_piece));
     for (std::size_t begin = 0; begin < items.size(); begin += pieces.size() * in_piece) {
       in_threads(pieces.size(), [&](std::size_t i) {
         const std::size_t first = std::min(begin + i * in_piece, items.size());

@@ -268,7 +268,7 @@ class MeshImport {
       points.centers.push_back(triple(file.mVertices[i]));
     }
     if (points.centers.empty()) return;
-    points.radii.assign(points.centers.size(), typical_spacing(points.centers) / 2);
+    points.radii.assign(points.centers.size(), typical_spacing(points.centers, 1) / 2);
     reading_.scene.objects.push_back({std::move(points), material});
   }
 

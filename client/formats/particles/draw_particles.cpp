@@ -10,6 +10,7 @@
 #include "client/formats/particles/neighbors.h"
 #include "client/formats/particles/palette.h"
 #include "client/formats/particles/screen_color.h"
+#include "client/formats/threads.h"
 
 namespace raytracer::client {
 namespace {
@@ -195,7 +196,7 @@ void draw_particles(Particles particles, const Wishes& wishes, DrawingScale& sca
     for (const std::uint8_t element : particles.elements)
       radii.push_back((has_sticks ? ball_share : 1) * van_der_waals_radius(element));
   } else if (radii.empty()) {
-    if (!scale.radius) scale.radius = typical_spacing(particles.places) / 2;
+    if (!scale.radius) scale.radius = typical_spacing(particles.places, useful_threads()) / 2;
     radii.assign(count, *scale.radius);
   }
   add_balls(particles, colors, radii, scene);

@@ -121,7 +121,7 @@ std::vector<std::array<std::uint32_t, 2>> bonds_by_distance(
   return bonds;
 }
 
-double typical_spacing(const std::vector<model::Triple>& places) {
+double typical_spacing(const std::vector<model::Triple>& places, std::size_t most_threads) {
   // Each is asked about all others: of many particles a few have to do.
   constexpr std::size_t least_asked = 7;
   constexpr std::size_t most_asked = 32;
@@ -131,7 +131,7 @@ double typical_spacing(const std::vector<model::Triple>& places) {
   const std::size_t step = std::max<std::size_t>(1, places.size() / asked);
   constexpr double none = std::numeric_limits<double>::max();
   std::vector<double> nearest((places.size() + step - 1) / step, none);  // squared
-  const std::size_t threads = std::min(useful_threads(), nearest.size());
+  const std::size_t threads = std::min(most_threads, nearest.size());
   in_threads(threads, [&](std::size_t thread) {
     for (std::size_t i = thread; i < nearest.size(); i += threads) {
       double least = none;
