@@ -80,7 +80,7 @@ struct SweptPoints {
   Margins margins;
   LargeArray<T> values;             ///< cell by cell, its columns
   LargeArray<std::uint32_t> lanes;  ///< cell by cell: 16 times the packet's number, and the lane
-  std::size_t visits = 0;           ///< since the cells' bounds were renewed
+  std::size_t visits = 0;           ///< of cells and parts, since their bounds were renewed
 };
 
 /// In which order blocks of primitives pass over points: all of a kind's.

@@ -1,7 +1,6 @@
 #include "engine/kernel/packet_scene.h"
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <span>
 #include <utility>
@@ -135,17 +134,18 @@ void make_geometry(const PackedScene& scene, const std::vector<PackedLight>& lig
   std::vector<std::size_t> seen;
   for (std::size_t i = 0; i < lights.size(); ++i)
     if (finder_of(finders, ray_kind_of(lights[i])) != Finder::light_sweep) seen.push_back(i);
-  // Where it is worth it a view for each thread at a time, and those that are left by all together.
-  // The next one to whoever is free: of some, as of the other end of a sky's axis, little is made.
+  // Where it is worth it some views for each thread at a time, and those that are left by all
+  // together. Neighbours, as of every other one little is made: the other end of a sky's axis.
+  constexpr std::size_t turns = 8;
   const std::size_t threads = pool.thread_count();
   const bool are_many = seen.size() * primitives.size() >= few_items;
   const std::size_t alone = are_many ? seen.size() - seen.size() % threads : 0;
-  std::atomic<std::size_t> next{0};
-  pool.run(std::min(alone, threads), [&](std::size_t) {
-    WorkerPool own(1);
-    for (std::size_t i = next++; i < alone; i = next++)
-      geometry.lights[seen[i]] = view_of(lights[seen[i]], own);
-  });
+  for_each_chunk(alone, std::min(alone, turns * threads), pool,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   WorkerPool own(1);
+                   for (std::size_t i = begin; i < end; ++i)
+                     geometry.lights[seen[i]] = view_of(lights[seen[i]], own);
+                 });
   for (std::size_t i = alone; i < seen.size(); ++i)
     geometry.lights[seen[i]] = view_of(lights[seen[i]], pool);
 }

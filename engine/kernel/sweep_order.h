@@ -17,6 +17,7 @@ namespace raytracer {
 /// Of all kinds; those that do not sweep have none.
 using SweepOrder = std::array<BlockOrder, ObjectKinds::count>;
 
+/// For all points of the ledgers, whichever direction they look.
 template <typename T>
 SweepOrder order_sweeps(const PacketScene<T>& scene, std::span<const LightLedger<T>> ledgers);
 

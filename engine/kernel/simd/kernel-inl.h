@@ -12,6 +12,7 @@
 #include "engine/finders/cells-inl.h"
 #include "engine/finders/light_grid-inl.h"
 #include "engine/finders/light_sweep-inl.h"
+#include "engine/finders/passing_primitives-inl.h"
 #include "engine/finders/window-inl.h"
 #include "engine/finders/point_grid-inl.h"
 #include "engine/finders/tree_walk-inl.h"

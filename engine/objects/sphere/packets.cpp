@@ -83,11 +83,20 @@ std::vector<std::uint32_t> order_in_space(std::span<const PackedSphere> spheres,
   for_each_range(spheres.size(), pool, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) cell[i] = cell_of(spheres[i]);
   });
-  for (const std::uint32_t of_one : cell) ++next[of_one + 1];
-  for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
   std::vector<std::uint32_t> order(spheres.size());
-  for (std::size_t i = 0; i < spheres.size(); ++i)
-    order[next[cell[i]]++] = static_cast<std::uint32_t>(i);
+  // A few threads each those of some cells: they look at all spheres, which takes little.
+  constexpr std::size_t most_threads = 8;
+  const std::size_t parts =
+      spheres.size() < few_items ? 1 : std::min(pool.thread_count(), most_threads);
+  const auto for_each_by_cell = [&](const auto& visit) {
+    for_each_chunk(cells, parts, pool, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = 0; i < cell.size(); ++i)
+        if (cell[i] - begin < end - begin) visit(i);
+    });
+  };
+  for_each_by_cell([&](std::size_t i) { ++next[cell[i] + 1]; });
+  for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
+  for_each_by_cell([&](std::size_t i) { order[next[cell[i]]++] = static_cast<std::uint32_t>(i); });
   return order;
 }
 

@@ -1,7 +1,10 @@
 // Spheres that pass over the points of a sweep.
 
+#include <hwy/cache_control.h>
+
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -42,9 +45,11 @@ HWY_NOINLINE void go_through(D d, SweptPoints<T>& points, const PassingDiscs<T>&
                      hn::Le(hn::MulAdd(du, du, hn::Mul(dv, dv)), radius2));
     };
     for_each_part(points, visits.cell(i), discs.touched(disc), discs.w[disc],
-                  [&](const auto& cell) HWY_ATTR { hide_in_cell(d, points, cell, hides); });
+                  [&](const auto& cell) HWY_ATTR {
+                    ++points.visits;
+                    hide_in_cell(d, points, cell, hides);
+                  });
   }
-  points.visits += visits.count();
   visits.clear();
 }
 
@@ -69,7 +74,10 @@ HWY_NOINLINE void sweep_over(D d, const Geometry<SphereKind, T>& spheres, const 
   WorthOfAsking worth;
   Discs discs;
   for (std::size_t nth = 0; nth < order.blocks.size(); ++nth) {
-    if (nth == order.near_count && points.visits > points.cells.size()) renew_bounds(d, points);
+    if (nth == order.near_count) {
+      worth = {};
+      if (points.visits > points.cells.size()) renew_bounds(d, points);
+    }
     const std::size_t block = order.blocks[nth];
     const std::size_t begin = block * Discs::most;
     if (worth.asks_about(nth) && worth.leaves_out(!may_hide(points, columns.blocks[block])))
