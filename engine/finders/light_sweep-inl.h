@@ -115,27 +115,7 @@ HWY_NOINLINE void cut_crowded_cells(SweptPoints<T>& points) {
   }
 }
 
-/// Of all cells in the rows, by the cells' bounds.
-template <typename T>
-HWY_NOINLINE void find_margins(SweptPoints<T>& points) {
-  const std::size_t count =
-      static_cast<std::size_t>(points.columns) * static_cast<std::size_t>(points.rows);
-  points.margins.above.resize(count);
-  points.margins.below.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    T above = points.cells[i].above;
-    T below = points.cells[i].below;
-    if (points.has_parts)
-      for (const auto& part : points.parts_of(i)) {
-        above = std::min(above, part.above);
-        below = std::max(below, part.below);
-      }
-    points.margins.above[i] = above;
-    points.margins.below[i] = below;
-  }
-}
-
-/// Of blocks of cells, by the cells' margins.
+/// Of blocks of cells, by the cells'.
 template <typename T>
 HWY_NOINLINE void bound_blocks(SweptPoints<T>& points) {
   constexpr int across = 1 << SweptPoints<T>::block_log2;
@@ -148,8 +128,8 @@ HWY_NOINLINE void bound_blocks(SweptPoints<T>& points) {
         for (int column = x; column < std::min(x + across, points.columns); ++column) {
           const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(points.columns) +
                          static_cast<std::size_t>(column);
-          above = std::min(above, points.margins.above[i]);
-          below = std::max(below, points.margins.below[i]);
+          above = std::min(above, points.cells[i].above);
+          below = std::max(below, points.cells[i].below);
         }
       points.blocks.push_back({above, below});
     }
@@ -177,7 +157,11 @@ HWY_NOINLINE void renew_bounds(D d, SweptPoints<T>& points) {
     cell.above = hn::GetLane(hn::MinOfLanes(d, above));
     cell.below = hn::GetLane(hn::MaxOfLanes(d, below));
   }
-  find_margins(points);
+  for (std::size_t i = 0; points.has_parts && i < points.parts.size(); ++i)
+    for (const auto& part : points.parts_of(i)) {
+      points.cells[i].above = std::min(points.cells[i].above, part.above);
+      points.cells[i].below = std::max(points.cells[i].below, part.below);
+    }
   bound_blocks(points);
 }
 

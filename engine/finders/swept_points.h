@@ -28,7 +28,7 @@ struct SweptPoints {
   enum Column : std::size_t { column_u, column_v, column_w, column_side, column_id, column_count };
   /// Of the plane's, first those in rows, then those that crowded ones are cut into.
   struct Cell {
-    T above;  ///< what is not beyond this, towards the light, hides none of its points
+    T above;  ///< what is not beyond this, towards the light, hides none of its points or parts'
     T below;  ///< opposite, likewise
     std::uint32_t begin;
     std::uint32_t end;
@@ -39,11 +39,6 @@ struct SweptPoints {
     T below;
   };
   static constexpr int block_log2 = 3;
-  /// Of each cell in the rows, with what it is cut into; apart, as vectors look them up.
-  struct Margins {
-    LargeArray<T> above;
-    LargeArray<T> below;
-  };
   /// Of a crowded cell those that it is cut into, `across` either way; of others 0.
   struct Parts {
     std::uint32_t first;
@@ -75,9 +70,8 @@ struct SweptPoints {
 
   Found found;
   std::vector<Cell> cells;
-  std::vector<Parts> parts;    ///< of each cell in the rows, if there are any
-  std::vector<Bounds> blocks;  ///< of cells in the rows, and what they are cut into
-  Margins margins;
+  std::vector<Parts> parts;         ///< of each cell in the rows, if there are any
+  std::vector<Bounds> blocks;       ///< of cells in the rows, and what they are cut into
   LargeArray<T> values;             ///< cell by cell, its columns
   LargeArray<std::uint32_t> lanes;  ///< cell by cell: 16 times the packet's number, and the lane
   std::size_t visits = 0;           ///< of cells and parts, since their bounds were renewed

@@ -28,7 +28,7 @@ HWY_NOINLINE void go_through(D d, SweptPoints<T>& points, const PassingDiscs<T>&
   using Points = SweptPoints<T>;
   constexpr std::size_t ahead = 8;
   for (std::size_t i = 0; i < visits.count(); ++i) {
-    if (i + ahead < visits.count())
+    if (PassingPrimitives<T>::template in_vectors<D> && i + ahead < visits.count())
       hwy::Prefetch(points.values.data() +
                     Points::column_count * points.cells[visits.cell(i + ahead)].begin);
     const std::size_t disc = visits.primitive(i);
@@ -69,8 +69,9 @@ HWY_NOINLINE void sweep_over(D d, const Geometry<SphereKind, T>& spheres, const 
   const V before = hn::Set(d, T(-1));
   const V column_count = hn::Set(d, static_cast<T>(points.columns));
   const V row_count = hn::Set(d, static_cast<T>(points.rows));
-  static_assert(4 * Discs::most <= PassingPrimitives<T>::most);
-  PassingPrimitives<T> visits(points);
+  using Visits = PassingPrimitives<T>;
+  static_assert(Visits::most_cells * Visits::most_cells * Discs::most <= Visits::most);
+  Visits visits(points);
   WorthOfAsking worth;
   Discs discs;
   for (std::size_t nth = 0; nth < order.blocks.size(); ++nth) {
@@ -82,7 +83,7 @@ HWY_NOINLINE void sweep_over(D d, const Geometry<SphereKind, T>& spheres, const 
     const std::size_t begin = block * Discs::most;
     if (worth.asks_about(nth) && worth.leaves_out(!may_hide(points, columns.blocks[block])))
       continue;
-    std::uint64_t large = 0;
+    std::uint64_t others = 0;  // than those that are added in vectors
     const auto go = [&]() HWY_ATTR { go_through(d, points, discs, visits); };
     for (std::size_t at = 0; at < Discs::most; at += lanes) {
       const std::size_t i = begin + at;
@@ -116,11 +117,14 @@ HWY_NOINLINE void sweep_over(D d, const Geometry<SphereKind, T>& spheres, const 
       hn::Store(w, d, discs.w + at);
       hn::Store(get(Columns::column_radius2), d, discs.radius2 + at);
       hn::Store(get(Columns::column_id), d, discs.id + at);
-      large |= bits_of(d, visits.add(d, at, touched, w, touches)) << at;
+      if constexpr (Visits::template in_vectors<D>)
+        others |= bits_of(d, visits.add(d, at, touched, w, touches)) << at;
+      else
+        others |= bits_of(d, touches) << at;
     }
-    for (std::uint64_t left = large; left != 0; left &= left - 1) {
+    for (std::uint64_t left = others; left != 0; left &= left - 1) {
       const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
-      visits.add_large(i, discs.touched(i), discs.w[i], go);
+      visits.add(i, discs.touched(i), discs.w[i], go);
     }
     go();
     if (points.visits > visits_to_renew * points.cells.size()) renew_bounds(d, points);
