@@ -58,11 +58,14 @@ HWY_INLINE bool may_hide(const SweptPoints<T>& points, const SweptBox<T>& box) {
       std::min(block_at(v.high + points.noise, points.v_low) + 1, points.blocks_down());
   if (x_end - x_begin > most_across || y_end - y_begin > most_across) return true;
   const SweptRange<T> w(box, points.axes[2]);
-  for (int y = y_begin; y < y_end; ++y)
+  for (int y = y_begin; y < y_end; ++y) {
+    const auto first =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(points.blocks_across());
     for (int x = x_begin; x < x_end; ++x) {
-      const auto& block = points.blocks[static_cast<std::size_t>(y * points.blocks_across() + x)];
+      const auto& block = points.blocks[first + static_cast<std::size_t>(x)];
       if (w.high > block.above || w.low < block.below) return true;
     }
+  }
   return false;
 }
 
@@ -190,7 +193,8 @@ HWY_INLINE void for_each_part(const SweptPoints<T>& points, std::size_t cell,
   const auto across = static_cast<T>(parts.across);
   const auto most = static_cast<T>(parts.across - 1);
   const auto from_x = static_cast<T>(cell % columns);
-  const auto from_y = static_cast<T>(cell / columns);
+  const std::size_t row = cell / columns;
+  const auto from_y = static_cast<T>(row);
   const auto index = [&](T place, T from) {
     return static_cast<std::uint32_t>(std::clamp((place - from) * across, T(0), most));
   };
