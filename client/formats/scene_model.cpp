@@ -83,12 +83,8 @@ class DocumentWriter {
 
   template <typename Items, typename Write>
   void lines(const Items& items, Write write) {
-    std::string_view separator = "\n    ";
-    for (const auto& item : items) {
-      text_ += separator;
-      write(item);
-      separator = ",\n    ";
-    }
+    list_piece(
+        std::span(items), [&](DocumentWriter&, const auto& one) { write(one); }, true);
   }
 
   /// Of numbers, for which there is a write(writer, item): long ones by several threads.
