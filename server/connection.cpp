@@ -60,6 +60,15 @@ bool end_is(int socket, NameFunction name_of_end, const std::string& address, in
   return end && end->port() == port && end->host() == address;  // the text last: it takes longest
 }
 
+/// Calls visit(descriptor) for each that this process has open.
+template <typename Visit>
+void for_each_descriptor(const Visit& visit) {
+  // Not by counting up to the limit: it may be a million, and a client that has left is never found.
+  std::error_code unknown;
+  for (const auto& descriptor : std::filesystem::directory_iterator("/dev/fd", unknown))
+    visit(std::atoi(descriptor.path().filename().c_str()));
+}
+
 }  // namespace
 
 std::size_t descriptor_limit(std::size_t most) {
@@ -69,24 +78,23 @@ std::size_t descriptor_limit(std::size_t most) {
 }
 
 int find_socket(const httplib::Request& request) {
-  // Descriptors are given out from below, so that the search ends soon.
-  const auto limit = static_cast<int>(descriptor_limit());
-  for (int socket = 0; socket < limit; ++socket)
-    if (end_is(socket, getpeername, request.remote_addr, request.remote_port) &&
-        end_is(socket, getsockname, request.local_addr, request.local_port))
-      return socket;
-  return -1;
+  const auto is_its = [&](int socket) {
+    return end_is(socket, getpeername, request.remote_addr, request.remote_port) &&
+           end_is(socket, getsockname, request.local_addr, request.local_port);
+  };
+  int found = -1;
+  for_each_descriptor([&](int descriptor) {
+    if (found < 0 && is_its(descriptor)) found = descriptor;
+  });
+  return found;
 }
 
 void shut_down_connections(int local_port) {
-  // Not by counting up to the limit: it may be a million.
-  std::error_code unknown;
-  for (const auto& descriptor : std::filesystem::directory_iterator("/dev/fd", unknown)) {
-    const int socket = std::atoi(descriptor.path().filename().c_str());
-    const std::optional<End> local = end_of(socket, getsockname);
-    if (local && local->port() == local_port && end_of(socket, getpeername))
-      shutdown(socket, SHUT_RDWR);
-  }
+  for_each_descriptor([&](int descriptor) {
+    const std::optional<End> local = end_of(descriptor, getsockname);
+    if (local && local->port() == local_port && end_of(descriptor, getpeername))
+      shutdown(descriptor, SHUT_RDWR);
+  });
 }
 
 bool client_has_disconnected(int socket) {
