@@ -70,11 +70,13 @@ SceneText document_of(const Reading& reading, const std::string& label) {
 /// Wishes for what a scene says itself are refused.
 void refuse_wishes(const SceneChoice& choice, Openness openness) {
   for (const std::string& option : choice.wished) {
-    const bool is_of_atoms = option != "--view" && option != "--zoom" && option != "--background";
-    if (openness == Openness::atoms || (openness == Openness::view && !is_of_atoms)) continue;
-    throw InputError(
-        fmt::format("{}: {} says this itself; the option is for {}", option, choice.name,
-                    is_of_atoms ? "atoms and other particles" : "formats without a camera"));
+    const Openness needed = option == "--view" || option == "--zoom" ? Openness::missing_view
+                            : option == "--background"               ? Openness::picture
+                                                                     : Openness::atoms;
+    if (openness >= needed) continue;
+    throw InputError(fmt::format(
+        "{}: {} says this itself; the option is for {}", option, choice.name,
+        needed == Openness::atoms ? "atoms and other particles" : "formats without a camera"));
   }
 }
 

@@ -289,9 +289,6 @@ model::View view_of_all(const model::Scene& scene, const Wishes& wishes, Upright
   return view;
 }
 
-namespace {
-
-/// A key light from the left above the eye, and a sky, which gives depth.
 void light_studio(model::Scene& scene) {
   const model::View& view = scene.view;
   const Triple ahead = unit(sum(view.at, scaled(view.from, -1)));
@@ -306,8 +303,6 @@ void light_studio(model::Scene& scene) {
   scene.ambient = 0.05;
   scene.is_shadow_black = false;
 }
-
-}  // namespace
 
 void arrange(model::Scene& scene, const Wishes& wishes, const model::View& view) {
   scene.view = view;

@@ -13,8 +13,13 @@
 
 namespace raytracer::client {
 
-/// Which wishes a file of a format leaves open.
-enum class Openness { nothing, view, atoms };
+/// Which wishes a file of a format leaves open, each more than those before it.
+enum class Openness {
+  nothing,
+  missing_view,  ///< from where it is seen, unless it says so
+  picture,       ///< from where it is seen, and before what
+  atoms          ///< how atoms are drawn, too
+};
 
 struct Format {
   std::string_view ending;
@@ -23,7 +28,7 @@ struct Format {
 };
 
 inline constexpr std::array formats{
-    Format{".nff", open_nff, Openness::nothing},
+    Format{".nff", open_nff, Openness::missing_view},
     Format{".pdb", open_pdb, Openness::atoms},
     Format{".ent", open_pdb, Openness::atoms},
     Format{".cif", open_mmcif, Openness::atoms},
@@ -34,11 +39,11 @@ inline constexpr std::array formats{
     Format{".lammpstrj", open_lammps_dump, Openness::atoms},
     Format{".csv", open_csv, Openness::atoms},
     Format{".tsv", open_tsv, Openness::atoms},
-    Format{".ply", open_ply, Openness::view},
-    Format{".obj", open_obj, Openness::view},
-    Format{".stl", open_stl, Openness::view},
-    Format{".gltf", open_gltf, Openness::view},
-    Format{".glb", open_glb, Openness::view},
+    Format{".ply", open_ply, Openness::picture},
+    Format{".obj", open_obj, Openness::picture},
+    Format{".stl", open_stl, Openness::picture},
+    Format{".gltf", open_gltf, Openness::picture},
+    Format{".glb", open_glb, Openness::picture},
 };
 
 /// By the ending of a path, small letters or capitals, and without .gz or .zst after it; or a

@@ -40,7 +40,7 @@ template <class Document>
 concept HasCornerValues = requires(const Document& x) {
   { corner_values(x) } -> std::same_as<CornerValues>;
   { has_corner_normals(x) } -> std::same_as<bool>;
-  { has_corner_colors(x) } -> std::same_as<bool>;
+  { corner_colors(x) } -> std::same_as<const std::vector<Rgb>&>;
 };
 
 /// A primitive between corners.

@@ -69,7 +69,7 @@ std::vector<CornerValues> find_corner_values(const Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const auto add = [&]<typename Document>(const Document& shape) {
       if constexpr (HasCornerValues<Document>) {
-        if (!has_corner_normals(shape) && !has_corner_colors(shape)) return;
+        if (!has_corner_normals(shape) && corner_colors(shape).empty()) return;
         values.resize(scene.objects.size());
         values[i] = corner_values(shape);
         values[i].first = count;

@@ -14,13 +14,35 @@ namespace {
 
 bool emits(const Light& light) { return max_abs(light.color * light.intensity) > 0; }
 
-/// The materials of some primitive, each once.
+/// The colours that an object has in place of its material's; null: none.
+const std::vector<Rgb>* own_colors(const Object& object) {
+  const std::vector<Rgb>* colors = nullptr;
+  std::visit(
+      [&]<typename Document>(const Document& shape) {
+        if constexpr (HasItemColors<Document>) colors = &shape.colors;
+        if constexpr (HasCornerValues<Document>) colors = &corner_colors(shape);
+      },
+      object.shape);
+  return colors == nullptr || colors->empty() ? nullptr : colors;
+}
+
+/// The materials of some primitive, each once; and for each object that brings colours of its own
+/// once more, black only if they all are.
 std::vector<Material> materials_in_use(const Scene& scene) {
   std::vector<bool> is_used(scene.materials.size(), false);
-  for (const Object& object : scene.objects)
-    if (primitive_count(object) > 0) is_used[object.material] = true;
   std::vector<Material> used;
-  used.reserve(scene.materials.size());
+  for (const Object& object : scene.objects) {
+    if (primitive_count(object) == 0) continue;
+    const std::vector<Rgb>* const colors = own_colors(object);
+    if (colors == nullptr) {
+      is_used[object.material] = true;
+    } else {
+      used.push_back(scene.materials[object.material]);
+      const auto shown = std::find_if(colors->begin(), colors->end(),
+                                      [](const Rgb& color) { return max_abs(color) > 0; });
+      used.back().color = shown == colors->end() ? Rgb{} : *shown;
+    }
+  }
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
     if (is_used[i]) used.push_back(scene.materials[i]);
   return used;
@@ -51,7 +73,7 @@ void count_primitives(const Scene& scene, Features& features) {
         [&]<typename Document>(const Document& shape) {
           if constexpr (HasCornerValues<Document>) {
             features.has_corner_normals = features.has_corner_normals || has_corner_normals(shape);
-            features.has_corner_colors = features.has_corner_colors || has_corner_colors(shape);
+            features.has_corner_colors = features.has_corner_colors || !corner_colors(shape).empty();
           }
         },
         object.shape);

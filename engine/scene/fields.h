@@ -165,8 +165,8 @@ std::optional<Structure> read_structure(const Field& field) {
 }
 
 /// Reads an object as that of the structures whose `type` it says, {"type": "sphere", ...}; nothing
-/// if there is none. What an object of any type may have, with the keys `also`, is what
-/// read_others(object) reads.
+/// if there is none: then keys that no type has are refused. What an object of any type may have, with
+/// the keys `also`, is what read_others(object) reads.
 template <typename Variant, typename... Structure, std::size_t also_count, typename ReadOthers>
 std::optional<Variant> read_typed(const Field& field, Types<Structure...>,
                                   const std::array<std::string_view, also_count>& also,
@@ -176,6 +176,15 @@ std::optional<Variant> read_typed(const Field& field, Types<Structure...>,
   static constexpr std::array<std::string_view, sizeof...(Structure)> words{Structure::type...};
   std::optional<std::size_t> type;
   object->required("type", type, [](const Field& word) { return read_choice(word, words); });
+  if (!type) {
+    std::vector<std::string_view> of_any{"type"};
+    of_any.insert(of_any.end(), also.begin(), also.end());
+    const auto add = [&](const auto& keys) {
+      of_any.insert(of_any.end(), keys.begin(), keys.end());
+    };
+    (add(keys_of(Structure::fields)), ...);
+    object->refuse_keys_but(of_any);
+  }
   std::optional<Variant> content;
   const auto read_if_said = [&]<typename Said>(std::type_identity<Said>) {
     if (!type || words[*type] != Said::type) return;

@@ -58,7 +58,7 @@ TEST(MutatedFile, is_read_or_refused_with_lines) {
     for (const client::Reading& frame : read_text(*format, whole))
       ASSERT_TRUE(frame.errors.empty()) << frame.errors.front().what;
     // Meshes have a process each.
-    const bool is_mesh = format->openness == client::Openness::view;
+    const bool is_mesh = format->openness == client::Openness::picture;
     const int rounds = is_mesh ? 100 : 2'000;
     for (int round = 0; round < rounds; ++round) {
       const std::string text = damaged(whole, random);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "client/failure.h"
 #include "tests/formats/nff_document.h"
 #include "tests/support/cpu_stopwatch.h"
 
@@ -49,7 +50,31 @@ TEST(NffElements, background_is_black_unless_it_is_said) {
 }
 
 TEST(NffElements, nothing_is_lit_but_by_lights) {
-  EXPECT_EQ(nff_document(nff_view).at("ambient"), 0);
+  EXPECT_EQ(nff_document(nff_view + "l 1 2 3").at("ambient"), 0);
+}
+
+TEST(NffElements, what_has_no_light_has_a_key_light_and_a_sky) {
+  const json lights = nff_document(nff_view).at("lights");
+  ASSERT_EQ(lights.size(), 2U);
+  EXPECT_EQ(lights[0].at("type"), "distant");
+  EXPECT_EQ(lights[1].at("type"), "sky");
+}
+
+TEST(NffElements, what_has_no_viewpoint_is_all_in_view_as_is_wished) {
+  const std::string balls = nff_fill + "s 1 2 3 0.5\ns 4 2 3 0.5\nl 0 0 9";
+  EXPECT_EQ(nff_document(balls).at("camera").at("look_at"), json({-2.5, 2, 3}));
+  client::Wishes wishes;
+  wishes.view = {0, 1, 0};
+  const client::Reading reading = client::read_nff(balls, wishes);
+  ASSERT_TRUE(reading.errors.empty());
+  EXPECT_EQ(reading.scene.view.from[0], -2.5);
+  EXPECT_GT(reading.scene.view.from[1], 2);
+}
+
+TEST(NffElements, wish_for_a_view_stands_against_the_viewpoint) {
+  client::Wishes wishes;
+  wishes.zoom = 2;
+  EXPECT_THROW(client::read_nff(nff_view, wishes), client::InputError);
 }
 
 TEST(NffElements, lights_share_their_strength_and_have_no_falloff) {

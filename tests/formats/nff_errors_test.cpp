@@ -75,7 +75,7 @@ TEST(NffErrors, viewpoint_that_shows_nothing_is_refused) {
       {"v from 1 0 0 at 0 0 0 up 0 0 1 angle 45\nresolution 9 0", 2, "must be an integer from 1"},
       {"v from 1 0 0 at 0 0 0 up 0 0 1 angle 45\nresolution 9 9.5", 2, "must be an integer from 1"},
       {"v from 1 0 0 at 0 0 0 up 0 0 1 angle wide resolution 9 9", 1, "'wide' stands"},
-      {"b 0 0 0\ns 0 0 0 1", 2, "the file has no viewpoint; write v from X Y Z"},
+      {"b 0 0 0\n", 1, "the file has no viewpoint and nothing to look at; write v from X Y Z"},
       {"", 1, "the file has no viewpoint"},
   };
   for (const auto& [text, line, says] : table) {

@@ -94,12 +94,5 @@ TEST(NffOmissions, objects_before_the_first_fill_have_the_default_material) {
   EXPECT_EQ(objects[1].at("material"), "fill1");
 }
 
-TEST(NffOmissions, file_without_lights_is_lit_from_the_eye) {
-  expect_one(client::read_nff(nff_view).omissions, 1, 1, "light added");
-  const auto lights = nff_document(nff_view).at("lights");
-  ASSERT_EQ(lights.size(), 1U);
-  EXPECT_EQ(lights[0].at("position"), nff_document(nff_view).at("camera").at("origin"));
-}
-
 }  // namespace
 }  // namespace raytracer::test

@@ -42,6 +42,33 @@ TEST(Picture, shows_something_of_everything) {
   }
 }
 
+/// They stand in place of the material's, whatever that is.
+TEST(Picture, of_own_colors_is_the_same_over_a_black_material) {
+  const json spheres{{"type", "spheres"},
+                     {"centers", {{-1, 0, 0}, {1, 0, 0}}},
+                     {"radius", 0.9},
+                     {"colors", {{1, 0.8, 0.6}, {0.2, 0.3, 1}}}};
+  const json mesh{{"type", "mesh"},
+                  {"vertices", {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}},
+                  {"triangles", {{0, 1, 2}}},
+                  {"colors", {{1, 0.8, 0.6}, {0.2, 0.3, 1}, {0, 0, 0}}}};
+  for (json object : {spheres, mesh})
+    for (const double intensity : {0.0, 1.0}) {
+      json text = document(camera_json(64, 48, 0.8, {0, 0, -5}), {}, {distant_json({0.3, 0, 1})});
+      text["ambient"] = 0.2;
+      text["lights"][0]["intensity"] = intensity;
+      text["shadows"] = "black";  // a light that is out still lets ambient light pass
+      const auto with_color = [&](const char* color) {
+        object["material"] = {{"color", color}, {"ks", 0.4}, {"shininess", 3}};
+        text["objects"] = {object, sphere_json({0, 9, 0}, 1)};
+        return image_of(text);
+      };
+      const Image image = with_color("#ffffff");
+      EXPECT_GT(count_lit(image), 300);
+      expect_same_bytes(image, with_color("#000000"));
+    }
+}
+
 /// By packets in either precision and, from inside the first, one ray at a time.
 TEST(Picture, of_spheres_with_colors_is_that_of_spheres_with_materials) {
   Random random(7);

@@ -372,6 +372,14 @@ const std::vector<Wrong> unknown_keys{
     at("WithSlash", "/camera/a~1b", 3, "unknown key \"a/b\""),
     at("WithTilde", "/camera/a~0b", 3, "unknown key \"a~b\""),
     at("WithTildeOne", "/camera/~01", 3, "unknown key \"~1\""),
+    {"InPlaceOfTheType",
+     "/objects/0",
+     {{"typ", "sphere"}, {"center", {0, 0, 0}}, {"radius", 1}},
+     {{"/objects/0/type", "is required"}, {"/objects/0/typ", "did you mean \"type\""}}},
+    {"BesideAnUnknownType",
+     "/lights/0",
+     {{"type", "distand"}, {"direktion", {0, 0, 1}}},
+     {{"/lights/0/type", "\"distant\""}, {"/lights/0/direktion", "did you mean \"direction\""}}},
 };
 
 std::string name_of(const testing::TestParamInfo<Wrong>& row) { return row.param.name; }

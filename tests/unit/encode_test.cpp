@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -57,6 +58,13 @@ TEST(ToByte, is_the_floor_of_255c_plus_a_half) {
         value);
     EXPECT_EQ(to_byte(static_cast<float>(std::max(0.0, (value - 0.499) / 255.0))), value);
   }
+}
+
+/// Of the decimal fractions these are the ties, and none is a float.
+TEST(ToByte, rounds_ties_of_decimals_up) {
+  const std::array<int, 5> raised{26, 77, 128, 179, 230};
+  for (std::size_t i = 0; i < raised.size(); ++i)
+    EXPECT_EQ(to_byte(static_cast<float>(static_cast<double>(2 * i + 1) / 10)), raised[i]);
 }
 
 std::string encoded(const Image& image, ImageFormat format) {

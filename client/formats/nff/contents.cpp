@@ -107,9 +107,6 @@ void NffContents::add_lights_to_scene() {
     for (double& channel : color) channel /= intensity;
     scene.lights.emplace_back(model::Lamp{light.position, color, intensity});
   }
-  if (!lights_.empty()) return;
-  omit(1, "light added at the eye, as the file has none", "");
-  scene.lights.emplace_back(model::Lamp{scene.view.from, {1, 1, 1}, 1});
 }
 
 void NffContents::add_objects_to_scene() {

@@ -19,7 +19,6 @@ struct NffBall {
 
 class NffContents {
  public:
-  /// Comes before take().
   void set_view(const model::View& view) { reading_.scene.view = view; }
   void set_background(const model::Triple& color) { reading_.scene.background = color; }
   /// Without a colour it is white, and as strong as the number of lights makes it.

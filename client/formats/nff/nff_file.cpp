@@ -9,24 +9,26 @@ namespace {
 
 class NffFile : public SceneFile {
  public:
-  explicit NffFile(std::unique_ptr<TextSource> source) : source_(std::move(source)) {}
+  NffFile(std::unique_ptr<TextSource> source, const Wishes& wishes)
+      : source_(std::move(source)), wishes_(wishes) {}
 
   std::optional<Reading> next_frame() override {
     if (!source_) return std::nullopt;
     const auto source = std::exchange(source_, nullptr);
-    return read_nff(read_all(*source));
+    return read_nff(read_all(*source), wishes_);
   }
 
   bool has_more() const override { return source_ != nullptr; }
 
  private:
   std::unique_ptr<TextSource> source_;
+  Wishes wishes_;
 };
 
 }  // namespace
 
-std::unique_ptr<SceneFile> open_nff(FileInput input, const Wishes&) {
-  return std::make_unique<NffFile>(std::move(input.source));
+std::unique_ptr<SceneFile> open_nff(FileInput input, const Wishes& wishes) {
+  return std::make_unique<NffFile>(std::move(input.source), wishes);
 }
 
 }  // namespace raytracer::client

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "client/failure.h"
+#include "client/formats/arrange.h"
 #include "client/formats/nff/contents.h"
 #include "client/formats/nff/element_reader.h"
 #include "client/formats/printable.h"
@@ -29,7 +31,7 @@ double horizontal(double angle, int width_px, int height_px) {
 
 class NffReader {
  public:
-  explicit NffReader(std::string_view text) : words_(text) {}
+  NffReader(std::string_view text, const Wishes& wishes) : words_(text), wishes_(wishes) {}
 
   Reading read() {
     std::vector<LineError> errors;
@@ -42,14 +44,14 @@ class NffReader {
         while (!words_.at_end() && !element_of(words_.next())) words_.skip();
       }
     }
-    if (errors.empty() && !has_view_) {
+    Reading reading = std::move(contents_).take();
+    if (errors.empty() && !has_view_ && reading.scene.objects.empty()) {
       words_.begin(elements.front().usage);
-      errors.push_back(words_.wrong("the file has no viewpoint"));
+      errors.push_back(words_.wrong("the file has no viewpoint and nothing to look at"));
     }
-    if (errors.empty()) return std::move(contents_).take();
-    Reading refused;
-    refused.errors = std::move(errors);
-    return refused;
+    reading.errors = std::move(errors);
+    if (reading.errors.empty()) add_what_is_missing(reading.scene);
+    return reading;
   }
 
  private:
@@ -73,6 +75,14 @@ class NffReader {
     (this->*element->read)();
     if (words_.is_number_next())
       throw words_.wrong_word(fmt::format("{} is one number too many", quoted(words_.next())));
+  }
+
+  void add_what_is_missing(model::Scene& scene) const {
+    if (!has_view_)
+      scene.view = view_of_all(scene, wishes_, Upright::z);
+    else if (wishes_.view || wishes_.zoom != 1)
+      throw InputError("says itself from where it is seen; --view and --zoom are for what does not");
+    if (scene.lights.empty()) light_studio(scene);
   }
 
   [[noreturn]] void refuse_word() {
@@ -101,6 +111,7 @@ class NffReader {
   }
 
   ElementReader words_;
+  const Wishes& wishes_;
   NffContents contents_;
   bool has_view_ = false;
   bool has_background_ = false;
@@ -228,6 +239,8 @@ void NffReader::read_corners(bool have_normals) {
 
 }  // namespace
 
-Reading read_nff(std::string_view text) { return NffReader(text).read(); }
+Reading read_nff(std::string_view text, const Wishes& wishes) {
+  return NffReader(text, wishes).read();
+}
 
 }  // namespace raytracer::client

@@ -22,33 +22,14 @@ HWY_INLINE hn::Vec<hn::Rebind<float, D>> in_single(D, hn::Vec<D> channel) {
     return hn::DemoteTo(hn::Rebind<float, D>(), channel);
 }
 
-/// As to_byte() in engine/image/image.h, of channels in [0, 1]: in the lowest byte of a lane, with
-/// the two above it zero and anything in the highest.
+/// As to_byte() in engine/image/image.h, of channels in [0, 1]: in the lowest byte of a lane, the
+/// others zero.
 template <class D>
 HWY_INLINE hn::Vec<hn::Rebind<std::uint32_t, D>> to_levels(D d, hn::Vec<D> channel) {
   static_assert(sizeof(hn::TFromD<D>) == sizeof(float));
-  const hn::Rebind<std::uint32_t, D> levels;
-#if HWY_NATIVE_FMA
-  // From 2^23 on the numbers are 1 apart, and what rounds once rounds to the nearest level. Only
-  // 0.5 lies between two, and goes to the even one, which is the upper.
-  return hn::BitCast(levels, hn::MulAdd(channel, hn::Set(d, 255.0F), hn::Set(d, 8388608.0F)));
-#else
-  const auto exactly = [](auto part, auto values) HWY_ATTR {
-    const hn::Rebind<double, decltype(part)> in_double;
-    const auto raised = hn::Add(hn::Mul(hn::PromoteTo(in_double, values), hn::Set(in_double, 255)),
-                                hn::Set(in_double, 0.5));
-    return hn::DemoteTo(hn::Rebind<std::int32_t, decltype(part)>(), raised);
-  };
-#if HWY_TARGET != HWY_SCALAR  // which has no halves
-  if constexpr (hn::MaxLanes(D()) > hn::MaxLanes(hn::ScalableTag<double>())) {
-    const hn::Half<D> half;
-    return hn::BitCast(levels, hn::Combine(hn::Rebind<std::int32_t, D>(),
-                                           exactly(half, hn::UpperHalf(half, channel)),
-                                           exactly(half, hn::LowerHalf(half, channel))));
-  } else  // NOLINT(readability-else-after-return): the two are of different types
-#endif
-    return hn::BitCast(levels, exactly(d, channel));
-#endif
+  const auto raised = hn::Add(hn::Mul(channel, hn::Set(d, 255.0F)), hn::Set(d, 0.5F));
+  return hn::BitCast(hn::Rebind<std::uint32_t, D>(),
+                     hn::ConvertTo(hn::Rebind<std::int32_t, D>(), raised));
 }
 
 /// A packet's pixels as an image of floats holds them, with so many channels each.

@@ -80,7 +80,7 @@ void for_each_extent(const Mesh& mesh, const Include& include) {
 }
 
 inline bool has_corner_normals(const Mesh& mesh) { return !mesh.normals.empty(); }
-inline bool has_corner_colors(const Mesh& mesh) { return !mesh.vertex_colors.empty(); }
+inline const std::vector<Rgb>& corner_colors(const Mesh& mesh) { return mesh.vertex_colors; }
 CornerValues corner_values(const Mesh& mesh);
 
 /// Triangles of no area are left out, too.
