@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "server/problem.h"
@@ -16,7 +17,7 @@ Admission::Admission(std::size_t most_running, std::size_t most_waiting)
 Admission::Slot::Slot(Admission& admission, RenderProgress& progress)
     : admission_(admission), progress_(progress) {
   const std::scoped_lock lock(admission_.mutex_);
-  admission_.require_open();
+  if (admission_.closed_) admission_.refuse_closed();
   if (admission_.running_.size() >= admission_.most_running_) admission_.require_place();
   admission_.waiting_.push_back(this);
   admission_.let_in_next();
@@ -37,7 +38,7 @@ Admission::Slot::~Slot() {
 bool Admission::Slot::wait_until_admitted() {
   std::unique_lock lock(admission_.mutex_);
   changed_.wait(lock, [&] { return is_running_ || progress_.stop || admission_.closed_; });
-  if (!is_running_ && !progress_.stop) admission_.require_open();
+  if (!is_running_ && !progress_.stop) admission_.refuse_closed();
   return !progress_.stop;
 }
 
@@ -56,19 +57,12 @@ void Admission::stop(RenderProgress& progress) {
   waiting_.erase(slot);
 }
 
-std::shared_ptr<const void> Admission::add_waiter() {
-  const std::scoped_lock lock(mutex_);
-  require_open();
-  require_place();
-  ++extra_waiters_;
-  return {this, [this](const void*) { --extra_waiters_; }};
-}
-
 std::shared_ptr<const void> Admission::add_waiter(RenderProgress& progress) {
-  auto waiter = add_waiter();
   const std::scoped_lock lock(mutex_);
+  if (closed_) refuse_closed();
+  require_place();
   elsewhere_.push_back(&progress);
-  return {&progress, [this, waiter = std::move(waiter)](const RenderProgress* own) {
+  return {&progress, [this](const RenderProgress* own) {
             const std::scoped_lock lock_at_end(mutex_);
             std::erase(elsewhere_, own);
             emptied_.notify_all();
@@ -79,12 +73,20 @@ void Admission::require_place() const {
   if (may_wait()) return;
   refuse(429,
          fmt::format("{} renders wait already (--max-queue); try again later",
-                     waiting_.size() + extra_waiters_),
-         {{"Retry-After", std::to_string(retry_after_s())}});
+                     waiting_.size() + elsewhere_.size()),
+         {{"Retry-After", std::to_string(seconds_until_served())}});
+}
+
+/// Until all are served nobody else can take this server's place.
+void Admission::refuse_closed() const {
+  refuse(503, "The server is shutting down and takes no new work",
+         {{"Retry-After", std::to_string(seconds_until_served())}});
 }
 
 void Admission::require_open() const {
-  if (closed_) refuse(503, "The server is shutting down and takes no new work");
+  if (!closed_) return;  // without waiting for the mutex
+  const std::scoped_lock lock(mutex_);
+  refuse_closed();
 }
 
 void Admission::close() {
@@ -102,7 +104,7 @@ void Admission::stop_running() {
 
 Admission::Load Admission::load() const {
   const std::scoped_lock lock(mutex_);
-  return {running_.size(), waiting_.size() + extra_waiters_};
+  return {running_.size(), waiting_.size() + elsewhere_.size()};
 }
 
 bool Admission::is_full() const {
@@ -127,8 +129,12 @@ void Admission::let_in_next() {
   }
 }
 
-/// When those who wait now will have been served, if renders go on as they did.
 long Admission::retry_after_s() const {
+  const std::scoped_lock lock(mutex_);
+  return seconds_until_served();
+}
+
+long Admission::seconds_until_served() const {
   double render_s = mean_render_s_;
   for (const Slot* const slot : running_) {
     const std::chrono::duration<double> so_far = Clock::now() - slot->started_;

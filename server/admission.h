@@ -58,14 +58,17 @@ class Admission {
   /// Ends one's waiting at once, and its work within a tile; also before it enters.
   void stop(RenderProgress& progress);
 
-  /// For who waits for somebody else's render: one of those who wait, without a slot of its own,
-  /// until nobody holds it any more. Throws HttpError as Slot does. It must not outlive this.
-  std::shared_ptr<const void> add_waiter();
-  /// The same for a render that others make: it counts as one that runs when this is closed.
+  /// For who waits for a render that others make: one of those who wait, without a slot of its own,
+  /// until nobody holds it any more; it counts as one that runs when this is closed. Throws
+  /// HttpError as Slot does. It must not outlive this.
   std::shared_ptr<const void> add_waiter(RenderProgress& progress);
 
   /// Throws the 503 of a closed queue: for a look before a body is read.
   void require_open() const;
+
+  /// When those who run and wait now will have been served, in seconds from now, if renders go on
+  /// as they did: what clients that are refused are told.
+  long retry_after_s() const;
 
   /// close() comes soon: readiness ends, all else goes on.
   void announce_close() { closing_ = true; }
@@ -88,10 +91,11 @@ class Admission {
 
  private:
   // With the mutex held.
+  [[noreturn]] void refuse_closed() const;
   void require_place() const;
-  bool may_wait() const { return waiting_.size() + extra_waiters_ < most_waiting_; }
+  bool may_wait() const { return waiting_.size() + elsewhere_.size() < most_waiting_; }
   void let_in_next();
-  long retry_after_s() const;
+  long seconds_until_served() const;
 
   const std::size_t most_running_;
   const std::size_t most_waiting_;
@@ -99,7 +103,6 @@ class Admission {
   mutable std::condition_variable emptied_;
   std::vector<Slot*> running_;
   std::deque<Slot*> waiting_;
-  std::atomic<std::size_t> extra_waiters_{0};
   std::vector<RenderProgress*> elsewhere_;  ///< made by others
   std::atomic<bool> closing_{false};
   std::atomic<bool> closed_{false};  ///< set with the mutex held

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "server/call.h"
+#include "server/quota.h"
 
 namespace raytracer {
 
@@ -19,8 +20,8 @@ bool announces_body(const httplib::Request& request);
 /// number.
 std::optional<std::int64_t> body_length(const httplib::Request& request);
 
-/// The whole body, of body_length(). Throws HttpError 408 if it is late: 30 s and 1 s for each
-/// megabyte.
-std::string read_body(Call& call, std::int64_t length);
+/// The whole body, of body_length(); each byte that arrives is added to `memory`. Throws HttpError:
+/// 408 if it is late, 30 s and 1 s for each megabyte; 429 if the memory for bodies is full.
+std::string read_body(Call& call, std::int64_t length, Quota::Portion& memory);
 
 }  // namespace raytracer

@@ -41,7 +41,8 @@ void answer_preflight(httplib::Response& response) {
   response.status = 204;
   response.set_header("Access-Control-Allow-Methods", "GET, HEAD, POST, DELETE");
   response.set_header("Access-Control-Allow-Headers",
-                      "Authorization, Cache-Control, Content-Type, If-None-Match, X-Request-Id");
+                      "Authorization, Cache-Control, Content-Type, If-None-Match, Scene-Digest, "
+                      "X-Request-Id");
   response.set_header("Access-Control-Max-Age", "600");
 }
 

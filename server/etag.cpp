@@ -11,6 +11,11 @@
 #include "server/request_text.h"
 
 namespace raytracer {
+namespace {
+
+constexpr std::size_t tag_digits = 32;
+
+}  // namespace
 
 std::string sha256_hex(std::string_view bytes) {
   // EVP_sha256() would be looked up at each use, behind a lock; and of a short text OpenSSL takes
@@ -51,8 +56,11 @@ std::string renderer_id_of(const Machine& machine) {
 
 std::string entity_tag(std::string_view picture_digest, std::string_view media_type,
                        std::string_view renderer_id) {
-  constexpr std::size_t digits = 32;
-  return fmt::format("\"{}-{}-{}\"", picture_digest.substr(0, digits), media_type, renderer_id);
+  return fmt::format("\"{}-{}-{}\"", picture_digest.substr(0, tag_digits), media_type, renderer_id);
+}
+
+std::string entity_tag_of_bytes(std::string_view bytes) {
+  return fmt::format("\"{}\"", std::string_view(sha256_hex(bytes)).substr(0, tag_digits));
 }
 
 bool matches_tag(std::string_view if_none_match, std::string_view tag) {

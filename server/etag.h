@@ -3,7 +3,7 @@
 // A tag names everything that decides the bytes: the canonical scene with the query's values
 // applied, as SHA-256 cut to 128 bits, the media type, and by a digest the engine's build, and the
 // instruction set and processor that it runs on: two makers' estimates of a root differ in their
-// last bits.
+// last bits. Only where time decides the bytes are they themselves what the tag is made from.
 #pragma once
 
 #include <string>
@@ -27,6 +27,9 @@ std::string renderer_id_of(const Machine& machine);
 /// type.
 std::string entity_tag(std::string_view picture_digest, std::string_view media_type,
                        std::string_view renderer_id);
+
+/// The strong entity tag, with its quotes, of these bytes.
+std::string entity_tag_of_bytes(std::string_view bytes);
 
 /// Whether an If-None-Match field names `tag`, by weak comparison (RFC 9110, 13.1.2), or is "*".
 bool matches_tag(std::string_view if_none_match, std::string_view tag);

@@ -14,12 +14,20 @@
 namespace raytracer {
 namespace {
 
+constexpr const char* if_none_match = "If-None-Match";
+
+/// Like JSON's numbers, but that no digit need follow the point (RFC 9110, 12.4.2).
+std::optional<double> read_weight(std::string_view text) {
+  if (text == "0." || text == "1.") text.remove_suffix(1);
+  return read_double(text);
+}
+
 /// The weight that a media range's parameters give it, 1 if they say none; nothing if it cannot be
 /// read.
 std::optional<double> weight_of(std::span<const std::string_view> parameters) {
   for (const std::string_view parameter : parameters)
     if (lower_case(parameter.substr(0, 2)) == "q=") {
-      const std::optional<double> weight = read_double(parameter.substr(2));
+      const std::optional<double> weight = read_weight(parameter.substr(2));
       return weight && *weight >= 0 && *weight <= 1 ? weight : std::nullopt;
     }
   return 1;
@@ -114,7 +122,7 @@ bool prefers_floats(const httplib::Request& request) {
 }
 
 bool answer_without_image(Call& call, const Representation& wanted) {
-  const std::string named = header_list(call.request, "If-None-Match");
+  const std::string named = header_list(call.request, if_none_match);
   // Any image at all has a client who names "*", be it one that has no tag.
   const bool is_known = named == "*" || (wanted.tag && matches_tag(named, *wanted.tag));
   const bool is_not_modified = is_known && !forbids_cache(call.request);
@@ -129,6 +137,16 @@ bool answer_without_image(Call& call, const Representation& wanted) {
 void answer_image(Call& call, const Delivery& delivery, double parse_ms,
                   const Representation& wanted) {
   httplib::Response& response = call.response;
+  if (!wanted.tag) {
+    // Nobody could know it before; it is not to be stored, since the next render gives another.
+    const std::string tag = entity_tag_of_bytes(delivery.image->bytes);
+    response.set_header("ETag", tag);
+    if (matches_tag(header_list(call.request, if_none_match), tag) &&
+        !forbids_cache(call.request)) {
+      response.status = 304;
+      return set_caching(response, wanted);
+    }
+  }
   answer_shared_bytes(response, {delivery.image, &delivery.image->bytes},
                       media_type(wanted.format));
   set_caching(response, wanted);

@@ -26,7 +26,7 @@ bool prefers_floats(const httplib::Request& request);
 /// What is to be answered.
 struct Representation {
   ImageFormat format;
-  std::optional<std::string> tag;  ///< its entity tag, if the same request would give it again
+  std::optional<std::string> tag{};  ///< of the picture, if the same request would give it again
 };
 Representation represent(const std::optional<std::string>& picture_digest, ImageFormat format,
                          std::string_view renderer_id);
@@ -38,6 +38,8 @@ bool forbids_cache(const httplib::Request& request);
 /// the fields that a GET would have to HEAD. Returns whether it did.
 bool answer_without_image(Call& call, const Representation& wanted);
 
+/// The picture with all its fields. One that has no tag yet is given that of its bytes, and is 304
+/// to a client that has them already.
 void answer_image(Call& call, const Delivery& delivery, double parse_ms,
                   const Representation& wanted);
 

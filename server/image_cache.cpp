@@ -78,7 +78,7 @@ Delivery ImageCache::make_for_all(const std::optional<std::string>& tag, const M
 Delivery ImageCache::wait_for(const SingleFlight& flight, const Waiter& waiter) {
   constexpr std::chrono::milliseconds between_looks{50};
   const auto begin = std::chrono::steady_clock::now();
-  const auto place = admission_.add_waiter();
+  admission_.require_open();
   while (flight.image.wait_for(between_looks) != std::future_status::ready)
     if (waiter.has_left()) refuse(499, "The client has left");
   const std::chrono::duration<double, std::milli> waited = std::chrono::steady_clock::now() - begin;

@@ -2,8 +2,8 @@
 // one that is being rendered is waited for, any other is rendered by the request that asks first.
 //
 // A picture belongs to all who wait for it. It is given up when the last of them has left, whoever
-// began it. Those who wait for another's render are counted among the queue's waiting ones, because
-// each holds a connection.
+// began it. Those who wait for another's render take no place in the queue: they are no work, and
+// connections bound how many they are.
 #pragma once
 
 #include <functional>
@@ -40,8 +40,8 @@ class ImageCache {
   using Make = std::function<FinishedImage(RenderProgress& progress)>;
 
   /// The picture with this entity tag, after a wait if need be; without a tag it is neither looked
-  /// for, shared nor kept. Throws HttpError: what `make` throws, to all who wait for that; 429 if
-  /// too many wait; 499 if the client has left.
+  /// for, shared nor kept. Throws HttpError: what `make` throws, to all who wait for that; 499 if
+  /// the client has left; 503 if the server ends.
   Delivery fetch(const std::optional<std::string>& tag, const httplib::Request& client,
                  const Make& make);
 

@@ -1,6 +1,7 @@
 // What the server says about itself: its health, its version, its schema, its page.
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "engine/engine.h"
 #include "server/answer.h"
@@ -10,15 +11,24 @@
 
 namespace raytracer {
 
-void get_health(Services&, Call& call) { answer_json(call.response, 200, {{"status", "ok"}}); }
+namespace {
+
+/// On one line and without its end, for probes that compare the whole.
+void answer_status(Call& call, int status, std::string_view word) {
+  answer_bytes(call.response, nlohmann::json{{"status", word}}.dump(), "application/json");
+  call.response.status = status;
+}
+
+}  // namespace
+
+void get_health(Services&, Call& call) { answer_status(call, 200, "ok"); }
 
 void get_readiness(Services& services, Call& call) {
-  if (services.admission.is_closing())
-    return answer_json(call.response, 503, {{"status", "draining"}});
-  if (services.admission.is_full()) return answer_json(call.response, 503, {{"status", "full"}});
+  if (services.admission.is_closing()) return answer_status(call, 503, "draining");
+  if (services.admission.is_full()) return answer_status(call, 503, "full");
   // What needs nobody else goes on.
   const bool is_degraded = services.cluster && services.cluster->is_degraded();
-  answer_json(call.response, 200, {{"status", is_degraded ? "degraded" : "ok"}});
+  answer_status(call, 200, is_degraded ? "degraded" : "ok");
 }
 
 void get_version(Services& services, Call& call) {

@@ -109,7 +109,10 @@ void post_job(Services& services, Call& call) {
   const bool is_curve = task == JobTask::tradeoff;
   const RenderQuery query = is_curve ? read_curve_query(params) : read_query(params);
   SceneView view = read_scene_request(call, query, services);
-  if (is_curve) require_room_for_curve(view.scene, services.config.limits);
+  if (is_curve) {
+    require_valid_settings(params, view.scene);
+    require_room_for_curve(view.scene, services.config.limits);
+  }
   const auto job = services.jobs().accept(task, std::move(view), call.request.params,
                                           prefers_floats(call.request));
   answer_json(call.response, 202, to_json(*job));

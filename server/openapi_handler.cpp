@@ -2,10 +2,11 @@
 //
 // openapi.json says what is particular to each route, openapi.components.json what several share;
 // what is the same for all is added here, so that it is said once: the request's id, the refusals
-// that any request may meet, that refusals are problem+json, and the files of the page.
+// that any request may meet, that refusals are problem+json, and the schema of scenes.
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "engine/engine.h"
 #include "server/answer.h"
 #include "server/embedded.h"
 #include "server/handlers.h"
@@ -39,12 +40,33 @@ void complete_operation(Json& operation) {
   responses["default"] = component("responses/problem");
 }
 
+/// Has the references within a schema, which begin at its root, begin at that of a document that
+/// has the schema at `place`.
+void move_references(Json& schema, const std::string& place) {
+  if (schema.is_object() && schema.contains("$ref")) {
+    const std::string within = schema["$ref"].get<std::string>().substr(1);
+    schema["$ref"] = place + within;
+  }
+  if (!schema.is_structured()) return;
+  for (Json& part : schema) move_references(part, place);
+}
+
+/// That of a scene document, as a part of this document: whoever reads it fetches nothing else.
+Json scene_component() {
+  Json schema = Json::parse(scene_schema());
+  schema.erase("$schema");
+  schema.erase("$id");  // or references would begin at the schema again
+  move_references(schema, "#/components/schemas/scene");
+  return schema;
+}
+
 /// The whole document.
 Json openapi_document() {
   Json document = Json::parse(embedded_file("openapi.json").bytes);
   Json& components = document["components"];
   components = Json::parse(embedded_file("openapi.components.json").bytes);
   complete_components(components["responses"]);
+  components["schemas"]["scene"] = scene_component();
   Json& paths = document["paths"];
   for (auto& [path, item] : paths.items())
     for (auto& [method, operation] : item.items())

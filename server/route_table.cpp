@@ -48,7 +48,9 @@ RouteTable::Match RouteTable::match(std::string_view method, std::string_view pa
     if (!allowed.empty()) allowed += ", ";
     allowed += route.method == "GET" ? "GET, HEAD" : route.method;
   }
-  if (allowed.empty()) refuse(404, fmt::format("There is nothing at {}; the page is at /", path));
+  if (allowed.empty())
+    refuse(404, fmt::format("There is nothing at {}{}", path,
+                            find("GET", "/") ? "; the page is at /" : ""));  // workers have none
   refuse(405, fmt::format("{} is not among the methods of {}: {}", method, path, allowed),
          {{"Allow", allowed}});
 }

@@ -1,5 +1,7 @@
 #include "server/run_admitted.h"
 
+#include <string>
+
 #include "server/problem.h"
 
 namespace raytracer {
@@ -7,7 +9,8 @@ namespace raytracer {
 void refuse_stopped(Services& services) {
   services.metrics.add("renders_cancelled_total");
   if (services.admission.is_closed())
-    refuse(503, "The server shut down before the work was finished");
+    refuse(503, "The server shut down before the work was finished",
+           {{"Retry-After", std::to_string(services.admission.retry_after_s())}});
   refuse(499, "The client has left");
 }
 

@@ -12,8 +12,8 @@ PostedDocument read_document(Call& call, Services& services) {
   services.admission.require_open();
   PostedDocument posted;
   const std::int64_t length = body_length(call.request).value_or(0);
-  posted.memory = services.body_memory.take(length);
-  posted.text = read_body(call, length);
+  posted.memory = services.body_memory.take(0);
+  posted.text = read_body(call, length, *posted.memory);
   return posted;
 }
 

@@ -1,6 +1,8 @@
 // Everything that the handlers share, in the order in which it has to begin and end.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -25,12 +27,16 @@ namespace raytracer {
 /// Renders that share the worker pool tile by tile; more would only make all of them late.
 inline constexpr std::size_t renders_at_once = 4;
 
+/// Bytes of all bodies together that fit in any case: many, however small the largest may be.
+inline constexpr std::int64_t least_body_memory = 64 << 20;
+
 struct Services {
   explicit Services(const Config& configuration)
       : config(configuration),
         log(config.quiet),
-        body_memory(2 * config.limits.body,
-                    "The bodies of other requests fill the memory for them; try again later"),
+        body_memory(std::max(2 * config.limits.body, least_body_memory),
+                    "The bodies of other requests fill the memory for them; try again later",
+                    [this] { return admission.retry_after_s(); }),
         admission(renders_at_once, config.max_queue),
         pool(config.threads),
         renderer_id(renderer_id_of(this_machine())),
@@ -71,7 +77,8 @@ struct Services {
   DisconnectWatch disconnect_watch{};
   Quota event_streams{most_event_streams,
                       "All event streams of this server are open; ask for the job itself from time "
-                      "to time instead"};
+                      "to time instead",
+                      [this] { return admission.retry_after_s(); }};
   Scenes scenes;
   ImageCache image_cache;
   // One of the two, which ends first: its threads use what is above.

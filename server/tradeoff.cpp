@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -58,14 +59,21 @@ Json contract_json(const CurvePoint& point) {
 }  // namespace
 
 RenderQuery read_curve_query(const httplib::Params& params) {
-  for (const char* const varied : {"samples", "target_rmse", "budget_ms", "precision"})
-    if (params.count(varied) > 0)
-      refuse(400, fmt::format("The query parameter \"{}\" does not go with "
-                              "\"task=tradeoff\", which tries many values: leave it out",
-                              varied));
   RenderQuery query = read_query(params);
-  query.overrides.samples = 1;
+  Overrides& over = query.overrides;
+  over.samples = 1;  // which drops the document's contracts
+  over.target_rmse.reset();
+  over.budget_ms.reset();
+  over.precision.reset();
   return query;
+}
+
+void require_valid_settings(const httplib::Params& params, const Scene& scene) {
+  constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
+  Limits unlimited;  // as a document's own samples, they ask for no work
+  for (const LimitRow& row : limit_table) unlimited.*row.value = any;
+  const Result<Scene> view = view_scene(scene, unlimited, read_query(params).overrides);
+  if (!view.ok()) throw HttpError(scene_problem(view.errors()));
 }
 
 void require_room_for_curve(const Scene& scene, const Limits& limits) {

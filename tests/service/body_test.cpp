@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "tests/process/patience.h"
 #include "tests/service/documents.h"
@@ -205,23 +207,57 @@ TEST_F(Body, body_that_trickles_is_given_up) {
   EXPECT_NE(connection.received().find("HTTP/1.1 408 "), std::string::npos);
 }
 
-TEST_F(Body, bodies_together_are_bounded) {
-  // Two of the largest fit; a third has to wait until one of them is done with.
-  const ServerProcess small({"--max-body", "1000"});
-  const std::string header =
+std::string header_of_length(std::size_t length) {
+  return fmt::format(
       "POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
-      "Content-Length: 1000\r\n\r\n";
-  RawConnection first(small.port());
-  RawConnection second(small.port());
-  RawConnection third(small.port());
-  for (RawConnection* const client : {&first, &second, &third}) client->send(header);
-  std::string refused;
-  EXPECT_TRUE(eventually([&] {
-    for (RawConnection* const client : {&first, &second, &third})
-      if (client->receives("HTTP/1.1 429 ", 0ms)) refused = client->received();
-    return !refused.empty();
-  }));
-  EXPECT_NE(refused.find("\r\nRetry-After: "), std::string::npos) << refused;
+      "Content-Length: {}\r\n\r\n",
+      length);
+}
+
+TEST_F(Body, bodies_together_are_bounded) {
+  // Two of the largest fit, which is all of the memory for them until their jobs have ended.
+  constexpr std::size_t largest = 34'000'000;
+  const ServerProcess small({"--max-body", std::to_string(largest), "--threads", "1"});
+  std::string whole = endless_scene();
+  whole.resize(largest - 1000, ' ');
+  std::vector<std::string> jobs;
+  for (int i = 0; i < 2; ++i)
+    jobs.push_back(test::post(small, "/jobs", whole).get_header_value("Location"));
+  std::string third = small_scene;
+  third.resize(20'000, ' ');
+  const Answer refused = test::post(small, "/render", third);
+  expect_problem(refused, 429, "memory");
+  EXPECT_TRUE(refused.has_header("Retry-After"));
+  EXPECT_EQ(test::post(small, "/render", small_scene).status, 200) << "so much is left";
+  for (const std::string& job : jobs) test::request(small, "DELETE", job);
+  EXPECT_TRUE(eventually([&] { return test::post(small, "/render", third).status == 200; }));
+}
+
+TEST_F(Body, what_is_only_announced_costs_others_nothing) {
+  RawConnection first(server().port());
+  RawConnection second(server().port());
+  for (RawConnection* const client : {&first, &second}) {
+    client->send(header_of_length(134'217'728));
+    client->send("{");
+  }
+  std::this_thread::sleep_for(patience(200ms));  // time to find out how long they shall be
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(post("/render", small_scene).status, 200);
+}
+
+TEST_F(Body, many_small_ones_fit_however_small_the_largest) {
+  const ServerProcess small({"--max-body", "700", "--threads", "1"});
+  std::string scene = square_scene(1000, 3000);  // which takes long
+  scene.resize(700, ' ');
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(test::post(small, "/jobs", scene).status, 202) << i;
+}
+
+TEST_F(Body, body_is_taken_whole_whatever_its_length) {
+  for (const std::size_t length : {65'535UL, 65'536UL, 65'537UL, 600'000UL, 10'000'000UL}) {
+    std::string padded = small_scene;
+    padded.resize(length - 1, ' ');
+    EXPECT_EQ(post("/render", padded + "\n").status, 200) << length;
+    EXPECT_EQ(post("/render", padded + "x").status, 400) << length;
+  }
 }
 
 }  // namespace

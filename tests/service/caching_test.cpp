@@ -4,6 +4,7 @@
 #include <regex>
 #include <string>
 
+#include "tests/process/patience.h"
 #include "tests/service/documents.h"
 #include "tests/service/service.h"
 
@@ -85,6 +86,30 @@ TEST_F(Caching, picture_without_a_tag_is_any_but_no_named_one) {
   };
   EXPECT_EQ(status_for("*"), 304);
   EXPECT_EQ(status_for("\"other\""), 200);
+}
+
+TEST_F(Caching, picture_under_a_time_budget_has_the_tag_of_its_bytes) {
+  static const std::regex strong(R"("[\x21\x23-\x7e]+")");
+  const Answer answer = post("/render?budget_ms=5", small_scene);
+  ASSERT_EQ(answer.status, 200) << answer.body;
+  const std::string tag = answer.get_header_value("ETag");
+  EXPECT_TRUE(std::regex_match(tag, strong)) << tag;
+  EXPECT_EQ(answer.get_header_value("Cache-Control"), "no-store") << "the next one is another";
+  EXPECT_NE(tag_of(small_scene, "?budget_ms=5&width=13"), tag);
+}
+
+TEST_F(Caching, picture_of_a_job_under_a_time_budget_is_not_sent_again) {
+  const std::string path =
+      post("/jobs?budget_ms=5", small_scene).get_header_value("Location") + "/image";
+  std::string tag;
+  ASSERT_TRUE(eventually([&] { return !(tag = get(path).get_header_value("ETag")).empty(); }));
+  EXPECT_EQ(get(path).get_header_value("ETag"), tag) << "it has the same bytes";
+  const Answer known = get(path, {{"If-None-Match", tag}});
+  EXPECT_EQ(known.status, 304);
+  EXPECT_EQ(known.body, "");
+  EXPECT_EQ(known.get_header_value("ETag"), tag);
+  EXPECT_EQ(get(path, {{"If-None-Match", tag}, {"Cache-Control", "no-cache"}}).status, 200);
+  EXPECT_EQ(get(path, {{"If-None-Match", "\"other\""}}).status, 200);
 }
 
 TEST_F(Caching, other_picture_is_sent) {

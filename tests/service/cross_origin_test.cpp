@@ -88,9 +88,9 @@ TEST(CrossOrigin, preflight_is_answered_for_every_route) {
     EXPECT_EQ(answer.get_header_value(allowed_origin), page);
     expect_list(answer.get_header_value("Access-Control-Allow-Methods"),
                 {"GET", "HEAD", "POST", "DELETE"});
-    expect_list(
-        answer.get_header_value("Access-Control-Allow-Headers"),
-        {"content-type", "authorization", "cache-control", "if-none-match", "x-request-id"});
+    expect_list(answer.get_header_value("Access-Control-Allow-Headers"),
+                {"content-type", "authorization", "cache-control", "if-none-match", "scene-digest",
+                 "x-request-id"});
     expect_list(answer.get_header_value("Vary"), {"Origin"});
     EXPECT_TRUE(answer.has_header("Access-Control-Max-Age"));
   }

@@ -48,6 +48,14 @@ TEST_F(Format, highest_weight_wins) {
   EXPECT_EQ(type_for("image/x-portable-pixmap ; Q=0.2 , image/png ; q=0.3"), png_type);
 }
 
+TEST_F(Format, weight_may_end_in_its_point) {
+  EXPECT_EQ(type_for("image/png;q=1."), png_type);
+  EXPECT_EQ(type_for("image/png;q=0.5, image/x-portable-pixmap;q=1."), ppm_type);
+  EXPECT_EQ(type_for("image/png;q=0., image/x-portable-pixmap;q=0.1"), ppm_type);
+  EXPECT_EQ(type_for("image/png;q=0., */*"), ppm_type);
+  EXPECT_EQ(type_for("image/png;q=1.000"), png_type);
+}
+
 TEST_F(Format, wildcards_accept_png_first) {
   EXPECT_EQ(type_for("*/*"), png_type);
   EXPECT_EQ(type_for("image/*"), png_type);

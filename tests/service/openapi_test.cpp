@@ -170,12 +170,47 @@ TEST_F(OpenApi, references_lead_somewhere) {
   int count = 0;
   const Json flat = document_.flatten();
   for (const auto& [pointer, value] : flat.items()) {
-    if (!pointer.ends_with("/$ref") || !value.get<std::string>().starts_with('#')) continue;
+    if (!pointer.ends_with("/$ref")) continue;
+    ASSERT_TRUE(value.get<std::string>().starts_with('#'))
+        << pointer << " leads out of the document: " << value;
     const Json::json_pointer target(value.get<std::string>().substr(1));
     EXPECT_TRUE(document_.contains(target)) << pointer << ": " << value;
     ++count;
   }
   EXPECT_GT(count, 100);
+}
+
+TEST_F(OpenApi, scene_is_that_of_the_schema) {
+  const Json& scene = document_.at("components").at("schemas").at("scene");
+  const Json schema = json_of(get("/schema/scene.json"));
+  for (const auto& [name, definition] : schema.at("$defs").items())
+    EXPECT_TRUE(scene.at("$defs").contains(name)) << name;
+  EXPECT_EQ(scene.at("required"), schema.at("required"));
+}
+
+/// Calls visit(media type, pointer) for each in "content" of what is below.
+template <typename Visit>
+void for_each_media_type(const Json& json, const std::string& pointer, const Visit& visit) {
+  if (!json.is_structured()) return;
+  for (const auto& [key, part] : json.items()) {
+    const std::string below = pointer + "/" + key;
+    if (key == "content" && part.is_object())
+      for (const auto& [type, media_type] : part.items()) visit(media_type, below + " " + type);
+    for_each_media_type(part, below, visit);
+  }
+}
+
+TEST_F(OpenApi, media_types_have_only_what_the_standard_gives_them) {
+  const Names known{"schema", "example", "examples", "encoding"};
+  int count = 0;
+  const auto check = [&](const Json& media_type, const std::string& where) {
+    for (const auto& [key, value] : media_type.items())
+      EXPECT_TRUE(known.contains(key)) << where << ": " << key;
+    ++count;
+  };
+  for (const char* const part : {"paths", "components"})
+    for_each_media_type(document_.at(part), part, check);
+  EXPECT_GT(count, 20);
 }
 
 TEST_F(OpenApi, every_refusal_is_a_problem) {

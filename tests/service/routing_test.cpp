@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "server/problem.h"
+#include "server/route_table.h"
 #include "tests/process/patience.h"
 #include "tests/service/raw_connection.h"
 #include "tests/service/service.h"
@@ -36,6 +38,18 @@ TEST_F(Routing, unknown_paths_are_404) {
         "/web/index.html", "/%2e%2e/CMakeLists.txt", "/schema"})
     expect_problem(get(path), 404, "");
   expect_problem(get("/scenes/dmo"), 404, "\"demo\"");
+}
+
+TEST_F(Routing, unknown_path_is_told_of_the_page_if_there_is_one) {
+  expect_problem(get("/nothing"), 404, "the page is at /");
+  const RouteTable of_a_worker({{"GET", "/healthz", RequestBody::none, {}}});
+  try {
+    of_a_worker.match("GET", "/nothing");
+    ADD_FAILURE() << "it was found";
+  } catch (const HttpError& refusal) {
+    EXPECT_EQ(refusal.problem().status, 404);
+    EXPECT_EQ(refusal.problem().detail, "There is nothing at /nothing");
+  }
 }
 
 TEST_F(Routing, other_methods_are_405_with_those_that_are_allowed) {

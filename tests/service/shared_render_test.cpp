@@ -21,10 +21,11 @@ namespace {
 using namespace std::chrono_literals;
 
 /// A server whose every running place is taken by a job, so that renders wait until release().
-/// "Ready" says whether the queue, of two places, has room.
+/// "Ready" says whether the queue, of one place unless said otherwise, has room.
 class SharedRender : public testing::Test {
  protected:
-  SharedRender() {
+  explicit SharedRender(const std::string& places = "1")
+      : server_({"--threads", "2", "--max-queue", places}) {
     for (int i = 0; i < 4; ++i)
       jobs_.push_back(post(server_, "/jobs", endless_scene()).get_header_value("Location"));
   }
@@ -41,9 +42,9 @@ class SharedRender : public testing::Test {
   std::vector<std::unique_ptr<RawConnection>> begin_two() const {
     std::vector<std::unique_ptr<RawConnection>> clients;
     clients.push_back(begin_render());
-    std::this_thread::sleep_for(patience(200ms));
-    clients.push_back(begin_render());
     EXPECT_TRUE(eventually([&] { return !is_ready(); }));
+    clients.push_back(begin_render());
+    std::this_thread::sleep_for(patience(200ms));  // nothing shows that it waits
     return clients;
   }
   bool is_ready() const { return get(server_, "/readyz").status == 200; }
@@ -63,8 +64,13 @@ class SharedRender : public testing::Test {
   }
 
  private:
-  const ServerProcess server_{{"--threads", "2", "--max-queue", "2"}};
+  const ServerProcess server_;
   std::vector<std::string> jobs_;
+};
+
+class SharedRenderBeforeTwoPlaces : public SharedRender {
+ protected:
+  SharedRenderBeforeTwoPlaces() : SharedRender("2") {}
 };
 
 TEST_F(SharedRender, second_request_waits_for_the_firsts_result) {
@@ -94,9 +100,8 @@ TEST_F(SharedRender, render_goes_on_for_others_when_the_first_client_leaves) {
 TEST_F(SharedRender, render_ends_when_all_have_left) {
   auto clients = begin_two();
   clients.clear();
-  // Both places of the queue are free again: the render's own and that of the client beside it.
+  // The render's place in the queue is free again.
   const auto accepted = [&] { return post(server(), "/jobs", small_scene).status == 202; };
-  EXPECT_TRUE(eventually(accepted, 5s));
   EXPECT_TRUE(eventually(accepted, 5s));
 }
 
@@ -110,16 +115,35 @@ TEST_F(SharedRender, next_client_is_served_after_all_have_left) {
   EXPECT_TRUE(is_ok(answer)) << answer;
 }
 
-TEST_F(SharedRender, who_waits_for_anothers_render_waits_in_the_queue) {
-  const auto clients = begin_two();
-  const Answer third = post(server(), "/render", small_scene);
-  expect_problem(third, 429, "--max-queue");
-  EXPECT_TRUE(third.has_header("Retry-After"));
+TEST_F(SharedRender, who_waits_for_anothers_render_takes_no_place_in_the_queue) {
+  auto clients = begin_two();
+  while (clients.size() < 8) clients.push_back(begin_render());
+  const Answer other = post(server(), "/render", as_another_picture(small_scene, 1));
+  expect_problem(other, 429, "--max-queue");
+  EXPECT_TRUE(other.has_header("Retry-After"));
   release();
-  for (const auto& client : clients) EXPECT_TRUE(is_ok(received(*client)));
+  for (const auto& client : clients) EXPECT_TRUE(is_ok(received(*client))) << client->received();
 }
 
-TEST_F(SharedRender, insisting_client_gets_a_render_of_its_own) {
+TEST(SharedRenderWithoutQueue, equal_request_is_not_refused) {
+  const ServerProcess server({"--threads", "1", "--max-queue", "0"});
+  const std::string document = endless_scene();
+  const auto begin = [&](RawConnection& client) {
+    client.send(
+        fmt::format("POST /render HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+                    "Content-Length: {}\r\n\r\n{}",
+                    document.size(), document));
+  };
+  for (int i = 0; i < 3; ++i) post(server, "/jobs", endless_scene());
+  RawConnection first(server.port());
+  begin(first);
+  ASSERT_TRUE(eventually([&] { return get(server, "/readyz").status == 503; }));
+  RawConnection second(server.port());
+  begin(second);
+  EXPECT_FALSE(second.receives("HTTP/1.1 ", 500ms)) << second.received();
+}
+
+TEST_F(SharedRenderBeforeTwoPlaces, insisting_client_gets_a_render_of_its_own) {
   const auto first = begin_render();
   const auto second = begin_render("Cache-Control: no-cache\r\n");
   EXPECT_TRUE(eventually([&] { return !is_ready(); }));

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <memory>
+#include <regex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -78,7 +79,10 @@ TEST(ShutdownSignal, draining_server_says_so) {
     const Answer answer = get(server, "/readyz");
     return answer.status == 503 && answer.body.find("draining") != std::string::npos;
   }));
-  expect_problem(post(server, "/render", small_scene), 503, "shutting down");
+  const Answer refused = post(server, "/render", small_scene);
+  expect_problem(refused, 503, "shutting down");
+  static const std::regex seconds("[1-9][0-9]*");
+  EXPECT_TRUE(std::regex_match(refused.get_header_value("Retry-After"), seconds));
   EXPECT_EQ(get(server, "/healthz").status, 200);
   server.signal(SIGTERM);  // a second one: no more patience
   renders.expect_answers(503);

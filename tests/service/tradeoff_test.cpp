@@ -1,8 +1,10 @@
 // /jobs?task=tradeoff: the measured curve of what accuracy costs, as a job.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/process/patience.h"
@@ -84,11 +86,38 @@ TEST_F(Tradeoff, query_says_which_picture) {
   EXPECT_EQ(curve.at("height"), 5);
 }
 
-TEST_F(Tradeoff, what_it_varies_cannot_be_set) {
-  for (const std::string parameter :
-       {"samples=4", "target_rmse=0.1", "budget_ms=10", "precision=double"})
-    expect_problem(post("/jobs?task=tradeoff&" + parameter, small_scene), 400,
-                   "\"" + parameter.substr(0, parameter.find('=')) + "\"");
+TEST_F(Tradeoff, what_it_varies_may_be_said_and_counts_for_nothing) {
+  const auto settings_of = [](const nlohmann::json& curve) {
+    nlohmann::json settings = nlohmann::json::array();
+    for (const nlohmann::json& point : curve.at("points")) settings.push_back(point.at("settings"));
+    return settings;
+  };
+  const nlohmann::json plain = settings_of(curve_of(start(small_scene)));
+  for (const std::string query :
+       {"&samples=4", "&target_rmse=0.1&budget_ms=10", "&precision=double", "&samples=100000"}) {
+    const nlohmann::json settings = settings_of(curve_of(start(small_scene, query)));
+    const auto has_precision = [&](const char* precision) {
+      return settings.dump().find(fmt::format(R"("precision":"{}")", precision)) !=
+             std::string::npos;
+    };
+    EXPECT_EQ(settings.at(0), plain.at(0)) << query;
+    for (const char* const precision : {"single", "double"})
+      EXPECT_TRUE(has_precision(precision)) << query;
+    EXPECT_NE(settings.dump().find("target_rmse"), std::string::npos) << query;
+  }
+}
+
+TEST_F(Tradeoff, what_it_varies_is_held_to_the_rules_all_the_same) {
+  for (const auto& [query, status] : {std::pair{"samples=x", 400},
+                                      {"precision=triple", 400},
+                                      {"samples=1&budget_ms=9", 400},
+                                      {"samples=0", 422},
+                                      {"target_rmse=0", 422},
+                                      {"budget_ms=-1", 422}})
+    expect_problem(post(std::string("/jobs?task=tradeoff&") + query, small_scene), status, "");
+}
+
+TEST_F(Tradeoff, task_is_one_of_two_and_of_jobs_alone) {
   expect_problem(post("/render?task=tradeoff", small_scene), 400, "\"task\"");
   expect_problem(post("/jobs?task=curve", small_scene), 400, "render or tradeoff");
 }
