@@ -1,5 +1,6 @@
 // Meshes and clouds of points, as assimp reads them.
 #include <gtest/gtest.h>
+#include <zstd.h>
 
 #include <chrono>
 #include <csignal>
@@ -68,6 +69,52 @@ TEST(Meshes, materials_of_an_obj_shine_as_their_file_says_and_what_is_lost_is_to
   const client::Reading missing = reading_of("missing.mtl");
   ASSERT_EQ(missing.omissions.size(), 1U);
   EXPECT_NE(missing.omissions[0].one.find("not found"), std::string::npos);
+}
+
+/// As a compressed file has it.
+std::string packed(const std::string& text) {
+  std::string bytes(ZSTD_compressBound(text.size()), '\0');
+  bytes.resize(ZSTD_compress(bytes.data(), bytes.size(), text.data(), text.size(), 1));
+  return bytes;
+}
+
+TEST(Meshes, files_that_a_compressed_one_names_lie_beside_it) {
+  const TemporaryFolder folder;
+  const auto reading_of = [&](const std::string& name, const std::string& text) {
+    const std::string path = folder.write(name, packed(text));
+    return client::format_of(path)
+        ->open({client::source_of_file(path), path}, client::Wishes())
+        ->next_frame()
+        .value();
+  };
+  folder.write("there.mtl", "newmtl a\nKd 1 0 0\nKs 0.5 0.5 0.5\nNs 80\n");
+  const std::string shape = "usemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const client::Reading obj = reading_of("one.obj.zst", "mtllib there.mtl\n" + shape);
+  EXPECT_EQ(obj.scene.materials.at(obj.scene.objects.at(0).material.value()).shininess, 80);
+  EXPECT_TRUE(obj.omissions.empty());
+  const client::Reading missing = reading_of("two.obj.zst", "mtllib missing.mtl\n" + shape);
+  ASSERT_EQ(missing.omissions.size(), 1U);
+  EXPECT_NE(missing.omissions[0].one.find("not found"), std::string::npos);
+
+  const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::string bytes(reinterpret_cast<const char*>(corners), sizeof corners);
+  const std::string gltf = R"({"asset": {"version": "2.0"}, "scene": 0,
+      "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+      "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+      "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                     "min": [0, 0, 0], "max": [1, 1, 0]}],
+      "bufferViews": [{"buffer": 0, "byteLength": 36}],
+      "buffers": [{"uri": "corners.bin", "byteLength": 36}]})";
+  EXPECT_THROW(reading_of("one.gltf.zst", gltf), client::InputError);
+  folder.write("corners.bin", bytes);
+  EXPECT_EQ(reading_of("one.gltf.zst", gltf).scene.objects.size(), 1U);
+}
+
+TEST(Meshes, file_without_a_folder_has_none_beside_it) {
+  const std::string text = "mtllib there.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const client::Reading reading = read_text(*client::format_of(".obj"), text).at(0);
+  ASSERT_EQ(reading.omissions.size(), 1U);
+  EXPECT_NE(reading.omissions[0].one.find("not found"), std::string::npos);
 }
 
 TEST(Meshes, stl_is_flat) {

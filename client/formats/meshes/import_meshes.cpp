@@ -9,43 +9,45 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
-#include <functional>
-#include <memory>
-#include <unordered_map>
 
 #include "client/failure.h"
-#include "client/formats/meshes/obj_numbers.h"
+#include "client/formats/meshes/join_vertices.h"
+#include "client/formats/meshes/obj_text.h"
 #include "client/formats/particles/columns.h"
 #include "client/formats/particles/neighbors.h"
 #include "client/formats/particles/screen_color.h"
 #include "client/formats/printable.h"
+#include "client/formats/text_source.h"
 
 namespace raytracer::client {
 namespace {
 
-constexpr std::array<const char*, 5> hints{"ply", "obj", "stl", "gltf", "glb"};
+constexpr std::array<const char*, 5> endings{"ply", "obj", "stl", "gltf", "glb"};
 
-/// Gives assimp the numbers of an OBJ as it knows them; the files that it names as they are.
-class ObjFiles : public Assimp::DefaultIOSystem {
+/// The file that is read, which is in memory, and those beside it that it names.
+class MeshFiles : public Assimp::DefaultIOSystem {
  public:
-  /// Counts the files that cannot be opened in `missing`, which outlives this.
-  explicit ObjFiles(unsigned& missing) : missing_(missing) {}
+  /// `missing` outlives this: it counts the files that cannot be opened.
+  MeshFiles(std::string name, std::string_view bytes, bool has_folder, unsigned& missing)
+      : name_(std::move(name)), bytes_(bytes), has_folder_(has_folder), missing_(missing) {}
+
+  bool Exists(const char* path) const override {
+    return path == name_ || (has_folder_ && DefaultIOSystem::Exists(path));
+  }
 
   Assimp::IOStream* Open(const char* path, const char* mode) override {
-    const std::unique_ptr<Assimp::IOStream> file(DefaultIOSystem::Open(path, mode));
-    if (!file) {
-      ++missing_;
-      return nullptr;
-    }
-    std::string text(file->FileSize(), '\0');
-    text.resize(file->Read(text.data(), 1, text.size()));
-    const std::string known = with_zeros_before_points(text);
-    auto bytes = std::make_unique<std::uint8_t[]>(known.size());
-    std::copy(known.begin(), known.end(), bytes.get());
-    return new Assimp::MemoryIOStream(bytes.release(), known.size(), true);
+    if (path == name_)
+      return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes_.data()),
+                                        bytes_.size());
+    Assimp::IOStream* const file = has_folder_ ? DefaultIOSystem::Open(path, mode) : nullptr;
+    if (!file) ++missing_;
+    return file;
   }
 
  private:
+  std::string name_;
+  std::string_view bytes_;
+  bool has_folder_;
   unsigned& missing_;
 };
 
@@ -59,47 +61,11 @@ bool is_place(const aiVector3D& vector) {
   return std::all_of(place.begin(), place.end(), is_moderate);
 }
 
-/// Vertices that are the same to the last bit become one: assimp's readers give each triangle its
-/// own, and assimp joins what is merely near, which small models do not survive.
-void join_vertices(model::Mesh& mesh) {
-  const auto key_of = [&](std::size_t i) {
-    std::array<double, 9> key{};
-    std::copy(mesh.vertices[i].begin(), mesh.vertices[i].end(), key.begin());
-    if (!mesh.normals.empty())
-      std::copy(mesh.normals[i].begin(), mesh.normals[i].end(), key.begin() + 3);
-    if (!mesh.colors.empty())
-      std::copy(mesh.colors[i].begin(), mesh.colors[i].end(), key.begin() + 6);
-    return key;
-  };
-  const auto hash_of = [](const std::array<double, 9>& key) {
-    std::size_t hash = 0;
-    for (const double number : key)
-      hash = (hash ^ std::hash<double>()(number)) * 0x9E3779B97F4A7C15U;  // 2^64 / golden ratio
-    return hash;
-  };
-  std::unordered_map<std::array<double, 9>, std::uint32_t, decltype(hash_of)> known(
-      mesh.vertices.size(), hash_of);
-  std::vector<std::uint32_t> place(mesh.vertices.size());
-  std::uint32_t count = 0;
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    const auto [entry, is_new] = known.try_emplace(key_of(i), count);
-    place[i] = entry->second;
-    if (!is_new) continue;
-    mesh.vertices[count] = mesh.vertices[i];
-    if (!mesh.normals.empty()) mesh.normals[count] = mesh.normals[i];
-    if (!mesh.colors.empty()) mesh.colors[count] = mesh.colors[i];
-    ++count;
-  }
-  mesh.vertices.resize(count);
-  if (!mesh.normals.empty()) mesh.normals.resize(count);
-  if (!mesh.colors.empty()) mesh.colors.resize(count);
-  for (auto& triangle : mesh.triangles)
-    for (std::uint32_t& corner : triangle) corner = place[corner];
-}
-
 class MeshImport {
  public:
-  MeshImport(MeshFormat format, const aiScene& scene) : format_(format), scene_(scene) {}
+  /// Adds to the reading.
+  MeshImport(MeshFormat format, const aiScene& scene, Reading& reading)
+      : format_(format), scene_(scene), reading_(reading) {}
 
   /// Before what is no scene's is taken out of it.
   void count_omissions(bool lacks_materials) {
@@ -122,15 +88,17 @@ class MeshImport {
                        [](const aiMesh* mesh) { return mesh->HasFaces(); });
   }
 
-  Reading read() && {
+  void read() {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i) add_material(*scene_.mMaterials[i]);
     if (scene_.mNumMaterials == 0) reading_.scene.materials.push_back(plain());
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) add(*scene_.mMeshes[i]);
     if (reading_.scene.objects.empty()) throw InputError("has no triangles and no points");
-    return std::move(reading_);
   }
 
  private:
+  /// By the format's check, which knows where they are.
+  bool are_lines_told() const { return format_ == MeshFormat::obj || format_ == MeshFormat::ply; }
+
   void omit(unsigned count, std::string_view one, std::string_view many) {
     for (; count > 0; --count) reading_.omit(0, one, many);
   }
@@ -198,7 +166,7 @@ class MeshImport {
     if ((mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0)
       add_triangles(mesh, material);
     else if ((mesh.mPrimitiveTypes & aiPrimitiveType_LINE) != 0)
-      omit(mesh.mNumFaces, "line left out", "lines left out");
+      omit(are_lines_told() ? 0 : mesh.mNumFaces, "line left out", "lines left out");
     else
       add_points(mesh, material);
   }
@@ -274,34 +242,37 @@ class MeshImport {
 
   MeshFormat format_;
   const aiScene& scene_;
-  Reading reading_;
+  Reading& reading_;
 };
 
 }  // namespace
 
-void raytracer_import_meshes(MeshFormat format, const std::string& path, std::string_view text,
+void raytracer_import_meshes(MeshFormat format, const std::string& path, std::string_view bytes,
                              Reading& reading) {
   Assimp::Importer importer;
-  std::string known;
   unsigned missing_files = 0;
-  if (format == MeshFormat::obj && text.empty())
-    importer.SetIOHandler(new ObjFiles(missing_files));  // takes it
-  if (format == MeshFormat::obj) text = known = with_zeros_before_points(text);
-  const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
+  std::string known;
+  if (format == MeshFormat::obj) bytes = known = obj_as_assimp_knows_it(bytes);
+  // Assimp knows a format by the name's ending.
+  const std::string name = path.empty()
+                               ? std::string("mesh.") + endings[static_cast<std::size_t>(format)]
+                               : std::string(without_compression(path));
+  importer.SetIOHandler(new MeshFiles(name, bytes, !path.empty(), missing_files));  // takes it
   const aiScene* const scene =
-      text.empty() && !path.empty()
-          ? importer.ReadFile(path, steps)
-          : importer.ReadFileFromMemory(text.data(), text.size(), steps,
-                                        hints[static_cast<std::size_t>(format)]);
+      importer.ReadFile(name, aiProcess_Triangulate | aiProcess_SortByPType);
   const auto refuse = [&] {
-    return InputError("cannot be read: " + printable(importer.GetErrorString()));
+    const std::string_view reason = importer.GetErrorString();
+    if (reason.starts_with("No suitable reader found"))
+      return InputError(
+          "cannot be read: nothing in it is as files of its ending are; is it damaged?");
+    return InputError("cannot be read: " + printable(reason));
   };
   if (!scene) throw refuse();
-  MeshImport import(format, *scene);
+  MeshImport import(format, *scene, reading);
   import.count_omissions(missing_files > 0);
   if (import.has_faces() && !importer.ApplyPostProcessing(aiProcess_PreTransformVertices))
     throw refuse();
-  reading = std::move(import).read();
+  import.read();
 }
 
 }  // namespace raytracer::client

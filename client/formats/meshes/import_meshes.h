@@ -12,9 +12,10 @@ namespace raytracer::client {
 
 enum class MeshFormat { ply, obj, stl, gltf, glb };
 
-/// The objects and materials of a file, without a view or lights. `text`: its bytes, if the file at
-/// `path` is compressed; else empty, and files that it names are read beside it. Throws InputError.
-using ImportMeshes = void(MeshFormat format, const std::string& path, std::string_view text,
+/// Adds the objects and materials of a file to the reading, without a view or lights. `bytes`: what
+/// it has, unpacked if it is compressed. `path`: beside it lie the files that it names; empty:
+/// there are none. Throws InputError.
+using ImportMeshes = void(MeshFormat format, const std::string& path, std::string_view bytes,
                           Reading& reading);
 
 extern "C" ImportMeshes raytracer_import_meshes;

@@ -3,10 +3,15 @@
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include "client/failure.h"
 #include "client/formats/arrange.h"
+#include "client/formats/meshes/check_gltf.h"
+#include "client/formats/meshes/check_obj.h"
+#include "client/formats/meshes/check_ply.h"
+#include "client/formats/meshes/check_stl.h"
 #include "client/formats/meshes/import_meshes.h"
 #include "client/formats/meshes/own_process.h"
 #include "client/formats/meshes/reading_bytes.h"
@@ -23,6 +28,30 @@ ImportMeshes& importer() {
   return *reinterpret_cast<ImportMeshes*>(function);
 }
 
+void check(MeshFormat format, std::string_view bytes, Reading& reading) {
+  switch (format) {
+    case MeshFormat::ply:
+      return check_ply(bytes, reading);
+    case MeshFormat::obj:
+      return check_obj(bytes, reading);
+    case MeshFormat::stl:
+      return check_stl(bytes, reading);
+    case MeshFormat::gltf:
+      return check_gltf(bytes, reading);
+    case MeshFormat::glb:
+      return check_glb(bytes);
+  }
+}
+
+/// Of a size that is known, which may be more than a gigabyte.
+std::string read_plain(TextSource& source, std::size_t size) {
+  std::string bytes(size, '\0');
+  std::size_t count = 0;
+  while (const std::size_t more = source.read(std::span(bytes).subspan(count))) count += more;
+  bytes.resize(count);
+  return bytes;
+}
+
 /// Of one frame.
 class MeshFile : public SceneFile {
  public:
@@ -33,21 +62,24 @@ class MeshFile : public SceneFile {
     if (!has_more()) return std::nullopt;
     const auto source = std::exchange(input_.source, nullptr);
     const bool is_plain = !input_.path.empty() && without_compression(input_.path) == input_.path;
-    const std::string text = is_plain ? "" : read_all(*source);
     std::error_code unknown;
-    const std::size_t size =
-        is_plain ? static_cast<std::size_t>(std::filesystem::file_size(input_.path, unknown))
-                 : text.size();
+    const auto size = is_plain ? std::filesystem::file_size(input_.path, unknown) : 0;
+    // What says no size, as a pipe, is read whole before its process, as what is compressed.
+    const bool is_read_there = is_plain && !unknown;
+    std::string bytes = is_read_there ? "" : read_all(*source);
+    const std::size_t known_size = is_read_there ? static_cast<std::size_t>(size) : bytes.size();
     // A vertex of a text takes some thirty bytes, one of assimp's with its face a hundred and more,
     // several times.
-    const std::size_t known_size = unknown ? 0 : size;
     const ProcessLimits limits{(std::size_t{768} << 20) + 60 * known_size,
                                static_cast<unsigned>(3 + (known_size >> 22))};
     Reading reading = reading_of(in_own_process(limits, [&] {
+      if (is_read_there) bytes = read_plain(*source, known_size);
       Reading imported;
-      importer()(format_, input_.path, text, imported);
+      check(format_, bytes, imported);
+      if (imported.errors.empty()) importer()(format_, input_.path, bytes, imported);
       return bytes_of(imported);
     }));
+    if (!reading.errors.empty()) return reading;
     arrange(
         reading.scene, wishes_,
         view_of_all(reading.scene, wishes_, format_ == MeshFormat::stl ? Upright::z : Upright::y));

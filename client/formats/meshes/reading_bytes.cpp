@@ -100,6 +100,12 @@ void omission_fields(Bytes& bytes, Omission& omission) {
   bytes.field(omission.first_line);
 }
 
+template <typename Bytes, typename Error>
+void error_fields(Bytes& bytes, Error& error) {
+  bytes.field(error.line);
+  bytes.text(error.what);
+}
+
 /// Indices that are not among the others' would be read from anywhere.
 bool is_whole(const model::Mesh& mesh) {
   const auto has_vertex = [&](std::uint32_t index) { return index < mesh.vertices.size(); };
@@ -134,6 +140,8 @@ std::string bytes_of(const Reading& reading) {
   }
   bytes.field(reading.omissions.size());
   for (const Omission& omission : reading.omissions) omission_fields(bytes, omission);
+  bytes.field(reading.errors.size());
+  for (const LineError& error : reading.errors) error_fields(bytes, error);
   return std::move(bytes.bytes);
 }
 
@@ -160,6 +168,8 @@ Reading reading_of(std::string_view all) {
   }
   for (std::size_t left = bytes.size(); left > 0; --left)
     omission_fields(bytes, reading.omissions.emplace_back());
+  for (std::size_t left = bytes.size(); left > 0; --left)
+    error_fields(bytes, reading.errors.emplace_back());
   return reading;
 }
 

@@ -8,7 +8,8 @@
 
 namespace raytracer::client {
 
-/// Of objects that are meshes or spheres, the materials and the omissions; nothing else.
+/// Of objects that are meshes or spheres, the materials, the omissions and the errors; nothing
+/// else.
 std::string bytes_of(const Reading& reading);
 
 /// Throws InputError if they are not whole.

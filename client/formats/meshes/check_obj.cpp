@@ -1,0 +1,197 @@
+#include "client/formats/meshes/check_obj.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include "client/formats/meshes/line_errors.h"
+#include "client/formats/meshes/line_words.h"
+#include "client/formats/meshes/obj_statements.h"
+#include "client/formats/printable.h"
+#include "client/formats/words.h"
+
+namespace raytracer::client {
+namespace {
+
+/// Of vertices, places of textures and normals, in the order in which a corner names them.
+using ObjCounts = std::array<long long, 3>;
+
+void count(ObjStatement statement, ObjCounts& counts) {
+  if (statement == ObjStatement::vertex) ++counts[0];
+  if (statement == ObjStatement::texture_place) ++counts[1];
+  if (statement == ObjStatement::normal) ++counts[2];
+}
+
+class ObjCheck {
+ public:
+  ObjCheck(std::string_view text, Reading& reading)
+      : text_(text), words_(text, true), reading_(reading), errors_(reading) {}
+
+  void run() {
+    for (; !words_.at_end() && !errors_.are_enough(); words_.next_line()) {
+      const std::string_view keyword = words_.next();
+      if (!keyword.empty()) check(obj_statement(keyword));
+    }
+    // Without faces they are what there is to show.
+    if (has_faces_ && points_.count > 0) reading_.omissions.push_back(points_);
+  }
+
+ private:
+  void check(ObjStatement statement) {
+    const int line = words_.line();
+    count(statement, counts_);
+    switch (statement) {
+      case ObjStatement::vertex:
+        return check_vertex();
+      case ObjStatement::texture_place:
+        return check_texture_place();
+      case ObjStatement::normal:
+        return check_normal();
+      case ObjStatement::face:
+        return check_face(line);
+      case ObjStatement::line:
+        check_corners("l V V");
+        return reading_.omit(line, "line left out", "lines left out");
+      case ObjStatement::point:
+        if (points_.count == 0) points_.first_line = line;
+        points_.count += check_corners("p V");
+        return;
+      case ObjStatement::curve:
+        return reading_.omit(line, "curve or surface by equations left out",
+                             "curves and surfaces by equations left out");
+      case ObjStatement::unknown:
+        return reading_.omit(line, "statement left out that is not known",
+                             "statements left out that are not known");
+      case ObjStatement::name:
+      case ObjStatement::curve_part:
+      case ObjStatement::display:
+        return;
+    }
+  }
+
+  /// How many there are in the rest of the line; nothing, with an error, if a word is none.
+  /// `fourth` becomes the fourth one.
+  std::optional<int> numbers(std::string_view usage, std::string_view* fourth = nullptr) {
+    int found = 0;
+    for (auto word = words_.next(); !word.empty(); word = words_.next()) {
+      if (!reads_as_number(word)) {
+        errors_.add(words_.line(), fmt::format("{} stands where a number is to be; write {}",
+                                               quoted(word), usage));
+        return std::nullopt;
+      }
+      if (++found == 4 && fourth) *fourth = word;
+    }
+    return found;
+  }
+
+  void check_vertex() {
+    constexpr std::string_view usage = "v X Y Z, v X Y Z W or v X Y Z R G B";
+    std::string_view fourth;
+    const auto found = numbers(usage, &fourth);
+    if (!found) return;
+    if (*found < 3)
+      errors_.add(words_.line(), fmt::format("the vertex has {} number{}; write {}", *found,
+                                             *found == 1 ? "" : "s", usage));
+    else if (*found == 4 && number_of(fourth) == 0)
+      errors_.add(words_.line(), fmt::format("the vertex is divided by 0; write {}", usage));
+  }
+
+  void check_texture_place() {
+    constexpr std::string_view usage = "vt U, vt U V or vt U V W";
+    const auto found = numbers(usage);
+    if (found && (*found < 1 || *found > 3))
+      errors_.add(words_.line(),
+                  fmt::format("the place of a texture has {} numbers; write {}", *found, usage));
+  }
+
+  void check_normal() {
+    constexpr std::string_view usage = "vn X Y Z";
+    const auto found = numbers(usage);
+    if (found && *found < 3)
+      errors_.add(words_.line(), fmt::format("the normal has {} number{}; write {}", *found,
+                                             *found == 1 ? "" : "s", usage));
+  }
+
+  void check_face(int line) {
+    if (check_corners("f V V V, f V/T V/T V/T, f V//N V//N V//N or f V/T/N V/T/N V/T/N") >= 3)
+      has_faces_ = true;
+    else
+      reading_.omit(line, "face with fewer than three corners left out",
+                    "faces with fewer than three corners left out");
+  }
+
+  /// How many the rest of the line has. One error for each line.
+  int check_corners(std::string_view usage) {
+    int corners = 0;
+    bool is_right = true;
+    for (auto word = words_.next(); !word.empty(); word = words_.next(), ++corners) {
+      if (!is_right) continue;
+      const std::string what = wrong_with_corner(word);
+      is_right = what.empty();
+      if (!is_right) errors_.add(words_.line(), fmt::format("{}; write {}", what, usage));
+    }
+    return corners;
+  }
+
+  /// Empty: nothing.
+  std::string wrong_with_corner(std::string_view word) {
+    const char* at = word.data();
+    const char* const end = at + word.size();
+    for (std::size_t part = 0; part < counts_.size(); ++part) {
+      if (at != end && *at == '+') ++at;
+      long long index = 0;
+      const auto [stop, error] = std::from_chars(at, end, index);
+      const bool is_left_out = stop == at && part > 0;
+      if (error != std::errc() && !is_left_out) break;
+      if (!is_left_out && !exists(index, part)) return no_such(word, index, part);
+      at = stop;
+      if (at == end || *at == '#') return {};
+      if (*at != '/') break;
+      ++at;
+    }
+    if (at == end && word.ends_with('/')) return {};
+    return quoted(word) + " is no corner";
+  }
+
+  bool exists(long long index, std::size_t part) {
+    if (index < 0) return index >= -counts_[part] || is_without(part);
+    // Mostly what a face names stands before it, but it may come later.
+    return index > 0 && (index <= counts_[part] || index <= totals()[part] || is_without(part));
+  }
+
+  /// Files without them name places of textures and normals, and assimp looks for none then.
+  bool is_without(std::size_t part) { return part > 0 && totals()[part] == 0; }
+
+  std::string no_such(std::string_view word, long long index, std::size_t part) {
+    if (index == 0) return quoted(word) + " is no corner: OBJ counts from 1";
+    static constexpr std::array<const char*, 3> kinds{"vertices", "places of textures", "normals"};
+    return fmt::format("{} names number {} of the {}, and there are {}{}", quoted(word), index,
+                       kinds[part], index < 0 ? counts_[part] : totals()[part],
+                       index < 0 ? " so far" : "");
+  }
+
+  const ObjCounts& totals() {
+    if (totals_) return *totals_;
+    totals_.emplace();
+    for (LineWords words(text_, true); !words.at_end(); words.next_line())
+      count(obj_statement(words.next()), *totals_);
+    return *totals_;
+  }
+
+  std::string_view text_;
+  LineWords words_;
+  Reading& reading_;
+  LineErrors errors_;
+  bool has_faces_ = false;
+  Omission points_{"point beside faces left out", "points beside faces left out", 0, 0};
+  ObjCounts counts_{};               ///< so far
+  std::optional<ObjCounts> totals_;  ///< of the file; known once they are asked for
+};
+
+}  // namespace
+
+void check_obj(std::string_view text, Reading& reading) { ObjCheck(text, reading).run(); }
+
+}  // namespace raytracer::client

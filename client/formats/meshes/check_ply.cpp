@@ -1,0 +1,53 @@
+#include "client/formats/meshes/check_ply.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "client/formats/meshes/line_words.h"
+#include "client/formats/meshes/ply_bodies.h"
+#include "client/formats/meshes/ply_header.h"
+
+namespace raytracer::client {
+namespace {
+
+/// Whether assimp makes something of elements of that name.
+bool is_shown(const PlyElement& element) {
+  static constexpr std::array<std::string_view, 4> shown{"vertex", "face", "tristrips", "material"};
+  for (const std::string_view name : shown)
+    if (element.name == name) return true;
+  return false;
+}
+
+void tell_of(const PlyElement& element, Reading& reading) {
+  if (element.count == 0) return;
+  const int count = static_cast<int>(std::min<std::size_t>(element.count, 1U << 30));
+  if (!is_shown(element)) {
+    const std::string name = element.name == "edge" ? "edge" : "element of another kind";
+    const std::string names = element.name == "edge" ? "edges" : "elements of other kinds";
+    reading.omissions.push_back({name + " left out", names + " left out", count, element.line});
+  }
+  const PlyProperty* const color = element.find("red");
+  if (element.is_face() && color)
+    reading.omissions.push_back(
+        {"colour of a face left out", "colours of faces left out", count, color->line});
+}
+
+}  // namespace
+
+void check_ply(std::string_view bytes, Reading& reading) {
+  LineWords words(bytes);
+  if (words.next() != "ply") return;
+  try {
+    const PlyHeader header = read_ply_header(words);
+    for (const PlyElement& element : header.elements) tell_of(element, reading);
+    if (header.body == PlyBody::text)
+      check_ply_text(header, words, reading);
+    else if (header.body)
+      check_ply_bytes(header, words.rest_of_text(), reading);
+  } catch (const LineError& error) {
+    reading.errors.push_back(error);
+  }
+}
+
+}  // namespace raytracer::client

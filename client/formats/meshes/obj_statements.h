@@ -1,0 +1,24 @@
+// The statements of Wavefront's OBJ, by the word with which a line begins.
+#pragma once
+
+#include <string_view>
+
+namespace raytracer::client {
+
+enum class ObjStatement {
+  vertex,
+  texture_place,
+  normal,
+  face,
+  line,
+  point,
+  name,        ///< of a group, an object or a material; its rest is a text
+  curve,       ///< or a surface by equations
+  curve_part,  ///< what a curve consists of
+  display,     ///< how a program shows it, which is no part of a shape
+  unknown
+};
+
+ObjStatement obj_statement(std::string_view keyword);
+
+}  // namespace raytracer::client

@@ -1,0 +1,55 @@
+// The header of a PLY: the elements of which the rest of the file has so and so many, and their
+// properties.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/formats/meshes/line_words.h"
+
+namespace raytracer::client {
+
+struct PlyType {
+  std::size_t bytes;
+  bool is_integer;
+};
+
+struct PlyProperty {
+  std::string name;
+  PlyType type;
+  std::optional<PlyType> count;  ///< of a list
+  int line;
+};
+
+struct PlyElement {
+  std::string name;
+  std::size_t count;
+  std::vector<PlyProperty> properties;
+  int line;
+
+  bool is_face() const { return name == "face"; }
+  /// Null if it has none.
+  const PlyProperty* find(std::string_view property) const;
+};
+
+enum class PlyBody { text, little_endian, big_endian };
+
+struct PlyHeader {
+  std::optional<PlyBody> body;  ///< nothing if it is no known one
+  std::vector<PlyElement> elements;
+
+  std::size_t vertex_count() const;
+};
+
+/// Whether the words in a PLY's property are those of corners.
+bool names_vertices(const PlyElement& element, const PlyProperty& property);
+
+/// Of a text that begins with "ply"; the words then stand at the line behind it. Throws LineError.
+PlyHeader read_ply_header(LineWords& words);
+
+/// "vertices" of a vertex.
+std::string plural_of(const PlyElement& element);
+
+}  // namespace raytracer::client
