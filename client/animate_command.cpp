@@ -1,13 +1,8 @@
-// raytracer animate: a turn round a scene, or the frames of a file, each a job. Several are under
-// way at a time, so that the server works while frames are read, fetched and written.
+// raytracer animate: a turn round a scene, or the frames of a file.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cmath>
-#include <deque>
-#include <exception>
-#include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -18,8 +13,7 @@
 #include "client/commands.h"
 #include "client/failure.h"
 #include "client/film.h"
-#include "client/owned_job.h"
-#include "client/progress_bar.h"
+#include "client/shooting.h"
 #include "client/turntable.h"
 #include "client/with_server.h"
 
@@ -34,94 +28,11 @@ struct AnimateArguments {
   FilmTarget target;
 };
 
-/// A frame as it is asked for.
-struct FrameRequest {
-  SceneText scene;  ///< without a text where the query names it
-  Overrides query;
-};
-
-/// The next frame, or nothing behind the last one.
-using NextRequest = std::function<std::optional<FrameRequest>()>;
-
-/// How far an animation has come, with the time that it still takes where that can be known.
-class FilmProgress {
- public:
-  /// `count`: of frames; 0: not known.
-  explicit FilmProgress(int count) : count_(count) {}
-
-  void show(int frame, double of_frame) {
-    const double done = count_ > 0 ? (frame - first_ + of_frame) / (count_ - first_) : 0;
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    std::string what = count_ > 0 ? fmt::format("frame {} of {}", frame + 1, count_)
-                                  : fmt::format("frame {}", frame + 1);
-    if (done > 0.02) what += fmt::format(", {:.0f} s left", elapsed.count() * (1 / done - 1));
-    bar_.show(what, done);
-  }
-
-  /// Frames before this one were there.
-  void skip_to(int frame) { first_ = std::min(frame, count_ > 0 ? count_ - 1 : frame); }
-
- private:
-  int count_;
-  int first_ = 0;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  ProgressBar bar_;
-};
-
-/// Renders all frames that the film does not have, and adds them in their order.
-void shoot(Api& api, const NextRequest& next, Film& film, FilmProgress& progress) {
-  constexpr std::size_t most_under_way = 8;  // a private server renders four at a time
-  const std::string media_type = film.media_type();
-  int added = 0;
-  std::deque<std::pair<int, OwnedJob>> under_way;
-  const auto take_oldest = [&] {
-    auto& [frame, job] = under_way.front();
-    const int number = frame;
-    job.wait("rendering", [&](const Job& now) { progress.show(number, now.progress); });
-    film.add(number, api.job_image(job.id(), media_type).bytes);
-    ++added;
-    under_way.pop_front();
-  };
-  const auto start = [&](int frame, const FrameRequest& request) {
-    for (;;) {
-      try {
-        under_way.emplace_back(
-            std::piecewise_construct, std::forward_as_tuple(frame),
-            std::forward_as_tuple(api, api.start_job(request.scene, request.query, media_type)));
-        return;
-      } catch (const ServerBusy&) {
-        if (under_way.empty()) throw;  // others keep it busy
-        take_oldest();
-      }
-    }
-  };
-  std::exception_ptr end;  // what is wrong with a frame; those before it are finished
-  for (int frame = 0;; ++frame) {
-    std::optional<FrameRequest> request;
-    try {
-      request = next();
-    } catch (const InputError&) {
-      end = std::current_exception();
-    }
-    if (!request) break;
-    if (film.has(frame)) {
-      if (under_way.empty()) progress.skip_to(frame + 1);
-      continue;
-    }
-    while (under_way.size() >= most_under_way) take_oldest();
-    start(frame, *request);
-  }
-  while (!under_way.empty()) take_oldest();
-  if (!end) return;
-  if (added > 0) fmt::print(stderr, "{}\n", film.finish());
-  std::rethrow_exception(end);
-}
-
 /// With the server that keeps the scene.
 NextRequest turn(Api& api, const AnimateArguments& arguments, const SceneText& scene) {
-  const Orbit orbit = orbit_of(scene);
   Overrides query = arguments.overrides;
-  query["scene"] = api.keep_scene(scene);
+  query["scene"] = api.keep_scene(scene);  // first: the server says what is wrong with it
+  const Orbit orbit = orbit_of(scene);
   return [orbit, query, label = scene.label, count = arguments.turntable,
           frame = 0]() mutable -> std::optional<FrameRequest> {
     if (frame == count) return std::nullopt;

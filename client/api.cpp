@@ -7,6 +7,7 @@
 #include <httplib.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -112,9 +113,11 @@ struct Api::Connection {
     if (result->status == 401)
       throw InputError(fmt::format("{}: {}: give --token or RAYTRACER_TOKEN", server, detail));
     if (result->status == 406) throw InputError("--output: " + detail);
-    if (result->has_header("Retry-After"))
-      throw ServerBusy(fmt::format("{}: {}; try again in {} s", server, detail,
-                                   result->get_header_value("Retry-After")));
+    if (result->has_header("Retry-After")) {
+      const std::string after = result->get_header_value("Retry-After");
+      throw ServerBusy(fmt::format("{}: {}; try again in {} s", server, detail, after),
+                       std::chrono::seconds(std::atoi(after.c_str())));  // 0 if it is a date
+    }
     throw ServerError(fmt::format("{}: {} was answered with status {}: {}", server, request,
                                   result->status,
                                   detail.empty() ? "is it a raytracer-server?" : detail));

@@ -3,6 +3,8 @@
 #include <zlib.h>
 
 #include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <string_view>
 
 #include "client/failure.h"
@@ -46,6 +48,32 @@ void each_chunk(std::string_view png, Visit visit) {
   }
 }
 
+/// How long a frame is shown, in seconds.
+struct Delay {
+  std::uint16_t numerator = 1;
+  std::uint16_t denominator = 1;
+};
+
+/// The nearest to the rate's inverse, in lowest terms. All denominators are tried: a millisecond's
+/// work.
+Delay delay_of(FrameRate rate) {
+  constexpr std::int64_t most = std::numeric_limits<std::uint16_t>::max();
+  Delay best;
+  // Of |numerator / denominator - rate.denominator / rate.numerator|, times rate.numerator.
+  const auto error_of = [&](std::int64_t numerator, std::int64_t denominator) {
+    return std::abs(numerator * rate.numerator - denominator * rate.denominator);
+  };
+  for (std::int64_t denominator = 1; denominator <= most; ++denominator) {
+    const std::int64_t numerator =
+        (2 * denominator * rate.denominator + rate.numerator) / (2 * rate.numerator);  // rounded
+    if (numerator < 1 || numerator > most) continue;
+    if (error_of(numerator, denominator) * best.denominator <
+        error_of(best.numerator, best.denominator) * denominator)
+      best = {static_cast<std::uint16_t>(numerator), static_cast<std::uint16_t>(denominator)};
+  }
+  return best;
+}
+
 std::string header_of(std::string_view png) {
   std::string header;
   each_chunk(png, [&](std::string_view type, std::string_view data) {
@@ -64,6 +92,7 @@ std::string animated_png(const std::vector<std::string>& frames, FrameRate rate)
   append_number(control, static_cast<std::uint32_t>(frames.size()));
   append_number(control, 0);  // for ever
   append_chunk(bytes, "acTL", control);
+  const Delay delay = delay_of(rate);
   std::uint32_t sequence = 0;
   for (const std::string& frame : frames) {
     if (header_of(frame) != header) throw ServerError("the frames differ in size or in kind");
@@ -72,8 +101,8 @@ std::string animated_png(const std::vector<std::string>& frames, FrameRate rate)
     frame_control += header.substr(0, 2 * word);  // width and height
     append_number(frame_control, 0);              // at the left
     append_number(frame_control, 0);              // at the top
-    append_number(frame_control, static_cast<std::uint32_t>(rate.denominator), 2);
-    append_number(frame_control, static_cast<std::uint32_t>(rate.numerator), 2);
+    append_number(frame_control, delay.numerator, 2);
+    append_number(frame_control, delay.denominator, 2);
     frame_control += std::string(2, '\0');  // it stays, and replaces what was there
     append_chunk(bytes, "fcTL", frame_control);
     const bool is_first = sequence == 1;

@@ -13,7 +13,8 @@ struct FrameRate {
   int denominator = 1;
 };
 
-/// It runs for ever. Throws ServerError if the frames are no PNGs of the same size and kind.
+/// It runs for ever, at the rate or, where 16 bits do not hold that, at the nearest one. Throws
+/// ServerError if the frames are no PNGs of the same size and kind.
 std::string animated_png(const std::vector<std::string>& frames, FrameRate rate);
 
 }  // namespace raytracer::client

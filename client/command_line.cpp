@@ -26,13 +26,6 @@ CLI::Option* add_override(CLI::App& command, Overrides& overrides, const std::st
   return command.add_option_function<Value>(flag, store, help)->option_text(value_name);
 }
 
-/// For CLI11: as HTTP takes it in a header.
-std::string refuse_unless_token(const std::string& text) {
-  const bool is_token =
-      std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c <= '~'; });
-  return is_token ? "" : "a token has printable ASCII characters without spaces only";
-}
-
 }  // namespace
 
 std::string refuse_unless_positive(const std::string& text) {
@@ -46,12 +39,12 @@ void add_server_options(CLI::App& app, ServerChoice& server) {
   app.add_option_function<std::string>(
          "--server", [&server](const std::string& url) { server.url = read_server_url(url); },
          "http://HOST:PORT of a server (or RAYTRACER_SERVER)")
-      ->envname("RAYTRACER_SERVER")
       ->option_text("URL");
-  app.add_option("--token", server.token, "Its bearer token (or RAYTRACER_TOKEN)")
-      ->envname("RAYTRACER_TOKEN")
+  app.add_option_function<std::string>(
+         "--token", [&server](const std::string& token) { server.token = token; },
+         "Its bearer token (or RAYTRACER_TOKEN)")
       ->option_text("TOKEN")
-      ->check(refuse_unless_token);
+      ->check([](const std::string& text) { return is_token(text) ? "" : what_a_token_has; });
 }
 
 CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& purpose) {

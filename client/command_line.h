@@ -15,8 +15,7 @@ class App;
 
 namespace raytracer::client {
 
-/// The options that say which server, of every command; with them the variables RAYTRACER_SERVER
-/// and RAYTRACER_TOKEN.
+/// The options that say which server, of every command; with_variables() adds what they leave open.
 void add_server_options(CLI::App& app, ServerChoice& server);
 
 CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& purpose);

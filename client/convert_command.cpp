@@ -1,10 +1,11 @@
-// raytracer convert: a file of another format as a scene document. It needs no server.
+// raytracer convert: a file of another format as a scene document; such a document as it is.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,13 +13,16 @@
 
 #include "client/command_line.h"
 #include "client/commands.h"
+#include "client/failure.h"
 #include "client/formats/format.h"
+#include "client/formats/printable.h"
+#include "client/with_server.h"
 
 namespace raytracer::client {
 namespace {
 
 struct ConvertArguments {
-  SceneChoice file;
+  SceneChoice scene;
   std::optional<OutputFile> output;  ///< none: standard output
 };
 
@@ -29,9 +33,32 @@ std::string all_endings() {
   return fmt::format("{}", fmt::join(endings, ", "));
 }
 
-void convert_file(const ConvertArguments& arguments) {
+/// Of a document no more is seen than that it is JSON: there is no server to say what is wrong.
+void require_json(const SceneText& scene) {
+  using nlohmann::json;
+  const auto keep_nothing = [](int, json::parse_event_t, const json&) { return false; };
+  try {
+    [[maybe_unused]] const json nothing = json::parse(scene.text, keep_nothing);
+  } catch (const json::parse_error& error) {
+    const std::string what = error.what();
+    const std::size_t begin = what.find("parse error at");  // behind the library's name for it
+    throw InputError(fmt::format("{}: {}", scene.label,
+                                 printable(begin == what.npos ? what : what.substr(begin))));
+  }
+}
+
+SceneText read_scene(const SceneChoice& choice, const ServerChoice& server) {
+  std::optional<SceneText> scene = read_scene_file(choice);
+  if (!scene)
+    with_server(server, [&](Api& api) { scene = api.shipped_scene(choice.name); });
+  else if (!format_of(choice.name))
+    require_json(*scene);
+  return *std::move(scene);
+}
+
+void convert(const ConvertArguments& arguments, const ServerChoice& server) {
   if (arguments.output) arguments.output->check_writable();
-  const SceneText scene = read_scene_file(arguments.file).value();
+  const SceneText scene = read_scene(arguments.scene, server);
   if (!arguments.output) return write_to_standard_output(scene.text);
   arguments.output->write(scene.text);
   fmt::print(stderr, "{}: the scene of {}\n", arguments.output->path.string(), scene.label);
@@ -39,22 +66,18 @@ void convert_file(const ConvertArguments& arguments) {
 
 }  // namespace
 
-void add_convert(CLI::App& app, const ServerChoice&) {
+void add_convert(CLI::App& app, const ServerChoice& server) {
   const auto arguments = std::make_shared<ConvertArguments>();
   CLI::App& command = add_command(app, "convert", "Convert a file to a scene document");
-  command.footer("It needs no server.");
-  command.add_option("FILE", arguments->file.name, "File: " + all_endings())
+  command.footer(
+      fmt::format("Files: {}.\nThey need no server; a shipped scene does.", all_endings()));
+  command.add_option("FILE", arguments->scene.name, "File, shipped scene, or - for standard input")
       ->required()
-      ->option_text(" ")
-      ->check([](const std::string& path) {
-        return format_of(path)
-                   ? ""
-                   : fmt::format("the ending of '{}' is none of {}", path, all_endings());
-      });
-  add_wish_options(command, arguments->file);
+      ->option_text(" ");
+  add_wish_options(command, arguments->scene);
   add_output_option(command, arguments->output, "Scene document: .json [standard output]",
                     {".json"});
-  command.callback([arguments] { convert_file(*arguments); });
+  command.callback([arguments, &server] { convert(*arguments, server); });
 }
 
 }  // namespace raytracer::client

@@ -1,7 +1,9 @@
 // What can go wrong, by the exit status that it leads to.
 #pragma once
 
+#include <chrono>
 #include <stdexcept>
+#include <string>
 
 namespace raytracer::client {
 
@@ -17,7 +19,13 @@ class ServerError : public std::runtime_error {
 
 /// It has too much to do to take more now.
 class ServerBusy : public ServerError {
-  using ServerError::ServerError;
+ public:
+  ServerBusy(const std::string& what, std::chrono::seconds retry_after)
+      : ServerError(what), retry_after_(retry_after) {}
+  std::chrono::seconds retry_after() const { return retry_after_; }
+
+ private:
+  std::chrono::seconds retry_after_;
 };
 
 /// A signal asks the client to end: exit status 128 + signal, as a shell counts.

@@ -7,22 +7,16 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <string>
 
 #include "client/command_line.h"
 #include "client/commands.h"
+#include "client/environment.h"
 #include "client/with_server.h"
 
 namespace raytracer::client {
 namespace {
-
-/// Empty if it is not set.
-std::string variable(const char* name) {
-  const char* const value = std::getenv(name);
-  return value ? value : "";
-}
 
 /// The program that shows an address; empty where there is no display.
 std::string browser() {
@@ -67,7 +61,7 @@ void open_page(const SceneChoice& choice, const ServerChoice& server) {
 void add_open(CLI::App& app, const ServerChoice& server) {
   const auto choice = std::make_shared<SceneChoice>();
   add_scene_command(app, "open", "Open a scene in the browser", *choice)
-      .callback([choice, &server] { open_page(*choice, server); });
+      .callback([choice, &server] { open_page(*choice, with_variables(server)); });
 }
 
 }  // namespace raytracer::client

@@ -12,6 +12,17 @@ namespace raytracer::client {
 
 using std::chrono::microseconds;
 
+namespace {
+
+bool is_open(const Job& job) { return job.status == "queued" || job.status == "running"; }
+
+}  // namespace
+
+bool OwnedJob::has_ended() {
+  if (is_open(job_)) job_ = api_.job(job_.id);
+  return !is_open(job_);
+}
+
 void OwnedJob::wait(const std::string& doing) {
   ProgressBar bar;
   wait(doing,
@@ -23,7 +34,7 @@ void OwnedJob::wait(const std::string& doing, const std::function<void(const Job
   constexpr int lost_of = 20;
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
-  for (; job_.status == "queued" || job_.status == "running"; job_ = api_.job(job_.id)) {
+  for (; is_open(job_); job_ = api_.job(job_.id)) {
     show(job_);
     const auto waited = std::chrono::duration_cast<microseconds>(Clock::now() - begin);
     api_.pause(std::clamp(waited / lost_of, microseconds(1000), microseconds(200'000)));

@@ -17,6 +17,9 @@ class OwnedJob {
 
   const std::string& id() const { return job_.id; }
 
+  /// Whether it is done or never will be: then wait() returns or throws at once.
+  bool has_ended();
+
   /// Returns when the job is done, with a bar in a terminal that says what it is `doing`.
   /// Throws ServerError if it never will be.
   void wait(const std::string& doing);

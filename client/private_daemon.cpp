@@ -39,6 +39,13 @@ constexpr milliseconds start_limit{15000};
 constexpr milliseconds pause{1};
 constexpr int not_found = 127;  // as shells say it
 
+/// Variables for a server that others are to reach, or that works with others. With a token it
+/// would ask the client for one.
+constexpr std::array public_variables{
+    "RAYTRACER_HOST",         "RAYTRACER_PORT", "RAYTRACER_TOKEN",
+    "RAYTRACER_ALLOW_ORIGIN", "RAYTRACER_NATS", "RAYTRACER_SHARE_FROM",
+    "RAYTRACER_TASK_TIMEOUT", "RAYTRACER_KEEP", "RAYTRACER_MAX_STORED"};
+
 /// Where the daemon is if it is beside the client's own executable; empty if the system does not
 /// say where that is.
 std::string path_beside_client() {
@@ -96,7 +103,7 @@ PrivateDaemon::~PrivateDaemon() {
 }
 
 void PrivateDaemon::start() {
-  ::unsetenv("RAYTRACER_TOKEN");  // it would ask the client for one; the flags stand over the rest
+  for (const char* const name : public_variables) ::unsetenv(name);
   // Limits are against others, of which it has none; whoever sets them means it.
   ::setenv("RAYTRACER_MAX_BODY", "2147483648", 0);
   ::setenv("RAYTRACER_MAX_OBJECTS", "100000000", 0);

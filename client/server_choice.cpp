@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <regex>
 
+#include "client/environment.h"
 #include "client/failure.h"
 
 namespace raytracer::client {
@@ -30,6 +32,20 @@ ServerUrl read_server_url(const std::string& text) {
         "--server or RAYTRACER_SERVER: '{}' is not the address of a server: http://HOST:PORT",
         text));
   return url;
+}
+
+bool is_token(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c <= '~'; });
+}
+
+ServerChoice with_variables(ServerChoice given) {
+  const std::string server = variable("RAYTRACER_SERVER");
+  if (!given.url && !server.empty()) given.url = read_server_url(server);
+  const std::string token = variable("RAYTRACER_TOKEN");
+  if (!given.token && !is_token(token))
+    throw InputError(fmt::format("RAYTRACER_TOKEN: {}", what_a_token_has));
+  if (!given.token && !token.empty()) given.token = token;
+  return given;
 }
 
 }  // namespace raytracer::client

@@ -21,7 +21,18 @@ ServerUrl read_server_url(const std::string& text);
 
 struct ServerChoice {
   std::optional<ServerUrl> url;  ///< none: a private one
-  std::string token;             ///< empty: none
+  std::optional<std::string> token;
 };
+
+inline constexpr const char* what_a_token_has =
+    "a token has printable ASCII characters without spaces only";
+
+/// Whether HTTP takes it in a header.
+bool is_token(const std::string& text);
+
+/// With RAYTRACER_SERVER and RAYTRACER_TOKEN for what the command line does not say. Not read
+/// before there is need of a server, so that what needs none works whatever they say. Throws
+/// InputError for what is none.
+ServerChoice with_variables(ServerChoice given);
 
 }  // namespace raytracer::client

@@ -49,9 +49,7 @@ Orbit orbit_of(const SceneText& scene) {
     if (orbit.up == Vector{0, 0, 0}) throw InputError("");
     return orbit;
   } catch (const std::exception&) {
-    throw InputError(
-        fmt::format("{}: has no camera to go round with; `raytracer validate` says what is wrong",
-                    scene.label));
+    throw InputError(fmt::format("{}: has no camera to go round with", scene.label));
   }
 }
 

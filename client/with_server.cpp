@@ -20,7 +20,7 @@ void start_daemon(const ServerChoice& choice, Daemon& daemon) {
 void use_server(const ServerChoice& choice, Daemon& daemon, const std::function<void(Api&)>& use) {
   Interrupts interrupts;
   Api api(choice.url ? *choice.url : read_server_url(daemon->wait_until_listening(interrupts)),
-          choice.token, interrupts);
+          choice.token.value_or(""), interrupts);
   try {
     use(api);
   } catch (const ServerError&) {
@@ -32,15 +32,17 @@ void use_server(const ServerChoice& choice, Daemon& daemon, const std::function<
 
 }  // namespace
 
-void with_server(const ServerChoice& choice, const std::function<void(Api&)>& use) {
+void with_server(const ServerChoice& given, const std::function<void(Api&)>& use) {
+  const ServerChoice choice = with_variables(given);
   Daemon daemon;
   start_daemon(choice, daemon);
   use_server(choice, daemon, use);
 }
 
 SceneText with_scene(const SceneChoice& scene, const Overrides& overrides,
-                     const ServerChoice& server,
+                     const ServerChoice& given,
                      const std::function<void(Api&, const SceneText&)>& use) {
+  const ServerChoice server = with_variables(given);
   Daemon daemon;
   start_daemon(server, daemon);
   std::optional<SceneText> text = read_scene_file(scene, overrides);

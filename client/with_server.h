@@ -11,14 +11,14 @@
 
 namespace raytracer::client {
 
-/// Calls `use` with the chosen server. Throws what `use` does; if the private daemon has
-/// ended meanwhile, a ServerError that says how.
-void with_server(const ServerChoice& choice, const std::function<void(Api&)>& use);
+/// Calls `use` with the chosen server, or the one that the variables name. Throws what `use` does;
+/// if the private daemon has ended meanwhile, a ServerError that says how.
+void with_server(const ServerChoice& given, const std::function<void(Api&)>& use);
 
 /// The same with the scene that is chosen: a file, which is read first, "-", or a shipped one. The
 /// overrides say the size of its image. Returns the scene.
 SceneText with_scene(const SceneChoice& scene, const Overrides& overrides,
-                     const ServerChoice& server,
+                     const ServerChoice& given,
                      const std::function<void(Api&, const SceneText&)>& use);
 
 }  // namespace raytracer::client

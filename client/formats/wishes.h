@@ -13,7 +13,8 @@ enum class AtomStyle { spacefill, ball_and_stick, sticks };
 struct Wishes {
   AtomStyle style = AtomStyle::spacefill;
   std::string color;  ///< element, chain, residue or a column; empty: the best that there is
-  std::string color_map = "viridis";
+  /// For numbers; none: types are no numbers, and all others are on viridis.
+  std::optional<std::string> color_map;
   bool with_water = false;
 
   std::optional<model::Triple> view;  ///< from where, as a direction; none: the best

@@ -87,6 +87,20 @@ TEST_F(Animate, animated_png_has_all_frames_and_plays_for_ever) {
   EXPECT_EQ(count(bytes, delay), 3);
 }
 
+/// APNG has sixteen bits for each half of the delay's fraction: 1000/100001 s is not one of them.
+TEST_F(Animate, animated_png_has_the_nearest_rate_that_it_can_say) {
+  const std::string file = folder_.write("atoms.xyz", three_frames);
+  const std::string target = folder_ / "motion.apng";
+  const auto delays = [&](const std::string& rate, const std::string& delay) {
+    EXPECT_EQ(animate({file, "--frames", "all", "-o", target, "--fps", rate}).status, 0);
+    return count(read_file(target), delay);
+  };
+  EXPECT_EQ(delays("100.001", std::string("\x02\x8F\xFF\xDD\0\0", 6)), 3);  // 655/65501
+  EXPECT_EQ(delays("29.97", std::string("\0\x64\x0B\xB5\0\0", 6)), 3);      // 100/2997
+  EXPECT_EQ(delays("999.999", std::string("\0\x01\x03\xE8\0\0", 6)), 3);    // 1/1000
+  EXPECT_EQ(delays("0.001", std::string("\x03\xE8\0\x01\0\0", 6)), 3);      // 1000/1
+}
+
 TEST_F(Animate, raw_video_is_a_header_and_planes) {
   const std::string file = folder_.write("atoms.xyz", three_frames);
   const Outcome outcome = animate({file, "--frames", "all", "-o", "-"});
@@ -149,6 +163,21 @@ TEST_F(Animate, error_of_a_later_frame_is_said_after_the_earlier_ones) {
   const Outcome outcome = animate({file, "--frames", "all", "-o", folder_ / "f-%d.png"});
   expect_input_error(outcome, file + ":6: 'zero' stands");
   EXPECT_TRUE(std::filesystem::exists(folder_ / "f-0.png"));
+}
+
+TEST_F(Animate, each_error_of_a_scene_is_a_line_with_place_and_pointer) {
+  const std::string file = folder_.write("wrong.json", wrong_scene);
+  const Outcome outcome = animate({file, "--turntable", "3", "-o", folder_ / "t-%d.png"});
+  expect_input_error(outcome, file + ":3: /backgruond: ");
+  EXPECT_NE(outcome.err.find(file + ":4: /objects/0/radius: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(count_lines(outcome.err), 3) << outcome.err;
+  const std::string without_camera = folder_.write("none.json", R"({"objects": []})");
+  expect_input_error(animate({without_camera, "--turntable", "3", "-o", folder_ / "t-%d.png"}),
+                     "/camera: ");
+  const std::string no_json = folder_.write("no.json", "{\n  \"camera\": ,\n}");
+  const Outcome unread = animate({no_json, "--turntable", "3", "-o", folder_ / "t-%d.png"});
+  expect_input_error(unread, "line 2, column 13");
+  EXPECT_EQ(count_lines(unread.err), 1) << unread.err;
 }
 
 TEST_F(Animate, arguments_that_do_not_go_together_are_refused) {

@@ -37,7 +37,7 @@ TEST(Arguments, wrong_ones_end_with_status_1_and_say_why) {
       {{"validate"}, "SCENE"},
       {{"render", "demo", "other"}, "other"},
       {{"convert"}, "FILE"},
-      {{"convert", "scene.json"}, ".nff"},
+      {{"convert", "scene.json"}, "there is no such file"},
       {{"convert", "file.nff", "-o", "scene.png"}, ".json"},
       {{"scenes", "demo"}, "demo"},
       {{"render", "demo", "--colour"}, "--colour"},

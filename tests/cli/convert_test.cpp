@@ -1,6 +1,7 @@
 // Files of other formats: they stand wherever a scene may, and `convert` shows what they become.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -51,6 +52,40 @@ TEST_F(Convert, each_error_is_a_line_with_its_place) {
     expect_input_error(outcome, file + ":2: the background has 2");
     EXPECT_NE(outcome.err.find(file + ":4: 'v' stands"), std::string::npos) << outcome.err;
     EXPECT_EQ(count_lines(outcome.err), 3) << outcome.err;
+  }
+}
+
+TEST_F(Convert, scene_document_stays_as_it_is) {
+  const std::string file = folder_.write("scene.json", small_scene);
+  EXPECT_EQ(run_client({"convert", file}).out, small_scene);
+  EXPECT_EQ(run_client({"convert", "-"}, small_scene).out, small_scene);
+  const std::string target = folder_ / "same.json";
+  EXPECT_EQ(run_client({"convert", file, "-o", target}).status, 0);
+  EXPECT_EQ(read_file(target), small_scene);
+  // Without a server nobody says what is wrong with it.
+  EXPECT_EQ(run_client({"convert", "-"}, wrong_scene).out, wrong_scene);
+}
+
+TEST_F(Convert, shipped_scene_is_fetched) {
+  const Outcome outcome = run_with_server({"convert", "demo"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, server().client().Get("/scenes/demo")->body);
+  expect_input_error(run_with_server({"convert", "no-such-scene"}), "first-sphere");
+}
+
+TEST_F(Convert, text_that_is_not_json_is_said_with_its_place) {
+  const std::string file = folder_.write("wrong.json", "{\n  \"camera\": ,\n}");
+  const Outcome outcome = run_client({"convert", file});
+  expect_input_error(outcome, file + ": parse error at line 2, column 13");
+  EXPECT_EQ(count_lines(outcome.err), 1) << outcome.err;
+}
+
+TEST_F(Convert, needs_no_server_whatever_the_variables_say) {
+  const std::string file = folder_.write("ball.nff", nff_ball);
+  for (const char* const name : {"RAYTRACER_SERVER", "RAYTRACER_TOKEN"}) {
+    const std::map<std::string, std::string> environment{{name, "no such thing"}};
+    EXPECT_EQ(run_client({"convert", file}, "", environment).status, 0) << name;
+    expect_input_error(run_client({"scenes"}, "", environment), name);
   }
 }
 

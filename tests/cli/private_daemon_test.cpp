@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -46,6 +47,18 @@ TEST(PrivateDaemon, listens_elsewhere_than_the_variables_say) {
       {"scenes"}, "",
       {{"RAYTRACER_HOST", "192.0.2.1"}, {"RAYTRACER_PORT", "1"}, {"RAYTRACER_TOKEN", "s3cret"}});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+TEST(PrivateDaemon, joins_no_cluster_and_lets_no_other_page_read) {
+  // Each would make the server end, or wait for what does not answer.
+  for (const auto& [name, value] :
+       std::map<std::string, std::string>{{"RAYTRACER_NATS", "nats://127.0.0.1:1"},
+                                          {"RAYTRACER_SHARE_FROM", "none"},
+                                          {"RAYTRACER_TASK_TIMEOUT", "none"},
+                                          {"RAYTRACER_KEEP", "none"},
+                                          {"RAYTRACER_MAX_STORED", "none"},
+                                          {"RAYTRACER_ALLOW_ORIGIN", "none"}})
+    EXPECT_EQ(run_client({"scenes"}, "", {{name, value}}).status, 0) << name;
 }
 
 TEST(PrivateDaemon, is_found_on_path_and_its_lack_explained) {

@@ -1,51 +1,15 @@
-// PDB and mmCIF: which atoms are shown, as what, and how they are bonded.
-#include <fmt/format.h>
+// PDB and mmCIF: which atoms are shown, and as what.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "tests/formats/read_text.h"
-#include "tests/process/temporary_folder.h"
+#include "tests/formats/particles_in_pictures.h"
 
 namespace raytracer::test {
 namespace {
 
 using nlohmann::json;
-
-std::string pdb_atom(int serial, const std::string& name, const std::string& residue, char chain,
-                     int number, double x, const std::string& element, char alternate = ' ') {
-  return fmt::format(
-      "HETATM{:5} {:4}{}{:>3} {}{:4}    {:8.3f}   1.000   2.000  0.50{:6.2f}          {:>2}\n",
-      serial, name, alternate, residue, chain, number, x, 10.0 + x, element);
-}
-
-client::Wishes wishes_for(const std::string& color, client::AtomStyle style) {
-  client::Wishes wishes;
-  wishes.color = color;
-  wishes.style = style;
-  return wishes;
-}
-
-std::size_t count_of(const json& document, const std::string& type) {
-  std::size_t count = 0;
-  const std::string list = type == "sphere" ? "centers" : "from";
-  for (const json& object : document.at("objects")) {
-    if (object.at("type") == type) ++count;
-    if (object.at("type") == type + "s") count += object.at(list).size();
-  }
-  return count;
-}
-
-std::string shipped(const std::string& name) {
-  return read_file(std::filesystem::path(RAYTRACER_SOURCE_DIR) / "tests/formats/files" / name);
-}
-
-const std::string zinc_and_sulfur =
-    "data_X\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.auth_comp_id\n"
-    "_atom_site.auth_asym_id\n_atom_site.auth_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
-    "_atom_site.Cartn_z\nZN ZN ZN A 1 0 0 0\nS SG CYS A 2 5 0 0\n";
 
 TEST(Pdb, elements_come_from_their_column_or_the_name) {
   const json scene = document(".pdb", pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C") +
@@ -138,6 +102,15 @@ TEST(Pdb, models_are_frames) {
   EXPECT_EQ(documents(".pdb", atom + "END\n" + atom + "END\n").size(), 2U);
 }
 
+TEST(Pdb, models_begin_frames_where_none_is_ended) {
+  const std::string atom = pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C");
+  const auto frames =
+      documents(".pdb", "MODEL        1\n" + atom + "MODEL        2\n" + atom + atom + "END\n");
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(count_of(frames[0], "sphere"), 1U);
+  EXPECT_EQ(count_of(frames[1], "sphere"), 2U);
+}
+
 TEST(Pdb, chains_residues_and_bfactors_give_colours) {
   const std::string text = pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C") +
                            pdb_atom(2, " CA ", "ASP", 'B', 1, 5, "C") +
@@ -151,24 +124,6 @@ TEST(Pdb, chains_residues_and_bfactors_give_colours) {
   EXPECT_EQ(colours("residue"), 2U);
   EXPECT_EQ(colours("bfactor"), 3U);
   EXPECT_EQ(colours("occupancy"), 1U);
-}
-
-/// Sixty atoms with three bonds each, of which each is drawn in two halves.
-TEST(Pdb, every_bond_of_c60_is_drawn_once_in_two_halves) {
-  const auto wishes = wishes_for("", client::AtomStyle::ball_and_stick);
-  const json scene = document(".pdb", shipped("c60.pdb"), wishes);
-  EXPECT_EQ(count_of(scene, "sphere"), 60U);
-  EXPECT_EQ(count_of(scene, "cylinder"), 2U * 90U);
-}
-
-TEST(Pdb, bonds_that_the_file_names_may_be_long) {
-  const std::string atoms =
-      pdb_atom(1, "ZN  ", " ZN", 'A', 1, 0, "ZN") + pdb_atom(2, " CA ", "GLY", 'A', 2, 8, "C");
-  const auto wishes = wishes_for("", client::AtomStyle::sticks);
-  EXPECT_EQ(count_of(document(".pdb", atoms, wishes), "cylinder"), 0U);
-  EXPECT_EQ(count_of(document(".pdb", atoms + "CONECT    1    2\nCONECT    2    1\n", wishes),
-                     "cylinder"),
-            2U);
 }
 
 TEST(Pdb, each_error_has_its_line) {
@@ -213,41 +168,6 @@ TEST(Mmcif, any_column_of_the_sites_gives_colours) {
                 .at("materials")
                 .size(),
             8U);
-}
-
-/// The other copy is elsewhere.
-TEST(Mmcif, bonds_to_other_copies_are_left_out_and_counted) {
-  const std::string text =
-      zinc_and_sulfur +
-      "_struct_conn.conn_type_id metalc\n"
-      "_struct_conn.ptnr1_auth_asym_id A\n_struct_conn.ptnr1_auth_comp_id ZN\n"
-      "_struct_conn.ptnr1_auth_seq_id 1\n_struct_conn.ptnr1_label_atom_id ZN\n"
-      "_struct_conn.ptnr1_symmetry 1_555\n_struct_conn.ptnr2_symmetry 3_655\n"
-      "_struct_conn.ptnr2_auth_asym_id A\n_struct_conn.ptnr2_auth_comp_id CYS\n"
-      "_struct_conn.ptnr2_auth_seq_id 2\n_struct_conn.ptnr2_label_atom_id SG\n";
-  const auto frames =
-      read_text(*client::format_of(".cif"), text, wishes_for("", client::AtomStyle::sticks));
-  ASSERT_EQ(frames[0].omissions.size(), 1U);
-  EXPECT_EQ(frames[0].omissions[0].count, 1);
-  const json scene = json::parse(client::model::to_document(frames[0].scene));
-  EXPECT_EQ(count_of(scene, "cylinder"), 0U);
-}
-
-TEST(Mmcif, bonds_that_the_file_names_are_drawn) {
-  const std::string text =
-      zinc_and_sulfur +
-      "loop_\n_struct_conn.id\n"
-      "_struct_conn.conn_type_id\n_struct_conn.ptnr1_auth_asym_id\n_struct_conn.ptnr1_auth_comp_"
-      "id\n"
-      "_struct_conn.ptnr1_auth_seq_id\n_struct_conn.ptnr1_label_atom_id\n"
-      "_struct_conn.ptnr2_auth_asym_id\n_struct_conn.ptnr2_auth_comp_id\n"
-      "_struct_conn.ptnr2_auth_seq_id\n_struct_conn.ptnr2_label_atom_id\n";
-  const auto wishes = wishes_for("", client::AtomStyle::sticks);
-  const auto bonds = [&](const std::string& rows) {
-    return count_of(document(".cif", text + rows, wishes), "cylinder");
-  };
-  EXPECT_EQ(bonds("1 metalc A ZN 1 ZN A CYS 2 SG\n"), 2U);
-  EXPECT_EQ(bonds("1 hydrog A ZN 1 ZN A CYS 2 SG\n"), 0U);
 }
 
 TEST(Mmcif, cell_of_a_small_structure_is_filled) {
@@ -302,7 +222,7 @@ TEST(Mmcif, single_rows_may_be_pairs) {
   EXPECT_EQ(document(".cif", atom).at("objects")[0].at("center"), json::parse("[-1, 2, 3]"));
 }
 
-TEST(Mmcif, errors_have_the_line_that_gemmi_names_or_that_of_the_table) {
+TEST(Mmcif, errors_have_their_line) {
   const auto error_of = [](const std::string& text) {
     return read_text(*client::format_of(".cif"), text).at(0).errors.at(0);
   };
@@ -313,10 +233,30 @@ TEST(Mmcif, errors_have_the_line_that_gemmi_names_or_that_of_the_table) {
   const client::LineError wrong = error_of(
       "data_X\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 2 3\n1 two "
       "3\n");
-  EXPECT_EQ(wrong.line, 2);
-  EXPECT_EQ(wrong.what,
-            "row 2 of the table that begins here: 'two' stands where _atom_site.Cartn_y is to be a "
-            "number");
+  EXPECT_EQ(wrong.line, 7);
+  EXPECT_EQ(wrong.what, "'two' stands where _atom_site.Cartn_y is to be a number");
+}
+
+/// What is no value, or one over several lines, is before the wrong one.
+TEST(Mmcif, lines_are_counted_as_cif_separates_values) {
+  const auto line_of = [](const std::string& text) {
+    return read_text(*client::format_of(".cif"), text).at(0).errors.at(0).line;
+  };
+  const std::string tags =
+      "_atom_site.auth_atom_id\n_atom_site.Cartn_x # in angstrom\n_atom_site.Cartn_y\n"
+      "_atom_site.Cartn_z\n";
+  EXPECT_EQ(line_of("data_X\nloop_\n" + tags +
+                    "'O 5' 1 2 3 # 'two' more\n\n\"C\"1\" 1 2 3\r\n;two\n lines\n;\n1\n2 3\n"
+                    "a'b 1 2\n'x'\n"),
+            16);
+  EXPECT_EQ(line_of("data_X loop_ _cell.a 1 2 LOOP_\n" + tags + "C 1 2 x"), 6);
+  EXPECT_EQ(line_of("data_X\nloop_\n_ATOM_SITE.cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+                    "1 2\n3 4\n5 z\n"),
+            8);
+  // Pairs, among which another category's may stand.
+  EXPECT_EQ(line_of("data_X\n_atom_site.id ';'\n_atom_site.Cartn_x 1\n_cell.length_a 5\n"
+                    "_atom_site.Cartn_y\n;two\n;\n_atom_site.Cartn_z 3\n"),
+            6);
 }
 
 }  // namespace

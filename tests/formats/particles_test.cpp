@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "client/failure.h"
-#include "tests/formats/read_text.h"
+#include "tests/formats/particles_in_pictures.h"
 
 namespace raytracer::test {
 namespace {
@@ -14,23 +14,6 @@ using nlohmann::json;
 
 const std::string dump_head =
     "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 10\n0 20\n5 10\n";
-
-client::Wishes wishes_for(const std::string& color) {
-  client::Wishes wishes;
-  wishes.color = color;
-  return wishes;
-}
-
-/// Of all objects, in the file's order of materials.
-std::vector<json> centers_of(const json& document) {
-  std::vector<json> centers;
-  for (const json& object : document.at("objects")) {
-    if (object.at("type") == "sphere") centers.push_back(object.at("center"));
-    if (object.at("type") == "spheres")
-      for (const json& center : object.at("centers")) centers.push_back(center);
-  }
-  return centers;
-}
 
 TEST(Xyz, atoms_become_spheres_of_their_element_with_x_mirrored) {
   const json scene = document(".xyz", "3\nwater\nO 0 0 1\nH 1 2 3\nh1 4 5 6\n");
@@ -49,6 +32,32 @@ TEST(Xyz, properties_name_the_columns) {
   EXPECT_EQ(scene.at("objects")[0].at("radius"), 0.5);
   EXPECT_EQ(scene.at("objects")[1].at("radius"), 0.25);
   EXPECT_EQ(document(".xyz", text, wishes_for("force_2")).at("objects").size(), 1U);
+}
+
+TEST(Xyz, species_are_a_column_of_colours) {
+  const std::string text = "2\nProperties=species:S:1:pos:R:3\nNa 0 0 0\nCl 5 0 0\n";
+  const json scene = document(".extxyz", text, wishes_for("species"));
+  EXPECT_EQ(scene, document(".extxyz", text, wishes_for("element")));
+  const std::string numbers = "2\nProperties=Z:I:1:pos:R:3\n11 0 0 0\n17 5 0 0\n";
+  EXPECT_EQ(document(".extxyz", numbers, wishes_for("Z")), scene);
+}
+
+TEST(Xyz, vectors_give_colours_by_their_length) {
+  const auto materials = [](const std::string& properties, const std::string& color) {
+    return document(
+               ".extxyz",
+               "3\nProperties=" + properties + "\n0 0 0 3 0 4 5\n5 0 0 0 6 8 10\n9 0 0 -5 0 0 5\n",
+               wishes_for(color))
+        .at("materials");
+  };
+  const json by_speed = materials("pos:R:3:vel:R:3:speed:R:1", "speed");
+  EXPECT_EQ(by_speed.size(), 2U);
+  EXPECT_EQ(materials("pos:R:3:vel:R:3:speed:R:1", "vel"), by_speed);
+  EXPECT_EQ(materials("pos:R:3:Vel:R:3:speed:R:1", "vel"), by_speed);
+  const auto missing = read_text(*client::format_of(".xyz"),
+                                 "1\nProperties=pos:R:3:vel:R:2\n0 0 0 1 nan\n", wishes_for("vel"));
+  ASSERT_TRUE(missing.at(0).errors.empty());
+  EXPECT_EQ(missing[0].omissions.size(), 1U);
 }
 
 TEST(Xyz, frames_follow_each_other_under_one_camera) {
@@ -115,6 +124,18 @@ TEST(Lammps, types_have_a_colour_each_and_numbers_a_place_on_the_map) {
   EXPECT_NEAR(high[0].get<double>(), 0.9823, 1e-3);
 }
 
+TEST(Lammps, types_are_numbers_where_a_map_is_wished_for) {
+  const std::string atoms = dump_head + "ITEM: ATOMS type v x y z\n2 2 0 0 0\n1 1 1 1 1\n";
+  client::Wishes on_map = wishes_for("v");
+  on_map.color_map = "magma";
+  const json expected = document(".dump", atoms, on_map).at("materials");
+  for (const char* const color : {"type", ""}) {
+    on_map.color = color;
+    EXPECT_EQ(document(".dump", atoms, on_map).at("materials"), expected);
+  }
+  EXPECT_NE(document(".dump", atoms).at("materials"), expected);
+}
+
 TEST(Lammps, types_have_the_same_colours_in_any_order) {
   const auto color_of_the_first = [](const std::string& rows) {
     const json scene = document(".dump", dump_head + "ITEM: ATOMS type x y z\n" + rows);
@@ -133,53 +154,6 @@ TEST(Lammps, radius_and_diameter_are_sizes) {
   const json halves =
       document(".dump", dump_head + "ITEM: ATOMS diameter x y z\n0.5 0 0 0\n0.25 1 1 1\n");
   EXPECT_EQ(halves.at("objects")[0].at("radius"), json({0.25, 0.125}));
-}
-
-TEST(Table, columns_have_names_and_colours_are_shares_or_bytes) {
-  const json shares = document(".csv", "x,y,z,radius,r,g,b\n1,2,3,0.5,1,0,0\n4,5,6,0.5,0,1,0.5\n");
-  EXPECT_EQ(shares.at("objects")[0].at("colors"), json({{1, 0, 0}, {0, 1, 0.214}}));
-  const json bytes =
-      document(".tsv", "z\ty\tx\tred\tgreen\tblue\n3\t2\t1\t255\t0\t0\n1\t1\t1\t0\t0\t0\n");
-  EXPECT_EQ(bytes.at("objects")[0].at("colors"), json({{1, 0, 0}, {0, 0, 0}}));
-  EXPECT_EQ(bytes.at("objects")[0].at("centers")[0], json({-1, 2, 3}));
-}
-
-TEST(Table, fields_may_be_quoted_and_lines_comments) {
-  const json scene =
-      document(".csv", "# made by hand\n\n\"x\",y,z,\"a, b\"\n1,2,3,\"p, \"\"q\"\"\"\n");
-  EXPECT_EQ(centers_of(scene).size(), 1U);
-}
-
-TEST(Table, quoted_fields_may_go_over_lines_and_a_byte_order_mark_is_none_of_them) {
-  const json scene = document(
-      ".csv",
-      "\xEF\xBB\xBF\"x\",\"y\",\"z\",note\r\n1,2,3,\"two\r\n\"\"lines\"\"\"\r\n4,5,6,\"\"\r\n");
-  EXPECT_EQ(scene.at("objects")[0].at("centers"), json::parse("[[-1, 2, 3], [-4, 5, 6]]"));
-}
-
-TEST(Table, words_are_groups) {
-  const json scene =
-      document(".csv", "x;y;z;kind\n0;0;0;oak\n1;0;0;ash\n2;0;0;oak\n", wishes_for("kind"));
-  EXPECT_EQ(scene.at("objects").size(), 2U);
-}
-
-TEST(Table, missing_numbers_are_gray_and_told_wherever_they_stand) {
-  const auto frames =
-      read_text(*client::format_of(".csv"), "x,y,z,heat\n0,0,0,\n1,0,0,7\n2,0,0,NaN\n3,0,0,9\n",
-                wishes_for("heat"));
-  ASSERT_TRUE(frames.at(0).errors.empty());
-  const json scene = json::parse(client::model::to_document(frames[0].scene));
-  EXPECT_EQ(scene.at("objects").size(), 3U);  // gray, 7 and 9
-  EXPECT_EQ(scene.at("objects")[0].at("centers").size(), 2U);
-  const json gray = scene.at("materials").at(scene.at("objects")[0].at("material")).at("color");
-  EXPECT_EQ(gray[0], gray[2]);
-  ASSERT_EQ(frames[0].omissions.size(), 1U);
-  EXPECT_EQ(frames[0].omissions[0].count, 2U);
-  // Where the others are words, no word is a group too.
-  EXPECT_EQ(document(".csv", "x,y,z,kind\n0,0,0,\n1,0,0,a\n2,0,0,b\n3,0,0,a\n", wishes_for("kind"))
-                .at("objects")
-                .size(),
-            3U);
 }
 
 TEST(Particles, range_of_colours_is_that_of_the_first_frame_with_two_numbers) {

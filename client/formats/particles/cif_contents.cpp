@@ -92,6 +92,10 @@ int CifTable::column(const std::string& tag) const {
   return found == tags.end() ? -1 : static_cast<int>(found - tags.begin());
 }
 
+std::string CifTable::value(std::size_t row, int column) const {
+  return column < 0 ? "" : values[row * tags.size() + static_cast<std::size_t>(column)];
+}
+
 CifContents read_cif(const std::string& text) {
   cif::Document document = read_document(text);
   if (document.blocks.empty()) throw CifError{1, "the file has no data_ block"};

@@ -2,6 +2,7 @@
 // are not complete yet, which clang refuses in C++20.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ struct CifTable {
 
   /// Which column it is, small letters or capitals; -1: none.
   int column(const std::string& tag) const;
+  std::size_t row_count() const { return tags.empty() ? 0 : values.size() / tags.size(); }
+  /// Empty where it is not known or there is no such column.
+  std::string value(std::size_t row, int column) const;
 };
 
 /// Of a small structure, in ångström.

@@ -34,6 +34,12 @@ bool is_missing(std::string_view field) {
   return false;
 }
 
+void add_unknown(int line, Particles& particles) {
+  particles.values.push_back(std::numeric_limits<float>::quiet_NaN());
+  add_omission(particles.omissions, line, "particle is gray: its colour's number is missing",
+               "particles are gray: their colour's numbers are missing");
+}
+
 }  // namespace
 
 bool is_moderate(double value) {
@@ -41,7 +47,7 @@ bool is_moderate(double value) {
   return std::abs(value) <= most;
 }
 
-Columns::Columns(std::vector<std::string> names, const std::string& color, int line)
+Columns::Columns(std::vector<std::string> names, const Wishes& wishes, int line)
     : names_(std::move(names)) {
   const std::array<std::string_view, 3> axes{"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -62,17 +68,33 @@ Columns::Columns(std::vector<std::string> names, const std::string& color, int l
   const auto green = find({"g", "green"});
   const auto blue = find({"b", "blue"});
   if (red && green && blue) rgb_ = {*red, *green, *blue};
-  if (color.empty() && !element_ && !rgb_) {
-    color_ = find({"type"});
+  choose_colors(wishes, line);
+}
+
+void Columns::choose_colors(const Wishes& wishes, int line) {
+  const std::string& color = wishes.color;
+  if (color.empty()) {
+    const auto type = element_ || rgb_ ? std::nullopt : find({"type"});
+    if (type) colors_ = {*type};
   } else if (color == "element" && element_) {
     rgb_.reset();
-  } else if (!color.empty()) {
-    const auto column = std::find(names_.begin(), names_.end(), color);
-    if (column == names_.end()) throw LineError{line, no_such_column(color, names_)};
-    color_ = static_cast<std::size_t>(column - names_.begin());
+  } else if (const auto column = find_in_any_case(color)) {
+    colors_ = {*column};
+  } else {
+    while (const auto component = find_in_any_case(fmt::format("{}_{}", color, colors_.size() + 1)))
+      colors_.push_back(*component);
+    if (colors_.empty()) throw LineError{line, no_such_column(color, names_)};
   }
-  // Types are numbers without an order.
-  if (color_ && in_small_letters(names_[*color_]) == "type") is_group_ = true;
+  // Types are numbers without an order, unless a map is wished for.
+  if (colors_.size() == 1 && !wishes.color_map && in_small_letters(names_[colors_[0]]) == "type")
+    is_group_ = true;
+}
+
+/// The column of exactly that name, or else regardless of capitals.
+std::optional<std::size_t> Columns::find_in_any_case(const std::string& name) const {
+  const auto exact = std::find(names_.begin(), names_.end(), name);
+  if (exact != names_.end()) return static_cast<std::size_t>(exact - names_.begin());
+  return find({in_small_letters(name)});
 }
 
 std::optional<std::size_t> Columns::find(std::initializer_list<std::string_view> sought) const {
@@ -113,7 +135,8 @@ void Columns::add(const std::vector<std::string_view>& fields, int line, Particl
                                   is_diameter_ ? "diameter" : "radius", quoted(fields[*radius_]))};
     particles.radii.push_back(radius);
   }
-  if (color_) return add_color_column(fields[*color_], line, particles);
+  if (colors_.size() == 1) return add_group_or_value(fields[colors_[0]], line, particles);
+  if (!colors_.empty()) return add_length(fields, line, particles);
   if (!rgb_) return;
   model::Rgb color{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -127,24 +150,31 @@ void Columns::add(const std::vector<std::string_view>& fields, int line, Particl
   particles.colors.push_back(color);
 }
 
-void Columns::add_color_column(std::string_view field, int line, Particles& particles) {
+void Columns::add_group_or_value(std::string_view field, int line, Particles& particles) {
   const bool is_unknown = is_missing(field);
   if (!is_group_ && !is_unknown) {
     is_group_ = !number_of(field).has_value();
-    if (*is_group_) {  // until now all was missing, and taken for numbers
+    if (*is_group_ && !particles.values.empty()) {  // all was missing, and taken for numbers
       particles.groups.assign(particles.values.size(), groups_.number_of(""));
       particles.values.clear();
     }
   }
-  if (is_group_ == true) {
+  if (is_group_ == true)
     particles.groups.push_back(groups_.number_of(field));
-  } else if (is_unknown) {
-    particles.values.push_back(std::numeric_limits<float>::quiet_NaN());
-    add_omission(particles.omissions, line, "particle is gray: its colour's number is missing",
-                 "particles are gray: their colour's numbers are missing");
-  } else {
-    particles.values.push_back(as_float(number(*color_, field, line)));
+  else if (is_unknown)
+    add_unknown(line, particles);
+  else
+    particles.values.push_back(as_float(number(colors_[0], field, line)));
+}
+
+void Columns::add_length(const std::vector<std::string_view>& fields, int line,
+                         Particles& particles) {
+  double length = 0;
+  for (const std::size_t component : colors_) {
+    if (is_missing(fields[component])) return add_unknown(line, particles);
+    length = std::hypot(length, number(component, fields[component], line));
   }
+  particles.values.push_back(as_float(length));
 }
 
 void Columns::finish(Particles& particles) const {

@@ -1,6 +1,6 @@
 // A line's fields as a particle, by the names of the columns: x, y and z; element; radius or
 // diameter; r, g and b (red, green and blue; from 0 to 1, or to 255); and the one that is to give
-// the colours.
+// the colours, or several, "vel_1" to "vel_3", of which "vel" is the length.
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@ namespace raytracer::client {
 
 class Columns {
  public:
-  /// `color`: the column that a person wishes to give the colours; empty: none. Throws LineError of
-  /// that line if places are missing or there is no such column.
-  Columns(std::vector<std::string> names, const std::string& color, int line);
+  /// Of the wishes the colours count. Throws LineError of that line if places are missing or there
+  /// is no column that is wished for.
+  Columns(std::vector<std::string> names, const Wishes& wishes, int line);
 
   const std::vector<std::string>& names() const { return names_; }
 
@@ -30,8 +30,11 @@ class Columns {
 
  private:
   std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
+  void choose_colors(const Wishes& wishes, int line);
+  std::optional<std::size_t> find_in_any_case(const std::string& name) const;
   double number(std::size_t column, std::string_view field, int line) const;
-  void add_color_column(std::string_view field, int line, Particles& particles);
+  void add_group_or_value(std::string_view field, int line, Particles& particles);
+  void add_length(const std::vector<std::string_view>& fields, int line, Particles& particles);
 
   std::vector<std::string> names_;
   std::array<std::size_t, 3> place_{};
@@ -39,8 +42,8 @@ class Columns {
   std::optional<std::size_t> radius_;
   bool is_diameter_ = false;
   std::optional<std::array<std::size_t, 3>> rgb_;
-  std::optional<std::size_t> color_;
-  std::optional<bool> is_group_;  ///< the colours are by names; known from the first particle on
+  std::vector<std::size_t> colors_;  ///< the one that gives them, or the components of a vector
+  std::optional<bool> is_group_;     ///< the colours are by names; known from the first particle on
   GroupNames groups_;
 };
 

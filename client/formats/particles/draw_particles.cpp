@@ -71,8 +71,9 @@ Paint mapped(const std::vector<float>& values, const Wishes& wishes, DrawingScal
     if (material == unseen) {
       material = static_cast<std::uint32_t>(result.materials.size());
       const float on_map = static_cast<float>(step) / (steps - 1);
-      const model::Rgb color =
-          step == unknown ? screen_color(gray) : color_on_map(wishes.color_map, on_map);
+      const model::Rgb color = step == unknown
+                                   ? screen_color(gray)
+                                   : color_on_map(wishes.color_map.value_or("viridis"), on_map);
       result.materials.push_back(material_of(color, ""));
     }
     result.material_of.push_back(material);

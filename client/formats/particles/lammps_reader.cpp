@@ -27,7 +27,7 @@ constexpr std::array<PlaceNames, 4> place_names{{{{"x", "y", "z"}, false},
 }  // namespace
 
 LammpsReader::LammpsReader(std::unique_ptr<TextSource> source, const Wishes& wishes)
-    : source_(std::move(source)), lines_(*source_), color_(wishes.color) {
+    : source_(std::move(source)), lines_(*source_), wishes_(wishes) {
   lines_.skip_blank();
 }
 
@@ -99,14 +99,13 @@ void LammpsReader::read_columns() {
   if (places == place_names.end())
     throw lines_.wrong("the atoms have no places; dump x y z, xu yu zu or xs ys zs");
   is_scaled_ = places->is_scaled;
-  const std::string color = color_;
   const std::array<std::string_view, 3> axes{"x", "y", "z"};
-  std::string wished = color_;
+  Wishes wishes = wishes_;
   for (std::size_t i = 0; i < 3; ++i) {
     *std::find(names.begin(), names.end(), places->names[i]) = axes[i];
-    if (wished == places->names[i]) wished = axes[i];
+    if (wishes.color == places->names[i]) wishes.color = axes[i];
   }
-  columns_.emplace(std::move(names), wished, lines_.number());
+  columns_.emplace(std::move(names), wishes, lines_.number());
   lines_.advance();
 }
 

@@ -39,7 +39,7 @@ class LammpsReader : public ParticleReader {
 
   std::unique_ptr<TextSource> source_;
   Lines lines_;
-  std::string color_;
+  Wishes wishes_;
   std::vector<std::string> header_;  ///< as the file has it
   bool is_scaled_ = false;
   std::optional<Columns> columns_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "client/formats/particles/cif_lines.h"
 #include "client/formats/particles/columns.h"
 #include "client/formats/particles/elements.h"
 #include "client/formats/printable.h"
@@ -26,13 +27,13 @@ CifContents read_contents(const std::string& text) {
 }  // namespace
 
 MmcifReader::MmcifReader(std::unique_ptr<TextSource> source, const Wishes& wishes)
-    : atoms_(wishes), has_bonds_(wishes.style != AtomStyle::spacefill) {
-  contents_ = read_contents(read_all(*source));
+    : atoms_(wishes), text_(read_all(*source)), contents_(read_contents(text_)) {
   row_count_ = 1;  // one frame
   if (!contents_.sites) return;
-  row_count_ = contents_.sites->values.size() / contents_.sites->tags.size();
+  row_count_ = contents_.sites->row_count();
   if (row_count_ == 0) throw LineError{contents_.sites->line, "the table of atoms has no rows"};
   find_columns();
+  if (wishes.style != AtomStyle::spacefill) bonds_.emplace(*contents_.sites, contents_.connections);
 }
 
 void MmcifReader::find_columns() {
@@ -63,24 +64,19 @@ void MmcifReader::find_columns() {
   throw LineError{sites.line, no_such_column(*wished, names)};
 }
 
-/// Empty where it is not known or there is no such column.
 std::string MmcifReader::value(std::size_t row, int column) const {
-  if (column < 0) return {};
-  return contents_.sites
-      ->values[row * contents_.sites->tags.size() + static_cast<std::size_t>(column)];
-}
-
-LineError MmcifReader::wrong(std::size_t row, const std::string& what) const {
-  return {contents_.sites->line,
-          fmt::format("row {} of the table that begins here: {}", row + 1, what)};
+  return contents_.sites->value(row, column);
 }
 
 double MmcifReader::number(std::size_t row, int column) const {
+  const CifTable& sites = *contents_.sites;
   const std::string text = value(row, column);
   const auto number = number_of(text);
+  const auto place = static_cast<std::size_t>(column);
   if (!number || !is_moderate(*number))
-    throw wrong(row, fmt::format("{} stands where {} is to be a number", client::quoted(text),
-                                 contents_.sites->tags[static_cast<std::size_t>(column)]));
+    throw LineError{line_of_value(text_, sites, row * sites.tags.size() + place),
+                    fmt::format("{} stands where {} is to be a number", client::quoted(text),
+                                sites.tags[place])};
   return *number;
 }
 
@@ -88,11 +84,9 @@ void MmcifReader::read_row(std::size_t row) {
   const model::Triple place{number(row, place_[0]), number(row, place_[1]), number(row, place_[2])};
   const std::string chain = value(row, chain_);
   const std::string residue = value(row, residue_);
-  const std::string residue_number = value(row, residue_number_);
-  const std::string insertion = value(row, insertion_);
+  const std::string number_in_chain = value(row, residue_number_) + value(row, insertion_);
   const std::string atom = value(row, atom_);
   const std::string alternate = value(row, alternate_);
-  const std::string whole_number = residue_number + insertion;
   std::uint8_t element = element_of(value(row, element_));
   if (element_ < 0) element = element_of(atom.substr(0, 1));
   float color_value = 0;
@@ -102,44 +96,8 @@ void MmcifReader::read_row(std::size_t row) {
                    static_cast<double>(std::numeric_limits<float>::max())));
   const auto index =
       atoms_.add(contents_.sites->line,
-                 {place, element, chain, residue, whole_number, atom, alternate}, color_value);
-  if (index && has_bonds_)
-    by_name_.try_emplace({chain, residue, residue_number, insertion, atom}, *index);
-}
-
-void MmcifReader::add_bonds(Particles& particles) const {
-  const CifTable& table = contents_.connections;
-  if (!has_bonds_ || table.tags.empty()) return;
-  const auto column = [&](const std::string& name) { return table.column("_struct_conn." + name); };
-  const int type = column("conn_type_id");
-  const std::array symmetries{column("ptnr1_symmetry"), column("ptnr2_symmetry")};
-  std::array<std::array<int, 5>, 2> names{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::string partner = fmt::format("ptnr{}_", i + 1);
-    names[i] = {column(partner + "auth_asym_id"), column(partner + "auth_comp_id"),
-                column(partner + "auth_seq_id"), column("pdbx_" + partner + "PDB_ins_code"),
-                column(partner + "label_atom_id")};
-  }
-  for (std::size_t row = 0; row < table.values.size(); row += table.tags.size()) {
-    const auto value = [&](int which) {
-      return which < 0 ? "" : table.values[row + static_cast<std::size_t>(which)];
-    };
-    if (value(type) == "hydrog") continue;
-    if (value(symmetries[0]) != value(symmetries[1])) {
-      add_omission(particles.omissions, table.line, "bond to another copy of the molecule left out",
-                   "bonds to other copies of the molecule left out");
-      continue;
-    }
-    std::array<const std::uint32_t*, 2> atoms{};
-    for (std::size_t i = 0; i < 2; ++i) {
-      AtomName name;
-      std::transform(names[i].begin(), names[i].end(), name.begin(), value);
-      const auto known = by_name_.find(name);
-      if (known != by_name_.end()) atoms[i] = &known->second;
-    }
-    if (atoms[0] && atoms[1] && *atoms[0] != *atoms[1])
-      particles.bonds.push_back({*atoms[0], *atoms[1]});
-  }
+                 {place, element, chain, residue, number_in_chain, atom, alternate}, color_value);
+  if (bonds_) bonds_->add_site(row, index);
 }
 
 Particles MmcifReader::read_cell() {
@@ -157,11 +115,10 @@ Particles MmcifReader::read_cell() {
 
 std::optional<Particles> MmcifReader::next_frame() {
   if (!contents_.sites) return read_cell();
-  by_name_.clear();
   const std::string model = value(row_, model_);
   for (; row_ < row_count_ && value(row_, model_) == model; ++row_) read_row(row_);
   Particles particles = atoms_.take(contents_.sites->line);
-  add_bonds(particles);
+  if (bonds_) bonds_->take(particles);
   return particles;
 }
 

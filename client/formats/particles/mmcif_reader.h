@@ -4,12 +4,12 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "client/formats/particles/atom_collector.h"
+#include "client/formats/particles/cif_bonds.h"
 #include "client/formats/particles/cif_contents.h"
 #include "client/formats/particles/particle_reader.h"
 #include "client/formats/text_source.h"
@@ -23,19 +23,16 @@ class MmcifReader : public ParticleReader {
   bool has_more() const override { return row_ < row_count_; }
 
  private:
-  using AtomName = std::array<std::string, 5>;  ///< chain, residue, number, insertion code, atom
-
   void find_columns();
   void read_row(std::size_t row);
   std::string value(std::size_t row, int column) const;
   double number(std::size_t row, int column) const;
-  LineError wrong(std::size_t row, const std::string& what) const;
-  void add_bonds(Particles& particles) const;
   Particles read_cell();
 
   AtomCollector atoms_;
-  bool has_bonds_;
+  std::string text_;  ///< to find the line of what is wrong
   CifContents contents_;
+  std::optional<CifBonds> bonds_;  ///< where they are drawn
   std::size_t row_ = 0;
   std::size_t row_count_ = 0;
   std::array<int, 3> place_{};
@@ -48,7 +45,6 @@ class MmcifReader : public ParticleReader {
   int alternate_ = -1;
   int model_ = -1;
   int color_ = -1;
-  std::map<AtomName, std::uint32_t> by_name_;  ///< of this model, where bonds are drawn
 };
 
 }  // namespace raytracer::client

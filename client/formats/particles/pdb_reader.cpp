@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <gemmi/resinfo.hpp>
+#include <set>
+#include <utility>
 
 #include "client/formats/particles/columns.h"
 #include "client/formats/particles/elements.h"
@@ -53,7 +55,11 @@ std::optional<int> serial_of(std::string_view text) {
   return serial - first + 100'000;
 }
 
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+std::optional<int> serial_of_atom(std::string_view line) {
+  return serial_of(field(line, line.starts_with("ATOM ") ? 6 : 7, 11));
+}
+
+bool is_latin(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 bool is_polymer(std::string_view residue) {
   // Amber's and CHARMM's names of histidine and cystine, which say their hydrogens.
@@ -67,17 +73,17 @@ bool is_polymer(std::string_view residue) {
 /// of one letter stand in its second column. Not all files hold to that: CA in a protein is carbon.
 std::uint8_t element_of_atom(std::string_view line) {
   const std::string_view symbol = field(line, 77, 78);
-  if (!symbol.empty() && is_letter(symbol[0]))
+  if (!symbol.empty() && is_latin(symbol[0]))
     if (const std::uint8_t element = element_of(symbol)) return element;
   const std::string_view name = line.substr(12, 4);
   constexpr std::uint8_t hydrogen = 1;
   // Names of four letters that begin with H are hydrogens': mercury's and helium's are shorter.
   if (name[0] == 'H' && name[3] != ' ') return hydrogen;
-  if (!is_letter(name[0])) return element_of(name.substr(1, 1));
+  if (!is_latin(name[0])) return element_of(name.substr(1, 1));
   const std::uint8_t of_first = element_of(name.substr(0, 1));
   const bool is_selenium = name.starts_with("SE");  // of selenomethionine
   if (of_first != 0 && !is_selenium && is_polymer(field(line, 18, 20))) return of_first;
-  const std::uint8_t of_both = is_letter(name[1]) ? element_of(name.substr(0, 2)) : 0;
+  const std::uint8_t of_both = is_latin(name[1]) ? element_of(name.substr(0, 2)) : 0;
   return of_both != 0 ? of_both : of_first;
 }
 
@@ -101,14 +107,36 @@ PdbReader::PdbReader(std::unique_ptr<TextSource> source, const Wishes& wishes)
     throw lines_->wrong("the file has no atoms: no line begins with ATOM or HETATM");
 }
 
+/// The atoms' serials are read, too: a bond of an atom that no model has is told. Those that a
+/// model lacks are not: some programs number the atoms of all models through.
 void PdbReader::read_bonds() {
+  struct Connection {
+    Bond bond;
+    int line;
+  };
+  std::vector<Connection> connections;
+  std::vector<int> serials;
   for (Lines lines(*source_); !lines.at_end(); lines.advance()) {
     const std::string_view line = lines.line();
+    if (is_atom(line))
+      if (const auto serial = serial_of_atom(line)) serials.push_back(*serial);
     if (!line.starts_with("CONECT")) continue;
     const auto from = serial_of(field(line, 7, 11));
     for (std::size_t column = 12; from && column <= 27; column += 5)
       if (const auto to = serial_of(field(line, column, column + 4)))
-        bonds_.push_back({*from, *to});
+        connections.push_back({{*from, *to}, lines.number()});
+  }
+  std::sort(serials.begin(), serials.end());
+  const auto is_there = [&](int serial) {
+    return std::binary_search(serials.begin(), serials.end(), serial);
+  };
+  std::set<Bond> told;  // each stands with both of its atoms
+  for (const auto& [bond, line] : connections) {
+    bonds_.push_back(bond);
+    if (std::all_of(bond.begin(), bond.end(), is_there)) continue;
+    if (!told.insert({std::min(bond[0], bond[1]), std::max(bond[0], bond[1])}).second) continue;
+    add_omission(omissions_, line, "bond of an atom that is not in the file left out",
+                 "bonds of atoms that are not in the file left out");
   }
 }
 
@@ -145,8 +173,7 @@ void PdbReader::read_atom() {
   }
   const auto index = atoms_.add(lines_->number(), atom, color_value);
   if (index && !bonds_.empty())
-    if (const auto serial = serial_of(field(line, line.starts_with("ATOM ") ? 6 : 7, 11)))
-      by_serial_[*serial] = *index;
+    if (const auto serial = serial_of_atom(line)) by_serial_[*serial] = *index;
 }
 
 void PdbReader::add_bonds(Particles& particles) const {
@@ -167,10 +194,13 @@ std::optional<Particles> PdbReader::next_frame() {
   for (; !lines_->at_end(); lines_->advance()) {
     const std::string_view line = lines_->line();
     if (is_atom(line)) read_atom();
-    if (is_record(line, "ENDMDL") || is_record(line, "END")) break;
+    // Not every program ends a model before it begins the next.
+    if (is_record(line, "ENDMDL") || is_record(line, "END") || is_record(line, "MODEL")) break;
   }
   Particles particles = atoms_.take(lines_->number());
   add_bonds(particles);
+  for (Omission& kind : omissions_) particles.omissions.push_back(std::move(kind));
+  omissions_.clear();
   find_next_model();
   return particles;
 }

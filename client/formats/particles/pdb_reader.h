@@ -3,10 +3,12 @@
 // give colours: bfactor, occupancy.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "client/formats/lines.h"
 #include "client/formats/particles/atom_collector.h"
@@ -21,6 +23,8 @@ class PdbReader : public ParticleReader {
   bool has_more() const override { return !lines_->at_end(); }
 
  private:
+  using Bond = std::array<int, 2>;  ///< serial numbers
+
   void read_bonds();
   void read_atom();
   void add_bonds(Particles& particles) const;
@@ -30,7 +34,8 @@ class PdbReader : public ParticleReader {
   std::string text_;  ///< all of it, where bonds are drawn: they stand behind the atoms
   std::optional<Lines> lines_;
   AtomCollector atoms_;
-  std::vector<std::array<int, 2>> bonds_;             ///< by serial numbers
+  std::vector<Bond> bonds_;
+  std::vector<Omission> omissions_;                   ///< of the whole file, until they are told
   std::unordered_map<int, std::uint32_t> by_serial_;  ///< of this model, where bonds are drawn
 };
 

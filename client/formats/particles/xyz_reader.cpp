@@ -24,8 +24,8 @@ std::optional<std::string_view> value_of(std::string_view comment, std::string_v
   return std::nullopt;
 }
 
-/// "species:S:1:pos:R:3" as element x y z.
-std::vector<std::string> names_of(std::string_view properties, int line) {
+/// "species:S:1:pos:R:3" as element x y z. The column that is to give the colours is renamed, too.
+std::vector<std::string> names_of(std::string_view properties, int line, std::string& color) {
   std::vector<std::string_view> parts;
   while (true) {
     const std::size_t colon = properties.find(':');
@@ -49,6 +49,7 @@ std::vector<std::string> names_of(std::string_view properties, int line) {
       names.insert(names.end(), {"r", "g", "b"});
     } else if (parts[i] == "Z" || parts[i] == "species") {
       names.emplace_back("element");
+      if (color == parts[i]) color = names.back();
     } else if (count == 1) {
       names.emplace_back(parts[i]);
     } else {
@@ -61,7 +62,7 @@ std::vector<std::string> names_of(std::string_view properties, int line) {
 }  // namespace
 
 XyzReader::XyzReader(std::unique_ptr<TextSource> source, const Wishes& wishes)
-    : source_(std::move(source)), lines_(*source_), color_(wishes.color) {
+    : source_(std::move(source)), lines_(*source_), wishes_(wishes) {
   lines_.skip_blank();
 }
 
@@ -78,9 +79,10 @@ std::size_t XyzReader::read_count() {
 void XyzReader::read_comment() {
   const auto properties = value_of(lines_.line(), "Properties");
   std::vector<std::string> names{"element", "x", "y", "z"};
-  if (properties) names = names_of(*properties, lines_.number());
+  Wishes wishes = wishes_;
+  if (properties) names = names_of(*properties, lines_.number(), wishes.color);
   if (!columns_ || columns_->names() != names)
-    columns_.emplace(std::move(names), color_, lines_.number());
+    columns_.emplace(std::move(names), wishes, lines_.number());
   lines_.advance();
 }
 

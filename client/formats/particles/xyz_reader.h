@@ -25,7 +25,7 @@ class XyzReader : public ParticleReader {
 
   std::unique_ptr<TextSource> source_;
   Lines lines_;
-  std::string color_;
+  Wishes wishes_;
   std::optional<Columns> columns_;
   std::vector<std::string_view> fields_;
 };
