@@ -2,14 +2,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "client/command_line.h"
 #include "client/commands.h"
@@ -25,13 +21,6 @@ struct ConvertArguments {
   SceneChoice scene;
   std::optional<OutputFile> output;  ///< none: standard output
 };
-
-std::string all_endings() {
-  std::vector<std::string_view> endings;
-  std::transform(formats.begin(), formats.end(), std::back_inserter(endings),
-                 [](const Format& format) { return format.ending; });
-  return fmt::format("{}", fmt::join(endings, ", "));
-}
 
 /// Of a document no more is seen than that it is JSON: there is no server to say what is wrong.
 void require_json(const SceneText& scene) {

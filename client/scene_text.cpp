@@ -7,10 +7,12 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "client/failure.h"
 #include "client/formats/format.h"
+#include "client/formats/text_source.h"
 
 namespace raytracer::client {
 namespace {
@@ -67,6 +69,16 @@ SceneText document_of(const Reading& reading, const std::string& label) {
   return {label, model::to_document(reading.scene), false};
 }
 
+/// A document is known by its content; whoever gives another file its ending wants it read so.
+SceneText read_document(const std::string& path) {
+  std::string text = read_all(*source_of_file(path));
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (!without_compression(path).ends_with(".json") && (begin == text.npos || text[begin] != '{'))
+    throw InputError(
+        fmt::format("is no scene document, and its ending is none of {}", all_endings()));
+  return {path, std::move(text)};
+}
+
 /// Wishes for what a scene says itself are refused.
 void refuse_wishes(const SceneChoice& choice, Openness openness) {
   for (const std::string& option : choice.wished) {
@@ -95,8 +107,7 @@ std::optional<SceneText> read_scene_file(const SceneChoice& choice, const Overri
     throw InputError(scene + (std::filesystem::exists(status) ? ": is a directory, not a scene"
                                                               : ": there is no such file"));
   }
-  if (!format)
-    return naming(scene, [&] { return SceneText{scene, read_all(*source_of_file(scene))}; });
+  if (!format) return naming(scene, [&] { return read_document(scene); });
   const auto file = naming(scene, [&] { return open(*format, choice, overrides); });
   const Reading reading = naming(scene, [&] { return file->next_frame().value(); });
   SceneText document = document_of(reading, scene);

@@ -21,4 +21,13 @@ const Format* format_of(std::string_view path) {
   return name.starts_with("dump.") ? format_of("a.dump") : nullptr;
 }
 
+std::string all_endings() {
+  std::string endings;
+  for (const Format& format : formats) {
+    if (!endings.empty()) endings += ", ";
+    endings += format.ending;
+  }
+  return endings;
+}
+
 }  // namespace raytracer::client

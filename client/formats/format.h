@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "client/formats/meshes/mesh_file.h"
@@ -49,5 +50,8 @@ inline constexpr std::array formats{
 /// By the ending of a path, small letters or capitals, and without .gz or .zst after it; or a
 /// LAMMPS dump by the beginning "dump." of its name. Null if it is no format's.
 const Format* format_of(std::string_view path);
+
+/// ".nff, .pdb, ...", for people.
+std::string all_endings();
 
 }  // namespace raytracer::client

@@ -28,6 +28,13 @@ TEST_F(SceneSource, file_needs_no_ending) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
+TEST_F(SceneSource, file_of_no_known_kind_is_told_what_is_read) {
+  const std::string path = folder_.write("positions.vasp", "Al\n1.0\n");
+  const std::vector<std::string> commands{"render", "convert"};
+  for (const std::string& command : commands)
+    expect_input_error(run_client({command, path}), "its ending is none of .nff, .pdb");
+}
+
 TEST_F(SceneSource, shipped_scene_is_found_by_name) {
   const Outcome outcome = run_with_server(
       {"render", "first-sphere", "--width", "30", "--height", "20", "--samples", "1"});

@@ -35,7 +35,7 @@ void apply(const ProcessLimits& limits) {
   const rlimit seconds{limits.seconds, limits.seconds + 1};
   setrlimit(RLIMIT_CPU, &seconds);
   limit(RLIMIT_FSIZE, 0);
-#ifndef __SANITIZE_ADDRESS__  // which maps terabytes
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which map terabytes
   limit(RLIMIT_AS, limits.memory_bytes);
 #endif
   // For what waits instead of computing: a file that names a pipe.
