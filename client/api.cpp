@@ -53,6 +53,7 @@ struct Api::Connection {
   std::string token;
   Interrupts& interrupts;
   httplib::Client client;
+  bool is_silent = false;  ///< it did not answer when a job was to be deleted
 
   httplib::Response get(const std::string& path, const httplib::Headers& headers = {}) {
     interrupts.check();
@@ -118,9 +119,11 @@ struct Api::Connection {
       throw ServerBusy(fmt::format("{}: {}; try again in {} s", server, detail, after),
                        std::chrono::seconds(std::atoi(after.c_str())));  // 0 if it is a date
     }
-    throw ServerError(fmt::format("{}: {} was answered with status {}: {}", server, request,
-                                  result->status,
-                                  detail.empty() ? "is it a raytracer-server?" : detail));
+    const std::string what =
+        fmt::format("{}: {} was answered with status {}: {}", server, request, result->status,
+                    detail.empty() ? "is it a raytracer-server?" : detail);
+    if (result->status == 404) throw NotFound(what);
+    throw ServerError(what);
   }
 
   /// The body, a JSON object that has this key.
@@ -234,8 +237,10 @@ void Api::pause(std::chrono::microseconds duration) { connection_->interrupts.sl
 
 void Api::delete_job(const std::string& id) noexcept {
   try {
-    // The other client may have been cut short.
-    make_client(connection_->url, connection_->token, 2).Delete("/jobs/" + id);
+    // The other client may have been cut short. Of many jobs only one waits for a dead server.
+    if (connection_->is_silent) return;
+    connection_->is_silent =
+        !make_client(connection_->url, connection_->token, 2).Delete("/jobs/" + id);
   } catch (...) {
     // Nobody is left to tell: what the caller reports instead matters more.
   }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "client/command_line.h"
 #include "client/commands.h"
@@ -28,11 +29,11 @@ void require_json(const SceneText& scene) {
   const auto keep_nothing = [](int, json::parse_event_t, const json&) { return false; };
   try {
     [[maybe_unused]] const json nothing = json::parse(scene.text, keep_nothing);
-  } catch (const json::parse_error& error) {
-    const std::string what = error.what();
-    const std::size_t begin = what.find("parse error at");  // behind the library's name for it
+  } catch (const json::exception& error) {
+    const std::string_view what = error.what();
+    const std::size_t begin = what.find("] ");  // behind the library's name for it
     throw InputError(fmt::format("{}: {}", scene.label,
-                                 printable(begin == what.npos ? what : what.substr(begin))));
+                                 printable(begin == what.npos ? what : what.substr(begin + 2))));
   }
 }
 

@@ -17,6 +17,11 @@ class ServerError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// It has nothing of that name, or not any more.
+class NotFound : public ServerError {
+  using ServerError::ServerError;
+};
+
 /// It has too much to do to take more now.
 class ServerBusy : public ServerError {
  public:

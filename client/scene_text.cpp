@@ -72,7 +72,7 @@ SceneText document_of(const Reading& reading, const std::string& label) {
 /// A document is known by its content; whoever gives another file its ending wants it read so.
 SceneText read_document(const std::string& path) {
   std::string text = read_all(*source_of_file(path));
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  const std::size_t begin = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");  // a mark, and blanks
   if (!without_compression(path).ends_with(".json") && (begin == text.npos || text[begin] != '{'))
     throw InputError(
         fmt::format("is no scene document, and its ending is none of {}", all_endings()));

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <deque>
 #include <exception>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "client/failure.h"
 #include "client/owned_job.h"
@@ -24,65 +26,96 @@ class UnderWay {
   bool empty() const { return jobs_.empty(); }
   int added() const { return added_; }
 
-  /// Returns when the server has taken the frame.
-  void start(int frame, const FrameRequest& request) {
+  /// Returns when the server has taken the frame, or what is wrong with it.
+  std::exception_ptr start(int frame, FrameRequest request) {
     const std::size_t bytes = request.scene.text.size();
     // What is done is not left there: a server keeps only so many images.
-    while (!jobs_.empty() &&
-           (jobs_.size() >= limit_ || bytes_ + bytes > most_bytes || jobs_.front().job.has_ended()))
+    while (!jobs_.empty() && (jobs_.size() >= limit_ || bytes_ + bytes > most_bytes ||
+                              jobs_.front().job->has_ended()))
       take_oldest();
     seconds waited{0};
-    while (!try_start(frame, request, waited)) continue;
+    std::unique_ptr<OwnedJob> job;
+    while (!job) {
+      try {
+        job = started(request);
+      } catch (const ServerBusy& busy) {
+        make_room(busy, frame, waited);
+      } catch (const InputError&) {
+        return std::current_exception();
+      }
+    }
+    jobs_.push_back({frame, std::move(request), std::move(job)});
     bytes_ += bytes;
     // Others may have left room since it was busy.
-    if (++started_since_limit_ < limit_) return;
+    if (++started_since_limit_ < limit_) return nullptr;
     limit_ = std::min(limit_ + 1, most_jobs);
     started_since_limit_ = 0;
+    return nullptr;
   }
 
   void take_oldest() {
     FrameJob& oldest = jobs_.front();
-    oldest.job.wait("rendering",
-                    [&](const Job& now) { progress_.show(oldest.frame, now.progress); });
-    film_.add(oldest.frame, api_.job_image(oldest.job.id(), media_type_).bytes);
+    film_.add(oldest.frame, image_of(oldest));
     ++added_;
-    bytes_ -= oldest.bytes;
+    bytes_ -= oldest.request.scene.text.size();
     jobs_.pop_front();
   }
 
  private:
   struct FrameJob {
-    FrameJob(int number, std::size_t size, Api& api, Job started)
-        : frame(number), bytes(size), job(api, std::move(started)) {}
     int frame;
-    std::size_t bytes;  ///< of its scene
-    OwnedJob job;
+    FrameRequest request;  ///< a server may forget its image
+    std::unique_ptr<OwnedJob> job;
   };
 
-  /// False if the server was busy and something has been waited for.
-  bool try_start(int frame, const FrameRequest& request, seconds& waited) {
-    try {
-      jobs_.emplace_back(frame, request.scene.text.size(), api_,
-                         api_.start_job(request.scene, request.query, media_type_));
-      return true;
-    } catch (const ServerBusy& busy) {
-      limit_ = std::max<std::size_t>(jobs_.size(), 1);
-      started_since_limit_ = 0;
-      if (!jobs_.empty()) {
-        take_oldest();
-        return false;
+  std::unique_ptr<OwnedJob> started(const FrameRequest& request) {
+    return std::make_unique<OwnedJob>(api_,
+                                      api_.start_job(request.scene, request.query, media_type_));
+  }
+
+  std::string image_of(FrameJob& job) {
+    constexpr int most_losses = 3;
+    seconds waited{0};
+    for (int losses = 0;;) {
+      try {
+        if (!job.job) job.job = started(job.request);
+        job.job->wait("rendering", [&](const Job& now) { progress_.show(job.frame, now.progress); });
+        return api_.job_image(job.job->id(), media_type_).bytes;
+      } catch (const NotFound&) {
+        // Done frames were more than it keeps: it was given too many at a time.
+        if (++losses > most_losses) throw;
+        job.job.reset();
+        lower_limit(jobs_.size() / 2);
+      } catch (const ServerBusy& busy) {
+        wait_for_others(busy, job.frame, waited);
       }
-      if (waited >= patience) throw;
-      progress_.show_waiting(frame);
-      const seconds pause = std::clamp(busy.retry_after(), seconds(1), patience);
-      api_.pause(pause);
-      waited += pause;
-      return false;
     }
   }
 
+  void lower_limit(std::size_t jobs) {
+    limit_ = std::max<std::size_t>(jobs, 1);
+    started_since_limit_ = 0;
+  }
+
+  /// The server is busy with our frames or with those of others.
+  void make_room(const ServerBusy& busy, int frame, seconds& waited) {
+    lower_limit(jobs_.size());
+    if (jobs_.empty())
+      wait_for_others(busy, frame, waited);
+    else
+      take_oldest();
+  }
+
+  void wait_for_others(const ServerBusy& busy, int frame, seconds& waited) {
+    if (waited >= patience) throw busy;
+    progress_.show_waiting(frame);
+    const seconds pause = std::clamp(busy.retry_after(), seconds(1), patience);
+    api_.pause(pause);
+    waited += pause;
+  }
+
   static constexpr std::size_t most_jobs = 64;           // a server's queue, unless it is told else
-  static constexpr std::size_t most_bytes = 512U << 20;  // of scenes, which the server holds
+  static constexpr std::size_t most_bytes = 256U << 20;  // of scenes, held here and there
   static constexpr seconds patience{300};                // with others, who have the whole server
 
   Api& api_;
@@ -133,7 +166,8 @@ void shoot(Api& api, const NextRequest& next, Film& film, FilmProgress& progress
       if (under_way.empty()) progress.skip_to(frame + 1);
       continue;
     }
-    under_way.start(frame, *request);
+    end = under_way.start(frame, *std::move(request));
+    if (end) break;
   }
   while (!under_way.empty()) under_way.take_oldest();
   if (!end) return;

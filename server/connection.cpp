@@ -60,13 +60,22 @@ bool end_is(int socket, NameFunction name_of_end, const std::string& address, in
   return end && end->port() == port && end->host() == address;  // the text last: it takes longest
 }
 
-/// Calls visit(descriptor) for each that this process has open.
+/// The first descriptor that this process has open and that visit(descriptor) is true of, or -1.
 template <typename Visit>
-void for_each_descriptor(const Visit& visit) {
+int find_descriptor(const Visit& visit) {
   // Not by counting up to the limit: it may be a million, and a client that has left is never found.
-  std::error_code unknown;
-  for (const auto& descriptor : std::filesystem::directory_iterator("/dev/fd", unknown))
-    visit(std::atoi(descriptor.path().filename().c_str()));
+  std::error_code error;
+  std::filesystem::directory_iterator entry("/dev/fd", error);
+  for (const std::filesystem::directory_iterator end; !error && entry != end;
+       entry.increment(error))
+    if (const int descriptor = std::atoi(entry->path().filename().c_str()); visit(descriptor))
+      return descriptor;
+  if (!error) return -1;
+  // Without a descriptor left to list them by, or without the list.
+  const auto limit = static_cast<int>(descriptor_limit());
+  for (int descriptor = 0; descriptor < limit; ++descriptor)
+    if (visit(descriptor)) return descriptor;
+  return -1;
 }
 
 }  // namespace
@@ -78,22 +87,18 @@ std::size_t descriptor_limit(std::size_t most) {
 }
 
 int find_socket(const httplib::Request& request) {
-  const auto is_its = [&](int socket) {
+  return find_descriptor([&](int socket) {
     return end_is(socket, getpeername, request.remote_addr, request.remote_port) &&
            end_is(socket, getsockname, request.local_addr, request.local_port);
-  };
-  int found = -1;
-  for_each_descriptor([&](int descriptor) {
-    if (found < 0 && is_its(descriptor)) found = descriptor;
   });
-  return found;
 }
 
 void shut_down_connections(int local_port) {
-  for_each_descriptor([&](int descriptor) {
-    const std::optional<End> local = end_of(descriptor, getsockname);
-    if (local && local->port() == local_port && end_of(descriptor, getpeername))
-      shutdown(descriptor, SHUT_RDWR);
+  find_descriptor([&](int socket) {
+    const std::optional<End> local = end_of(socket, getsockname);
+    if (local && local->port() == local_port && end_of(socket, getpeername))
+      shutdown(socket, SHUT_RDWR);
+    return false;
   });
 }
 

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <utility>
+#include <variant>
 
 #include "server/problem.h"
 
@@ -10,10 +12,13 @@ namespace raytracer {
 
 /// One render and those who wait for it.
 struct ImageCache::SingleFlight {
+  /// What all are told: an exception would be one object that several threads throw.
+  using Ending = std::variant<std::shared_ptr<const FinishedImage>, Problem>;
+
   RenderProgress progress;  ///< stopped when the last has left: nobody may join it any more
   int waiter_count = 0;     ///< behind the mutex
-  std::promise<std::shared_ptr<const FinishedImage>> promise;
-  std::shared_future<std::shared_ptr<const FinishedImage>> image{promise.get_future()};
+  std::promise<Ending> promise;
+  std::shared_future<Ending> ending{promise.get_future()};
 };
 
 /// One of those who wait, from when it was counted until it leaves.
@@ -59,19 +64,25 @@ Delivery ImageCache::fetch(const std::optional<std::string>& tag, const httplib:
 
 Delivery ImageCache::make_for_all(const std::optional<std::string>& tag, const Make& make,
                                   SingleFlight& flight) {
-  try {
-    auto image = std::make_shared<const FinishedImage>(make(flight.progress));
-    if (tag) memory_.keep(*tag, image, image->memory() + tag->size());
-    flight.promise.set_value(std::move(image));
-  } catch (...) {
-    flight.promise.set_exception(std::current_exception());
-  }
-  if (tag) {  // only now: no request finds it in neither place
+  const auto end = [&](SingleFlight::Ending ending) {
+    flight.promise.set_value(std::move(ending));
+    if (!tag) return;  // only now: no request finds it in neither place
     const std::scoped_lock lock(mutex_);
     const auto entry = in_flight_.find(*tag);
     if (entry != in_flight_.end() && entry->second.get() == &flight) in_flight_.erase(entry);
+  };
+  std::shared_ptr<const FinishedImage> image;
+  try {
+    image = std::make_shared<const FinishedImage>(make(flight.progress));
+    if (tag) memory_.keep(*tag, image, image->memory() + tag->size());
+  } catch (const HttpError& error) {
+    end(error.problem());
+    throw;
+  } catch (...) {
+    end(internal_error());
+    throw;
   }
-  const auto image = flight.image.get();
+  end(image);
   return {image, image->stages};
 }
 
@@ -79,12 +90,15 @@ Delivery ImageCache::wait_for(const SingleFlight& flight, const Waiter& waiter) 
   constexpr std::chrono::milliseconds between_looks{50};
   const auto begin = std::chrono::steady_clock::now();
   admission_.require_open();
-  while (flight.image.wait_for(between_looks) != std::future_status::ready)
+  const Quota::Share place = sharers_.take(1);
+  while (flight.ending.wait_for(between_looks) != std::future_status::ready)
     if (waiter.has_left()) refuse(499, "The client has left");
   const std::chrono::duration<double, std::milli> waited = std::chrono::steady_clock::now() - begin;
+  const SingleFlight::Ending& ending = flight.ending.get();
+  if (const auto* const problem = std::get_if<Problem>(&ending)) throw HttpError(*problem);
   Stages stages;
   stages.queue_ms = waited.count();
-  return {flight.image.get(), stages, "shared"};
+  return {std::get<std::shared_ptr<const FinishedImage>>(ending), stages, "shared"};
 }
 
 }  // namespace raytracer

@@ -3,9 +3,10 @@
 //
 // A picture belongs to all who wait for it. It is given up when the last of them has left, whoever
 // began it. Those who wait for another's render take no place in the queue: they are no work, and
-// connections bound how many they are.
+// are bounded by themselves.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -19,6 +20,7 @@
 #include "server/disconnect_watch.h"
 #include "server/finished_image.h"
 #include "server/lru_cache.h"
+#include "server/quota.h"
 
 namespace raytracer {
 
@@ -34,14 +36,18 @@ class ImageCache {
  public:
   /// Keeps `most_bytes` of pictures. The others must outlive it.
   ImageCache(std::size_t most_bytes, Admission& admission, DisconnectWatch& disconnect_watch)
-      : admission_(admission), disconnect_watch_(disconnect_watch), memory_(most_bytes) {}
+      : admission_(admission),
+        disconnect_watch_(disconnect_watch),
+        memory_(most_bytes),
+        sharers_(most_sharers, "Too many wait for pictures that others asked for; try again later",
+                 [&admission] { return admission.retry_after_s(); }) {}
 
   /// Makes the picture; throws HttpError, also if `progress.stop` was set before it was done.
   using Make = std::function<FinishedImage(RenderProgress& progress)>;
 
   /// The picture with this entity tag, after a wait if need be; without a tag it is neither looked
   /// for, shared nor kept. Throws HttpError: what `make` throws, to all who wait for that; 499 if
-  /// the client has left; 503 if the server ends.
+  /// the client has left; 429 if too many share; 503 if the server ends.
   Delivery fetch(const std::optional<std::string>& tag, const httplib::Request& client,
                  const Make& make);
 
@@ -51,6 +57,9 @@ class ImageCache {
   struct SingleFlight;
   class Waiter;
 
+  /// Half of the connections that a server may have: the others go on being answered.
+  static constexpr std::int64_t most_sharers = 1024;
+
   Delivery make_for_all(const std::optional<std::string>& tag, const Make& make,
                         SingleFlight& flight);
   Delivery wait_for(const SingleFlight& flight, const Waiter& waiter);
@@ -58,6 +67,7 @@ class ImageCache {
   Admission& admission_;
   DisconnectWatch& disconnect_watch_;
   LruCache<FinishedImage> memory_;
+  Quota sharers_;
 
   std::mutex mutex_;                                                ///< of all that is in flight
   std::map<std::string, std::shared_ptr<SingleFlight>> in_flight_;  ///< by tag

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -69,11 +68,9 @@ RenderQuery read_curve_query(const httplib::Params& params) {
 }
 
 void require_valid_settings(const httplib::Params& params, const Scene& scene) {
-  constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
-  Limits unlimited;  // as a document's own samples, they ask for no work
-  for (const LimitRow& row : limit_table) unlimited.*row.value = any;
-  const Result<Scene> view = view_scene(scene, unlimited, read_query(params).overrides);
-  if (!view.ok()) throw HttpError(scene_problem(view.errors()));
+  ErrorList errors;  // of rules only: as a document's own samples, they ask for no work
+  check_view_rules(with_overrides(scene, read_query(params).overrides), errors);
+  if (!errors.empty()) throw HttpError(scene_problem(std::move(errors).take()));
 }
 
 void require_room_for_curve(const Scene& scene, const Limits& limits) {

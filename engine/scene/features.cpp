@@ -26,25 +26,44 @@ const std::vector<Rgb>* own_colors(const Object& object) {
   return colors == nullptr || colors->empty() ? nullptr : colors;
 }
 
-/// The materials of some primitive, each once; and for each object that brings colours of its own
-/// once more, black only if they all are.
-std::vector<Material> materials_in_use(const Scene& scene) {
-  std::vector<bool> is_used(scene.materials.size(), false);
-  std::vector<Material> used;
+/// How some primitive shows a material.
+struct MaterialUse {
+  bool is_plain = false;    ///< in its own colour
+  bool is_colored = false;  ///< in others, of which one at least is not black
+  bool is_black = false;    ///< in others, which all are
+
+  bool is_any() const { return is_plain || is_colored || is_black; }
+};
+
+std::vector<MaterialUse> material_uses(const Scene& scene) {
+  std::vector<MaterialUse> uses(scene.materials.size());
   for (const Object& object : scene.objects) {
     if (primitive_count(object) == 0) continue;
+    MaterialUse& use = uses[object.material];
     const std::vector<Rgb>* const colors = own_colors(object);
-    if (colors == nullptr) {
-      is_used[object.material] = true;
-    } else {
-      used.push_back(scene.materials[object.material]);
-      const auto shown = std::find_if(colors->begin(), colors->end(),
-                                      [](const Rgb& color) { return max_abs(color) > 0; });
-      used.back().color = shown == colors->end() ? Rgb{} : *shown;
-    }
+    if (colors == nullptr)
+      use.is_plain = true;
+    else if (std::any_of(colors->begin(), colors->end(),
+                         [](const Rgb& color) { return max_abs(color) > 0; }))
+      use.is_colored = true;
+    else
+      use.is_black = true;
   }
-  for (std::size_t i = 0; i < scene.materials.size(); ++i)
-    if (is_used[i]) used.push_back(scene.materials[i]);
+  return uses;
+}
+
+/// The materials of some primitive; where objects bring colours of their own, with such a one.
+std::vector<Material> materials_in_use(const Scene& scene, const std::vector<MaterialUse>& uses) {
+  std::vector<Material> used;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const auto add_in = [&](const Rgb& color) {
+      used.push_back(scene.materials[i]);
+      used.back().color = color;
+    };
+    if (uses[i].is_plain) used.push_back(scene.materials[i]);
+    if (uses[i].is_colored) add_in({1, 1, 1});
+    if (uses[i].is_black) add_in({});
+  }
   return used;
 }
 
@@ -117,14 +136,16 @@ std::size_t Features::light_count(LightRays rays) const {
 }
 
 std::vector<Light> lights_in_use(const Scene& scene) {
-  return lights_on(materials_in_use(scene), scene);
+  return lights_on(materials_in_use(scene, material_uses(scene)), scene);
 }
 
 Features find_features(const Scene& scene) {
   Features features;
   count_primitives(scene, features);
-  const std::vector<Material> used = materials_in_use(scene);
-  features.materials = used.size();
+  const std::vector<MaterialUse> uses = material_uses(scene);
+  const std::vector<Material> used = materials_in_use(scene, uses);
+  features.materials = static_cast<std::size_t>(
+      std::count_if(uses.begin(), uses.end(), [](const MaterialUse& use) { return use.is_any(); }));
 
   bool is_lit = false;
   for (const Light& light : lights_on(used, scene)) {

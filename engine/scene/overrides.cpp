@@ -46,14 +46,6 @@ void check_fields(const Structure& structure, const Path& path, ErrorList& error
   });
 }
 
-/// How often a ray is followed at most where each that follows has so much of the weight before: it
-/// is until that is below the least.
-double deepest(const Scene& scene, double weight) {
-  if (weight >= 1) return scene.render.max_depth;
-  return std::min<double>(scene.render.max_depth,
-                          std::ceil(std::log(least_ray_weight) / std::log(weight)));
-}
-
 /// The most rays that a sample may take: each may be followed by one, or by two where a surface
 /// both mirrors and lets through. All of one depth have a weight together, of which each has the
 /// least at least, or it is left out.
@@ -68,7 +60,7 @@ double most_rays(const Scene& scene) {
     weight = std::max(weight, m.reflectivity + m.transparency);
   }
   if (!is_followed) return 1;
-  if (!branches) return 1 + deepest(scene, weight);
+  if (!branches) return 1.0 + scene.render.max_depth;
   double rays = 1;
   double branched = 1;  // of one depth, were none left out
   double together = 1;
@@ -93,7 +85,7 @@ double weighed_rays(const Scene& scene) {
   for (const Material& m : scene.materials)
     weight = std::max(weight, m.reflectivity + m.transparency);
   if (weight == 0) return 1;
-  const double rays = 1 + deepest(scene, weight);
+  const double rays = 1.0 + scene.render.max_depth;
   return weight <= 1 ? rays : (std::pow(weight, rays) - 1) / (weight - 1);
 }
 

@@ -80,6 +80,11 @@ TEST_F(Convert, text_that_is_not_json_is_said_with_its_place) {
   EXPECT_EQ(count_lines(outcome.err), 1) << outcome.err;
 }
 
+TEST_F(Convert, number_that_is_too_large_is_an_error_of_the_scene) {
+  const Outcome outcome = run_client({"convert", folder_.write("scene.json", R"({"a": 1e999})")});
+  expect_input_error(outcome, "scene.json: number overflow");
+}
+
 TEST_F(Convert, needs_no_server_whatever_the_variables_say) {
   const std::string file = folder_.write("ball.nff", nff_ball);
   for (const char* const name : {"RAYTRACER_SERVER", "RAYTRACER_TOKEN"}) {

@@ -55,6 +55,21 @@ TEST_F(Shooting, frames_wait_while_the_queue_is_full) {
   EXPECT_NE(outcome.err.find("20 frames written"), std::string::npos) << outcome.err;
 }
 
+TEST_F(Shooting, frames_before_one_that_is_refused_are_written) {
+  const ServerProcess server({"--threads", "1", "--max-objects", "3"});
+  std::string text;
+  for (const int atoms : {1, 1, 5, 1}) {
+    text += std::to_string(atoms) + "\n\n";
+    for (int i = 0; i < atoms; ++i) text += "C " + std::to_string(9 * i) + " 0 0\n";
+  }
+  const Outcome outcome =
+      run(client_command({"animate", folder_.write("film.xyz", text), "--frames", "all", "--server",
+                          server.url(), "-o", folder_ / "part-%d.png"}));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("--max-objects"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("2 frames written"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Shooting, waits_while_others_have_the_whole_server) {
   const ServerProcess server({"--threads", "1", "--max-queue", "0"});
   httplib::Client http = server.client();

@@ -116,6 +116,7 @@ TEST(MeshErrors, obj_that_is_legal_is_read) {
       "v 0 0 0 1 1 1 0.5\nv 1 0 0 .1 1 1 1\nv 0 1 0 1 1\nf 1 2 3",  // an alpha, and one too many
       "\xEF\xBB\xBFv 0 0 0\n\tv 1 0 0\nv 0 \\\n1 0\n# a comment that ends in \\\nf 1 \\\r\n 2 3",
       "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r",
+      obj_corners + "f 1 2 3\nl 1\n",
       "o a\ng b c\ns off\nmg 1 2\nlod 1\n" + obj_corners + "f 1 2 3\n"};
   for (const std::string& text : legal) {
     SCOPED_TRACE(text);
@@ -226,6 +227,19 @@ TEST(MeshErrors, ply_in_bytes_that_is_cut_off_is_refused) {
               "the file ends after 0 of 1 faces");
     EXPECT_EQ(refusal(".ply", whole.substr(0, whole.size() - 20)),
               "the file ends after 2 of 3 vertices");
+  }
+}
+
+/// It is a line's end to whoever reads on by lines.
+TEST(MeshErrors, ply_in_bytes_may_begin_with_any) {
+  const std::string whole = binary_ply(false);
+  const std::size_t body = whole.find("end_header\n") + 11;
+  for (const char first : {'\n', '\r', ' '}) {
+    std::string text = whole;
+    text[body] = first;  // a hair from 0
+    const client::Reading reading = reading_of(".ply", text);
+    ASSERT_EQ(triangles_of(reading), 1U) << int{first};
+    EXPECT_EQ(std::get<client::model::Mesh>(reading.scene.objects[0].shape).vertices[1][0], 1);
   }
 }
 

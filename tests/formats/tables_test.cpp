@@ -34,6 +34,18 @@ TEST(Table, quoted_fields_may_go_over_lines_and_a_byte_order_mark_is_none_of_the
   EXPECT_EQ(scene.at("objects")[0].at("centers"), json::parse("[[-1, 2, 3], [-4, 5, 6]]"));
 }
 
+/// Sodium is no number that is left out, and what was taken for one is not told.
+TEST(Table, names_of_elements_are_groups) {
+  const auto frames = read_text(*client::format_of(".csv"), "x,y,z,name\n0,0,0,Na\n1,0,0,Cl\n",
+                                wishes_for("name"));
+  EXPECT_EQ(frames[0].scene.objects.size(), 2U);
+  EXPECT_TRUE(frames[0].omissions.empty());
+  const auto late = read_text(*client::format_of(".csv"), "x,y,z,name\n0,0,0,None\n1,0,0,oak\n",
+                              wishes_for("name"));
+  EXPECT_EQ(late[0].scene.objects.size(), 2U);
+  EXPECT_TRUE(late[0].omissions.empty());
+}
+
 TEST(Table, words_are_groups) {
   const json scene =
       document(".csv", "x;y;z;kind\n0;0;0;oak\n1;0;0;ash\n2;0;0;oak\n", wishes_for("kind"));

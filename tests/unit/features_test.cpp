@@ -54,6 +54,18 @@ TEST(Features, leave_out_the_material_of_an_empty_set) {
   EXPECT_EQ(find_features(scene).materials, 1U);
 }
 
+TEST(Features, count_a_material_once_whatever_colours_objects_bring) {
+  Scene scene = lit_sphere();
+  edit(scene.materials, [](auto& materials) { materials[0].color = {}; });
+  EXPECT_FALSE(find_features(scene).has_specular);
+  append(scene.objects, {Spheres{{{1, 0, 0}}, {0.1}, {{0, 0, 0}}}, 0});
+  EXPECT_FALSE(find_features(scene).has_specular) << "black again";
+  append(scene.objects, {Spheres{{{1, 0, 0}, {2, 0, 0}}, {0.1}, {{0, 0, 0}, {0, 1, 0}}}, 0});
+  append(scene.objects, {Spheres{{{3, 0, 0}}, {0.1}, {{1, 0, 0}}}, 0});
+  EXPECT_TRUE(find_features(scene).has_specular);
+  EXPECT_EQ(find_features(scene).materials, 1U);
+}
+
 TEST(Features, count_a_mirror_that_is_used) {
   Scene scene = lit_sphere();
   edit(scene.objects, [](auto& objects) { objects[0].material = 1; });

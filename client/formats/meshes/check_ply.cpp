@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "client/formats/meshes/line_words.h"
 #include "client/formats/meshes/ply_bodies.h"
@@ -19,18 +22,28 @@ bool is_shown(const PlyElement& element) {
   return false;
 }
 
+/// Of a kind that may have been told of.
+void add(Reading& reading, Omission more) {
+  for (Omission& kind : reading.omissions) {
+    if (kind.one != more.one) continue;
+    kind.count = static_cast<int>(std::min<std::int64_t>(
+        std::int64_t{kind.count} + more.count, std::numeric_limits<int>::max()));
+    return;
+  }
+  reading.omissions.push_back(std::move(more));
+}
+
 void tell_of(const PlyElement& element, Reading& reading) {
   if (element.count == 0) return;
   const int count = static_cast<int>(std::min<std::size_t>(element.count, 1U << 30));
   if (!is_shown(element)) {
     const std::string name = element.name == "edge" ? "edge" : "element of another kind";
     const std::string names = element.name == "edge" ? "edges" : "elements of other kinds";
-    reading.omissions.push_back({name + " left out", names + " left out", count, element.line});
+    add(reading, {name + " left out", names + " left out", count, element.line});
   }
   const PlyProperty* const color = element.find("red");
   if (element.is_face() && color)
-    reading.omissions.push_back(
-        {"colour of a face left out", "colours of faces left out", count, color->line});
+    add(reading, {"colour of a face left out", "colours of faces left out", count, color->line});
 }
 
 }  // namespace

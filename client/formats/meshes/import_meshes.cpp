@@ -13,6 +13,7 @@
 #include "client/failure.h"
 #include "client/formats/meshes/join_vertices.h"
 #include "client/formats/meshes/obj_text.h"
+#include "client/formats/meshes/ply_as_assimp_knows_it.h"
 #include "client/formats/particles/columns.h"
 #include "client/formats/particles/neighbors.h"
 #include "client/formats/particles/screen_color.h"
@@ -253,6 +254,8 @@ void raytracer_import_meshes(MeshFormat format, const std::string& path, std::st
   unsigned missing_files = 0;
   std::string known;
   if (format == MeshFormat::obj) bytes = known = obj_as_assimp_knows_it(bytes);
+  if (auto ply = format == MeshFormat::ply ? ply_as_assimp_knows_it(bytes) : std::nullopt)
+    bytes = known = *std::move(ply);
   // Assimp knows a format by the name's ending.
   const std::string name = path.empty()
                                ? std::string("mesh.") + endings[static_cast<std::size_t>(format)]

@@ -16,6 +16,11 @@ class LineWords {
   bool at_end() const { return at_ == text_.size(); }
   /// The line has no character more.
   bool at_line_end() const { return at_end() || is_line_end(text_[at_]); }
+  /// The line has no word more.
+  bool has_no_more() {
+    skip_blanks();
+    return at_line_end();
+  }
   /// From 1; of lines that are joined, where it stands. At the end of the text, the last one's.
   int line() const { return line_; }
 

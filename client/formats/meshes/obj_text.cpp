@@ -51,7 +51,6 @@ std::string obj_as_assimp_knows_it(std::string_view obj) {
       case ObjStatement::texture_place:
       case ObjStatement::normal:
       case ObjStatement::face:
-      case ObjStatement::line:
       case ObjStatement::point:
         text += keyword;
         write_numbers(words, statement, text);
@@ -61,6 +60,7 @@ std::string obj_as_assimp_knows_it(std::string_view obj) {
         text += ' ';
         text += words.rest();
         break;
+      case ObjStatement::line:
       case ObjStatement::curve:
       case ObjStatement::curve_part:
       case ObjStatement::display:

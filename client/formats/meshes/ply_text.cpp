@@ -25,7 +25,7 @@ class PlyTextCheck {
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty()) return;  // whether it has lines is nowhere said
       for (std::size_t i = 0; i < element.count; ++i) {
-        while (!words_.at_end() && words_.at_line_end()) words_.next_line();
+        while (!words_.at_end() && words_.has_no_more()) words_.next_line();
         if (words_.at_end())
           return errors_.add(words_.line(), fmt::format("the file ends after {} of {} {}", i,
                                                         element.count, plural_of(element)));

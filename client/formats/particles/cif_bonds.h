@@ -41,10 +41,13 @@ class CifBonds {
   struct Site {
     std::optional<std::uint32_t> index;
     bool shares_name = false;
+    std::string location{};  ///< which of its alternate ones is shown; empty: it has but one
   };
 
   Part common_part(const std::string& name, const std::array<std::string, 2>& kinds) const;
   const Site* find_partner(std::size_t row, std::size_t partner) const;
+  std::string copy_of(std::size_t row, std::size_t partner) const;
+  bool is_shown(std::size_t row, std::size_t partner, const Site& site) const;
   void add_connection(std::size_t row, Particles& particles) const;
 
   const CifTable& sites_;
@@ -52,6 +55,8 @@ class CifBonds {
   std::array<Part, part_count> parts_;
   int type_;
   std::array<int, 2> symmetries_;
+  int location_;
+  std::array<int, 2> locations_;
   std::map<AtomName, Site> by_name_;  ///< of this model
 };
 

@@ -25,18 +25,21 @@ float as_float(double value) {
   return static_cast<float>(std::clamp(value, -most, most));
 }
 
-/// As spreadsheets, R, Python and simulations leave a number out.
+/// As spreadsheets, R, Python and simulations leave a number out, and what is no finite one. Na is
+/// sodium.
 bool is_missing(std::string_view field) {
   if (!field.empty() && field.front() >= '0' && field.front() <= '9') return false;  // as most are
-  const std::string text = in_small_letters(field);
-  for (const char* const known : {"", "nan", "-nan", "na", "n/a", "null"})
-    if (text == known) return true;
-  return false;
+  static constexpr std::array<std::string_view, 18> known{
+      "",    "nan",  "-nan", "NaN",  "NAN", "NA",   "N/A", "n/a", "#N/A",
+      "<NA>", "null", "NULL", "None", "inf", "-inf", "Inf", "-Inf", "+inf"};
+  return std::find(known.begin(), known.end(), field) != known.end();
 }
+
+constexpr std::string_view one_is_gray = "particle is gray: its colour's number is missing";
 
 void add_unknown(int line, Particles& particles) {
   particles.values.push_back(std::numeric_limits<float>::quiet_NaN());
-  add_omission(particles.omissions, line, "particle is gray: its colour's number is missing",
+  add_omission(particles.omissions, line, one_is_gray,
                "particles are gray: their colour's numbers are missing");
 }
 
@@ -157,6 +160,8 @@ void Columns::add_group_or_value(std::string_view field, int line, Particles& pa
     if (*is_group_ && !particles.values.empty()) {  // all was missing, and taken for numbers
       particles.groups.assign(particles.values.size(), groups_.number_of(""));
       particles.values.clear();
+      std::erase_if(particles.omissions,
+                    [](const Omission& kind) { return kind.one == one_is_gray; });
     }
   }
   if (is_group_ == true)
