@@ -52,7 +52,7 @@ nlohmann::json last_data(const std::string& stream) {
 
 TEST(Events, tell_of_progress_while_the_job_runs_and_then_of_its_end) {
   const ServerProcess server;
-  const std::string job = start(server, endless_scene(), "?budget_ms=1500");
+  const std::string job = start(server, endless_scene(), "?budget_ms=3000");
   const auto begin = std::chrono::steady_clock::now();
   const auto stream = watch(server, job);
   EXPECT_TRUE(stream->receives("event: progress\ndata: {", 10s)) << stream->received();

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 #include <string>
 
@@ -32,24 +34,32 @@ Scene row_of_spheres(int count) {
   return scene;
 }
 
+/// What tracing is foreseen to take, in the best of some attempts: others may be at work.
+double least_trace_ms(const Scene& scene) {
+  double least_ms = foresee(scene).trace_ms;
+  for (int i = 0; i < 4; ++i) least_ms = std::min(least_ms, foresee(scene).trace_ms);
+  return least_ms;
+}
+
 TEST(Forecast, more_samples_take_longer_and_err_less) {
   Scene scene = row_of_spheres(5);
   const Prediction one = foresee(scene);
+  const double one_ms = least_trace_ms(scene);
   scene.render.samples = 64;
   const Prediction many = foresee(scene);
   EXPECT_EQ(one.samples, 1);
   EXPECT_EQ(many.samples, 64);
-  EXPECT_GT(many.trace_ms, 4 * one.trace_ms);
+  EXPECT_GT(least_trace_ms(scene), 4 * one_ms);
   EXPECT_LT(many.error, one.error / 4);
   EXPECT_GT(many.error, 0);
 }
 
 TEST(Forecast, more_pixels_take_longer) {
   Scene scene = row_of_spheres(5);
-  const double small_ms = foresee(scene).trace_ms;
+  const double small_ms = least_trace_ms(scene);
   scene.camera.width *= 4;
   scene.camera.height *= 4;
-  EXPECT_GT(foresee(scene).trace_ms, 4 * small_ms);
+  EXPECT_GT(least_trace_ms(scene), 4 * small_ms);
 }
 
 TEST(Forecast, foresees_soft_light_that_is_swept) {
