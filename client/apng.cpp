@@ -64,8 +64,8 @@ Delay delay_of(FrameRate rate) {
     return std::abs(numerator * rate.numerator - denominator * rate.denominator);
   };
   for (std::int64_t denominator = 1; denominator <= most; ++denominator) {
-    const std::int64_t numerator =
-        (2 * denominator * rate.denominator + rate.numerator) / (2 * rate.numerator);  // rounded
+    const std::int64_t numerator = (2 * denominator * rate.denominator + rate.numerator) /
+                                   (2 * std::int64_t{rate.numerator});  // rounded
     if (numerator < 1 || numerator > most) continue;
     if (error_of(numerator, denominator) * best.denominator <
         error_of(best.numerator, best.denominator) * denominator)

@@ -79,7 +79,8 @@ class UnderWay {
     for (int losses = 0;;) {
       try {
         if (!job.job) job.job = started(job.request);
-        job.job->wait("rendering", [&](const Job& now) { progress_.show(job.frame, now.progress); });
+        job.job->wait("rendering",
+                      [&](const Job& now) { progress_.show(job.frame, now.progress); });
         return api_.job_image(job.job->id(), media_type_).bytes;
       } catch (const NotFound&) {
         // Done frames were more than it keeps: it was given too many at a time.

@@ -63,7 +63,8 @@ bool end_is(int socket, NameFunction name_of_end, const std::string& address, in
 /// The first descriptor that this process has open and that visit(descriptor) is true of, or -1.
 template <typename Visit>
 int find_descriptor(const Visit& visit) {
-  // Not by counting up to the limit: it may be a million, and a client that has left is never found.
+  // Not by counting up to the limit: it may be a million, and a client that has left is never
+  // found.
   std::error_code error;
   std::filesystem::directory_iterator entry("/dev/fd", error);
   for (const std::filesystem::directory_iterator end; !error && entry != end;

@@ -21,8 +21,8 @@ enum class Upright {
 /// and nothing is upright.
 model::View view_of_all(const model::Scene& scene, const Wishes& wishes, Upright upright);
 
-/// Adds a key light from the left above the eye, which the scene's view says, and a sky, which gives
-/// depth.
+/// Adds a key light from the left above the eye, which the scene's view says, and a sky, which
+/// gives depth.
 void light_studio(model::Scene& scene);
 
 /// Sets the view, the lights, which are those of a studio, the background and how exact the picture

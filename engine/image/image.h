@@ -57,10 +57,11 @@ using ByteImage = Raster<unsigned char>;
 /// are of three channels; with a cover they are made from floats.
 using Canvas = std::variant<Image*, ByteImage*>;
 
-/// The 8-bit value of a channel in [0, 1]: floor(255 c + 1/2). In single precision, which rounds 255
-/// times what is nearest to 0.1, 0.3, 0.5, 0.7 or 0.9 to the tie that a person means by it.
+/// The 8-bit value of a channel in [0, 1]: floor(255 c + 1/2). In single precision, which rounds
+/// 255 times what is nearest to 0.1, 0.3, 0.5, 0.7 or 0.9 to the tie that a person means by it.
 inline unsigned char to_byte(float channel) {
-  return static_cast<unsigned char>(static_cast<int>(255 * channel + 0.5F));
+  const float raised = 255 * channel + 0.5F;
+  return static_cast<unsigned char>(static_cast<int>(raised));
 }
 
 }  // namespace raytracer

@@ -92,7 +92,8 @@ void count_primitives(const Scene& scene, Features& features) {
         [&]<typename Document>(const Document& shape) {
           if constexpr (HasCornerValues<Document>) {
             features.has_corner_normals = features.has_corner_normals || has_corner_normals(shape);
-            features.has_corner_colors = features.has_corner_colors || !corner_colors(shape).empty();
+            features.has_corner_colors =
+                features.has_corner_colors || !corner_colors(shape).empty();
           }
         },
         object.shape);

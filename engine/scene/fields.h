@@ -165,8 +165,8 @@ std::optional<Structure> read_structure(const Field& field) {
 }
 
 /// Reads an object as that of the structures whose `type` it says, {"type": "sphere", ...}; nothing
-/// if there is none: then keys that no type has are refused. What an object of any type may have, with
-/// the keys `also`, is what read_others(object) reads.
+/// if there is none: then keys that no type has are refused. What an object of any type may have,
+/// with the keys `also`, is what read_others(object) reads.
 template <typename Variant, typename... Structure, std::size_t also_count, typename ReadOthers>
 std::optional<Variant> read_typed(const Field& field, Types<Structure...>,
                                   const std::array<std::string_view, also_count>& also,

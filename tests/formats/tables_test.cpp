@@ -36,8 +36,8 @@ TEST(Table, quoted_fields_may_go_over_lines_and_a_byte_order_mark_is_none_of_the
 
 /// Sodium is no number that is left out, and what was taken for one is not told.
 TEST(Table, names_of_elements_are_groups) {
-  const auto frames = read_text(*client::format_of(".csv"), "x,y,z,name\n0,0,0,Na\n1,0,0,Cl\n",
-                                wishes_for("name"));
+  const auto frames =
+      read_text(*client::format_of(".csv"), "x,y,z,name\n0,0,0,Na\n1,0,0,Cl\n", wishes_for("name"));
   EXPECT_EQ(frames[0].scene.objects.size(), 2U);
   EXPECT_TRUE(frames[0].omissions.empty());
   const auto late = read_text(*client::format_of(".csv"), "x,y,z,name\n0,0,0,None\n1,0,0,oak\n",

@@ -26,8 +26,8 @@ bool is_shown(const PlyElement& element) {
 void add(Reading& reading, Omission more) {
   for (Omission& kind : reading.omissions) {
     if (kind.one != more.one) continue;
-    kind.count = static_cast<int>(std::min<std::int64_t>(
-        std::int64_t{kind.count} + more.count, std::numeric_limits<int>::max()));
+    kind.count = static_cast<int>(std::min<std::int64_t>(std::int64_t{kind.count} + more.count,
+                                                         std::numeric_limits<int>::max()));
     return;
   }
   reading.omissions.push_back(std::move(more));

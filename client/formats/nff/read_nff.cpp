@@ -81,7 +81,8 @@ class NffReader {
     if (!has_view_)
       scene.view = view_of_all(scene, wishes_, Upright::z);
     else if (wishes_.view || wishes_.zoom != 1)
-      throw InputError("says itself from where it is seen; --view and --zoom are for what does not");
+      throw InputError(
+          "says itself from where it is seen; --view and --zoom are for what does not");
     if (scene.lights.empty()) light_studio(scene);
   }
 

@@ -22,8 +22,8 @@
 
 namespace raytracer::client {
 
-/// Names at most 20 errors. Without a viewpoint all is in view, as the wishes are; without lights it
-/// has a studio's. Throws InputError for a wish against what the file says.
+/// Names at most 20 errors. Without a viewpoint all is in view, as the wishes are; without lights
+/// it has a studio's. Throws InputError for a wish against what the file says.
 Reading read_nff(std::string_view text, const Wishes& wishes = {});
 
 }  // namespace raytracer::client

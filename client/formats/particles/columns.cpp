@@ -30,7 +30,7 @@ float as_float(double value) {
 bool is_missing(std::string_view field) {
   if (!field.empty() && field.front() >= '0' && field.front() <= '9') return false;  // as most are
   static constexpr std::array<std::string_view, 18> known{
-      "",    "nan",  "-nan", "NaN",  "NAN", "NA",   "N/A", "n/a", "#N/A",
+      "",     "nan",  "-nan", "NaN",  "NAN", "NA",   "N/A", "n/a",  "#N/A",
       "<NA>", "null", "NULL", "None", "inf", "-inf", "Inf", "-Inf", "+inf"};
   return std::find(known.begin(), known.end(), field) != known.end();
 }
