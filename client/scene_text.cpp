@@ -13,6 +13,7 @@
 #include "client/failure.h"
 #include "client/formats/format.h"
 #include "client/formats/text_source.h"
+#include "client/formats/words.h"
 
 namespace raytracer::client {
 namespace {
@@ -72,8 +73,10 @@ SceneText document_of(const Reading& reading, const std::string& label) {
 /// A document is known by its content; whoever gives another file its ending wants it read so.
 SceneText read_document(const std::string& path) {
   std::string text = read_all(*source_of_file(path));
-  const std::size_t begin = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");  // a mark, and blanks
-  if (!without_compression(path).ends_with(".json") && (begin == text.npos || text[begin] != '{'))
+  const std::string_view content = without_byte_order_mark(text);
+  const std::size_t begin = content.find_first_not_of(" \t\r\n");
+  if (!without_compression(path).ends_with(".json") &&
+      (begin == content.npos || content[begin] != '{'))
     throw InputError(
         fmt::format("is no scene document, and its ending is none of {}", all_endings()));
   return {path, std::move(text)};

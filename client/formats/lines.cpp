@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "client/formats/words.h"
+
 namespace raytracer::client {
 namespace {
 
@@ -20,8 +22,7 @@ std::string_view trimmed(std::string_view text) {
 
 Lines::Lines(TextSource& source) : source_(source), room_(longest_line) {
   advance();
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (line_.starts_with(byte_order_mark)) line_.remove_prefix(byte_order_mark.size());
+  line_ = without_byte_order_mark(line_);
 }
 
 /// More bytes behind those that are unread; false at the end.

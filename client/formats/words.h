@@ -26,6 +26,12 @@ class Words {
   int line_ = 1;
 };
 
+/// What follows the mark with which some programs begin a UTF-8 text.
+constexpr std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 /// A finite number, as C writes it in decimal; none if the word is something else.
 std::optional<double> number_of(std::string_view word);
 

@@ -51,7 +51,6 @@ TEST(Finders, find_shadows_of_triangles_wherever_the_lamp_is) {
   expect_shadows_wherever_the_lamp_is(random_triangles(60, matt));
 }
 
-/// Where objects are few, any two choices, for whichever rays, stand together in one of the plans.
 template <class Kind>
 void expect_alike_by_every_finder() {
   for (const NamedScene& named : scenes()) {
@@ -64,16 +63,17 @@ void expect_alike_by_every_finder() {
     for (const Finder otherwise : {Finder::tree, Finder::one_by_one}) {
       if (otherwise == Finder::one_by_one && count > 10 * Kind::few.followed) continue;
       for (const bool by_bins : {false, true}) {
-        const bool by_grids = by_bins == (otherwise == Finder::tree);
-        FinderRow& row = plan.finders[kind_index<Kind>];
-        row.fill(otherwise);
-        set(row, RayKind::from_eye, by_bins ? Finder::screen_bins : Finder::tree);
-        if (by_grids) {
-          set(row, RayKind::to_distant_light, Finder::light_grid);
-          set(row, RayKind::to_point_light, Finder::point_grid);
+        for (const bool by_grids : {false, true}) {
+          FinderRow& row = plan.finders[kind_index<Kind>];
+          row.fill(otherwise);
+          set(row, RayKind::from_eye, by_bins ? Finder::screen_bins : Finder::tree);
+          if (by_grids) {
+            set(row, RayKind::to_distant_light, Finder::light_grid);
+            set(row, RayKind::to_point_light, Finder::point_grid);
+          }
+          EXPECT_EQ(count_wrong(image_by(plan, scene), expected), 0)
+              << named.name << (by_bins ? ", bins" : "") << (by_grids ? ", grids" : "");
         }
-        EXPECT_EQ(count_wrong(image_by(plan, scene), expected), 0)
-            << named.name << (by_bins ? ", bins" : "") << (by_grids ? ", grids" : "");
       }
     }
   }

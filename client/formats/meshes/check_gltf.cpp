@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/failure.h"
+#include "client/formats/words.h"
 
 namespace raytracer::client {
 namespace {
@@ -25,8 +26,7 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
 }  // namespace
 
 void check_gltf(std::string_view text, Reading& reading) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  text = without_byte_order_mark(text);
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (begin == text.npos || text[begin] != '{')
     throw InputError("is no glTF: it is not JSON, which begins with {");

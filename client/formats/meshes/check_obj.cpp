@@ -118,8 +118,7 @@ class ObjCheck {
     if (check_corners("f V V V, f V/T V/T V/T, f V//N V//N V//N or f V/T/N V/T/N V/T/N") >= 3)
       has_faces_ = true;
     else
-      reading_.omit(line, "face with fewer than three corners left out",
-                    "faces with fewer than three corners left out");
+      omit_face_of_few_corners(reading_, line);
   }
 
   /// How many the rest of the line has. One error for each line.

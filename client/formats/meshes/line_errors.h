@@ -1,4 +1,5 @@
-// The errors that one reading of a file tells: as many as a person mends at a time.
+// What the checks of several formats tell: the errors of one reading, as many as a person mends at
+// a time, and faces that are none.
 #pragma once
 
 #include <cstddef>
@@ -24,5 +25,11 @@ class LineErrors {
   static constexpr std::size_t most = 20;
   std::vector<LineError>& errors_;
 };
+
+/// A face that assimp drops without a word.
+inline void omit_face_of_few_corners(Reading& reading, int line) {
+  reading.omit(line, "face with fewer than three corners left out",
+               "faces with fewer than three corners left out");
+}
 
 }  // namespace raytracer::client

@@ -27,10 +27,9 @@ bool begins_as(std::string_view word, std::string_view letters) {
 }  // namespace
 
 LineWords::LineWords(std::string_view text, bool is_obj)
-    : text_(text), is_obj_(is_obj), ends_by_return_(text.find('\n') == text.npos) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
-}
+    : text_(without_byte_order_mark(text)),
+      is_obj_(is_obj),
+      ends_by_return_(text.find('\n') == text.npos) {}
 
 bool LineWords::joins_lines(std::size_t at) const {
   return is_obj_ && text_[at] == '\\' && at + 1 < text_.size() && is_line_end(text_[at + 1]);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "client/failure.h"
+#include "client/formats/meshes/line_errors.h"
 #include "client/formats/meshes/ply_bodies.h"
 
 namespace raytracer::client {
@@ -46,9 +47,7 @@ class PlyBytesCheck {
     const std::string_view before = bytes_;
     if (!take(1, property.count->bytes)) return false;
     const std::size_t count = integer_of(before.substr(0, property.count->bytes), body_);
-    if (count < 3 && names_vertices(element, property))
-      reading_.omit(0, "face with fewer than three corners left out",
-                    "faces with fewer than three corners left out");
+    if (count < 3 && names_vertices(element, property)) omit_face_of_few_corners(reading_, 0);
     return take(count, property.type.bytes);
   }
 

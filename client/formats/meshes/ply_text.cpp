@@ -80,9 +80,7 @@ class PlyTextCheck {
         return false;
       }
     }
-    if (*count < 3)
-      reading_.omit(words_.line(), "face with fewer than three corners left out",
-                    "faces with fewer than three corners left out");
+    if (*count < 3) omit_face_of_few_corners(reading_, words_.line());
     return true;
   }
 
