@@ -65,7 +65,7 @@ void animate(AnimateArguments& arguments, const ServerChoice& server) {
       shoot(api, next, *film, progress);
     });
   }
-  fmt::print(stderr, "{}\n", film->finish());
+  fmt::print(stderr, "{}\n", film->finish(/*is_whole=*/true));
 }
 
 /// A rate as a ratio of integers: 23.976 is 2997/125.

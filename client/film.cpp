@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <regex>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "client/failure.h"
@@ -19,14 +22,11 @@ namespace {
 
 constexpr const char* forms = "write FRAMES-%04d.png, MOTION.apng, or - for raw video";
 
-/// "FRAMES-%04d.png", of which %d or %04d is the frame's number.
+/// Frames by their numbers, of which each name has one between two other parts.
 class NumberedFiles : public Film {
  public:
-  NumberedFiles(const std::smatch& pattern, bool resumes)
-      : before_(pattern[1]),
-        digits_(pattern.length(2) > 0 ? std::stoi(pattern[2]) : 1),
-        after_(pattern[3]),
-        resumes_(resumes) {
+  NumberedFiles(std::string before, int digits, std::string after, bool resumes)
+      : before_(std::move(before)), digits_(digits), after_(std::move(after)), resumes_(resumes) {
     const std::string ending = file(0).ending();
     const auto* const format =
         std::find_if(image_formats.begin(), image_formats.end(),
@@ -35,14 +35,16 @@ class NumberedFiles : public Film {
       throw InputError(
           fmt::format("--output: the frames are to end in .png, .ppm or .pfm: {}", forms));
     media_type_ = format->media_type;
-    file(0).check_writable();
   }
+
+  /// Throws InputError.
+  void check_writable() const { file(0).check_writable(); }
 
   std::string media_type() const override { return media_type_; }
 
   bool has(int frame) override {
     // They appear whole.
-    const bool is_there = resumes_ && std::filesystem::exists(file(frame).path);
+    const bool is_there = resumes_ && std::filesystem::is_regular_file(file(frame).path);
     if (is_there) kept_ = file(frame);
     return is_there;
   }
@@ -53,10 +55,17 @@ class NumberedFiles : public Film {
     ++count_;
   }
 
-  std::string finish() override {
+  std::string finish(bool) override {
     return fmt::format("{}: {} {} written", before_ + "..." + after_, count_,
                        count_ == 1 ? "frame" : "frames");
   }
+
+  std::string read(int frame) const {
+    std::ifstream stream(path(frame), std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  std::filesystem::path path(int frame) const { return file(frame).path; }
 
  private:
   static void check_size(const OutputFile& kept, const std::string& image) {
@@ -85,25 +94,75 @@ class NumberedFiles : public Film {
   int count_ = 0;
 };
 
+/// Its frames lie in a folder beside it until all are there, so that what is broken off can go on.
 class AnimatedPng : public Film {
  public:
-  AnimatedPng(const std::string& path, FrameRate rate) : file_{path}, rate_(rate) {
+  AnimatedPng(const std::string& path, const FilmTarget& target)
+      : file_{path},
+        folder_(path + ".frames"),
+        rate_(target.rate),
+        resumes_(target.resumes),
+        frames_((folder_ / "").string(), 1, ".png", target.resumes) {
     file_.check_writable();
+    if (std::filesystem::exists(folder_)) frames_.check_writable();
   }
 
-  std::string media_type() const override { return std::string(png_format.media_type); }
-  void add(int, const std::string& image) override { frames_.push_back(image); }
+  std::string media_type() const override { return frames_.media_type(); }
 
-  std::string finish() override {
-    file_.write(animated_png(frames_, rate_));
-    return fmt::format("{}: {} {}", file_.path.string(), frames_.size(),
-                       frames_.size() == 1 ? "frame" : "frames");
+  bool has(int frame) override {
+    const bool is_there = frames_.has(frame);
+    if (is_there) count_ = std::max(count_, frame + 1);
+    return is_there;
+  }
+
+  void add(int frame, const std::string& image) override {
+    if (!std::exchange(has_folder_, true)) make_folder();
+    frames_.add(frame, image);
+    count_ = std::max(count_, frame + 1);
+  }
+
+  std::string finish(bool is_whole) override {
+    std::vector<std::string> images;
+    for (int frame = 0; frame < count_; ++frame) images.push_back(frames_.read(frame));
+    file_.write(joined(images));
+    if (is_whole) remove_folder();
+    return fmt::format("{}: {} {}", file_.path.string(), count_, count_ == 1 ? "frame" : "frames");
   }
 
  private:
+  void make_folder() const {
+    std::error_code error;  // the file in it would fail, and say why
+    std::filesystem::create_directory(folder_, error);
+    if (resumes_) return;
+    // An earlier film's, which a later run would go on with.
+    for (const auto& entry : std::filesystem::directory_iterator(folder_, error))
+      if (entry.path().extension() == ".png") std::filesystem::remove(entry.path(), error);
+  }
+
+  void remove_folder() const {
+    std::error_code error;  // what else lies there stays; the film is written
+    for (int frame = 0; frame < count_; ++frame)
+      std::filesystem::remove(frames_.path(frame), error);
+    std::filesystem::remove(folder_, error);
+  }
+
+  std::string joined(const std::vector<std::string>& images) const {
+    try {
+      return animated_png(images, rate_);
+    } catch (const ServerError& error) {
+      if (!resumes_) throw;
+      throw InputError(fmt::format("--resume: {} in {}: remove the folder, or leave --resume out",
+                                   error.what(), folder_.string()));
+    }
+  }
+
   OutputFile file_;
+  std::filesystem::path folder_;
   FrameRate rate_;
-  std::vector<std::string> frames_;  ///< compressed
+  bool resumes_;
+  NumberedFiles frames_;
+  bool has_folder_ = false;
+  int count_ = 0;
 };
 
 class Y4mStream : public Film {
@@ -123,7 +182,7 @@ class Y4mStream : public Film {
     write_to_standard_output(y4m_frame(image));
   }
 
-  std::string finish() override {
+  std::string finish(bool) override {
     return fmt::format("standard output: {} {}", count_, count_ == 1 ? "frame" : "frames");
   }
 
@@ -144,12 +203,16 @@ std::unique_ptr<Film> open_film(const FilmTarget& target) {
   static const std::regex numbered("([^%]*)%(?:0([1-9]))?d([^%]*)");
   std::smatch pattern;
   const bool is_numbered = std::regex_match(output, pattern, numbered);
-  if (target.resumes && !is_numbered)
-    throw InputError("--resume goes with numbered frames: -o FRAMES-%04d.png");
+  if (target.resumes && output == "-")
+    throw InputError("--resume goes with files, which stay: -o FRAMES-%04d.png or -o MOTION.apng");
   if (output == "-") return std::make_unique<Y4mStream>(target.rate);
-  if (is_numbered) return std::make_unique<NumberedFiles>(pattern, target.resumes);
-  if (OutputFile{output}.ending() == ".apng")
-    return std::make_unique<AnimatedPng>(output, target.rate);
+  if (is_numbered) {
+    const int digits = pattern.length(2) > 0 ? std::stoi(pattern[2]) : 1;
+    auto files = std::make_unique<NumberedFiles>(pattern[1], digits, pattern[3], target.resumes);
+    files->check_writable();
+    return files;
+  }
+  if (OutputFile{output}.ending() == ".apng") return std::make_unique<AnimatedPng>(output, target);
   throw InputError(fmt::format("--output: '{}' names no frames: {}", output, forms));
 }
 

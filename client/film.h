@@ -34,8 +34,9 @@ class Film {
   virtual bool has(int) { return false; }
   /// In their order. Throws InputError if it cannot be written.
   virtual void add(int frame, const std::string& image) = 0;
-  /// After the last one. Says what was made, for people.
-  virtual std::string finish() = 0;
+  /// After the last one. Says what was made, for people. `is_whole`: no frame is missing; else what
+  /// is needed to go on is kept. Throws InputError if it cannot be written.
+  virtual std::string finish(bool is_whole) = 0;
 };
 
 /// Throws InputError if the target is none, or cannot be written to.

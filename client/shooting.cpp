@@ -172,7 +172,7 @@ void shoot(Api& api, const NextRequest& next, Film& film, FilmProgress& progress
   }
   while (!under_way.empty()) under_way.take_oldest();
   if (!end) return;
-  if (under_way.added() > 0) fmt::print(stderr, "{}\n", film.finish());
+  if (under_way.added() > 0) fmt::print(stderr, "{}\n", film.finish(/*is_whole=*/false));
   std::rethrow_exception(end);
 }
 

@@ -141,6 +141,40 @@ TEST_F(Animate, frames_of_another_size_are_not_resumed) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "f-1.png"));
 }
 
+TEST_F(Animate, animated_png_goes_on_where_it_broke_off) {
+  const std::string file = folder_.write("atoms.xyz", three_frames);
+  ASSERT_EQ(animate({file, "--frames", "all", "-o", folder_ / "f-%d.png"}).status, 0);
+  const std::filesystem::path target = folder_ / "m.apng";
+  const std::filesystem::path frames = folder_ / "m.apng.frames";
+  std::filesystem::create_directory(frames);
+  std::filesystem::copy_file(folder_ / "f-0.png", frames / "1.png");  // as nobody would render it
+  const Outcome on = animate({file, "--frames", "all", "-o", target, "--resume"});
+  ASSERT_EQ(on.status, 0) << on.err;
+  EXPECT_FALSE(std::filesystem::exists(frames));
+  const std::string film = read_file(target);
+  EXPECT_EQ(count(film, "fcTL"), 3);
+  const auto pixels = [](const std::string& png) {
+    const std::size_t begin = png.find("IDAT") + 4;
+    return png.substr(begin, png.find("IEND") - begin - 8);
+  };
+  EXPECT_EQ(count(film, pixels(read_file(folder_ / "f-0.png"))), 2);
+  EXPECT_EQ(count(film, pixels(read_file(folder_ / "f-1.png"))), 0);
+  // The last is there, and what an earlier film left is nobody's.
+  std::filesystem::create_directory(frames);
+  std::filesystem::copy_file(folder_ / "f-2.png", frames / "2.png");
+  ASSERT_EQ(animate({file, "--frames", "all", "-o", target, "--resume"}).status, 0);
+  EXPECT_EQ(count(read_file(target), "fcTL"), 3);
+  std::filesystem::create_directory(frames);
+  static_cast<void>(folder_.write("m.apng.frames/7.png", "of another film"));
+  ASSERT_EQ(animate({file, "--frames", "all", "-o", target}).status, 0);
+  EXPECT_EQ(count(read_file(target), pixels(read_file(folder_ / "f-1.png"))), 1);
+  EXPECT_FALSE(std::filesystem::exists(frames));
+  std::filesystem::create_directory(frames);
+  static_cast<void>(folder_.write("m.apng.frames/2.png", "broken"));
+  expect_input_error(animate({file, "--frames", "all", "-o", target, "--resume"}),
+                     "m.apng.frames: remove the folder");
+}
+
 TEST_F(Animate, without_a_name_frames_are_numbered_where_one_is) {
   const std::string file = folder_.write("atoms.xyz", three_frames);
   Command command = client_command(
@@ -156,6 +190,7 @@ TEST_F(Animate, frames_before_an_error_are_a_film) {
   const std::string target = folder_ / "m.apng";
   expect_input_error(animate({file, "--frames", "all", "-o", target}), file + ":6: 'zero' stands");
   EXPECT_EQ(count(read_file(target), "fcTL"), 1);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "m.apng.frames/0.png"));  // to go on with
 }
 
 TEST_F(Animate, error_of_a_later_frame_is_said_after_the_earlier_ones) {
@@ -187,7 +222,7 @@ TEST_F(Animate, arguments_that_do_not_go_together_are_refused) {
   expect_input_error(animate({file, "--turntable", "3", "-o", "a.apng", "--format", "y4m"}),
                      "--format y4m is for a pipe");
   expect_input_error(animate({file, "--turntable", "3", "-o", "a-%d.jpg"}), ".png, .ppm or .pfm");
-  expect_input_error(animate({file, "--turntable", "3", "-o", "a.apng", "--resume"}), "--resume");
+  expect_input_error(animate({file, "--turntable", "3", "-o", "-", "--resume"}), "--resume");
   expect_input_error(animate({file, "--turntable", "3", "-o", "nowhere/a.apng"}), "nowhere");
   expect_input_error(animate({"demo", "--frames", "all", "-o", "a.apng"}), "demo: has no frames");
   expect_input_error(animate({file, "--turntable", "3", "-o", "a.apng", "--fps", "0"}), "--fps");
