@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 
 #include "client/formats/words.h"
 
@@ -20,7 +21,7 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-Lines::Lines(TextSource& source) : source_(source), room_(longest_line) {
+Lines::Lines(TextSource& source) : source_(source), room_(new char[longest_line]) {
   advance();
   line_ = without_byte_order_mark(line_);
 }
@@ -28,12 +29,12 @@ Lines::Lines(TextSource& source) : source_(source), room_(longest_line) {
 /// More bytes behind those that are unread; false at the end.
 bool Lines::fill() {
   if (begin_ > 0) {
-    std::memmove(room_.data(), room_.data() + begin_, end_ - begin_);
+    std::memmove(room_.get(), room_.get() + begin_, end_ - begin_);
     end_ -= begin_;
     begin_ = 0;
   }
-  if (end_ == room_.size()) throw LineError{number_ + 1, "the line is longer than a megabyte"};
-  const std::size_t count = source_.read(std::span(room_).subspan(end_));
+  if (end_ == longest_line) throw LineError{number_ + 1, "the line is longer than a megabyte"};
+  const std::size_t count = source_.read(std::span(room_.get(), longest_line).subspan(end_));
   end_ += count;
   return count > 0;
 }
@@ -41,7 +42,7 @@ bool Lines::fill() {
 void Lines::advance() {
   const char* newline = nullptr;
   for (std::size_t searched = 0;;) {
-    const char* const begin = room_.data() + begin_;
+    const char* const begin = room_.get() + begin_;
     newline =
         static_cast<const char*>(std::memchr(begin + searched, '\n', end_ - begin_ - searched));
     searched = end_ - begin_;
@@ -54,8 +55,8 @@ void Lines::advance() {
     return;
   }
   const std::size_t length =
-      newline ? static_cast<std::size_t>(newline - room_.data()) - begin_ : end_ - begin_;
-  line_ = {room_.data() + begin_, length};
+      newline ? static_cast<std::size_t>(newline - room_.get()) - begin_ : end_ - begin_;
+  line_ = {room_.get() + begin_, length};
   if (line_.ends_with('\r')) line_.remove_suffix(1);
   begin_ += length + (newline ? 1 : 0);
   ++number_;

@@ -1,6 +1,7 @@
 // A text's lines, one at a time, of a source that is never held whole; and the fields of a line.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,8 +33,8 @@ class Lines {
   bool fill();
 
   TextSource& source_;
-  std::vector<char> room_;
-  std::size_t begin_ = 0;  ///< of what is unread in the room
+  std::unique_ptr<char[]> room_;  ///< for the longest line; untouched behind `end_`
+  std::size_t begin_ = 0;         ///< of what is unread in the room
   std::size_t end_ = 0;
   std::string_view line_;
   int number_ = 0;

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <vector>
 
 #include "client/failure.h"
 #include "client/formats/unpacking.h"
@@ -102,10 +101,11 @@ std::string_view without_compression(std::string_view path) {
 
 std::string read_all(TextSource& source) {
   std::string text;
-  std::vector<char> room(1 << 18);
+  constexpr std::size_t room_size = 1 << 18;
+  const std::unique_ptr<char[]> room(new char[room_size]);  // touched as far as used
   constexpr std::size_t most = 1 << 30;
-  while (const std::size_t count = source.read(room)) {
-    text.append(room.data(), count);
+  while (const std::size_t count = source.read({room.get(), room_size})) {
+    text.append(room.get(), count);
     if (text.size() > most) throw InputError("is larger than a gigabyte; split it");
   }
   return text;
