@@ -75,9 +75,9 @@ void add_wish_options(CLI::App& command, SceneChoice& scene) {
   add("--colormap", "viridis|magma|coolwarm", "Colours of a column of numbers [viridis]",
       [](Wishes& wishes, const std::string& name) { wishes.color_map = name; })
       ->check(CLI::IsMember(std::vector<std::string>(color_maps.begin(), color_maps.end())));
-  add("--view", "X,Y,Z", "Seen from this direction [where most is seen]",
+  add("--view", "X,Y,Z", "Seen from this direction [the file's camera, or where most is seen]",
       [](Wishes& wishes, const std::string& text) { wishes.view = direction_of(text); });
-  add("--zoom", "Z", "Enlargement; 1 shows everything [1]",
+  add("--zoom", "Z", "Enlargement; 1 shows everything, or what the file's camera does [1]",
       [](Wishes& wishes, const std::string& text) { wishes.zoom = std::stod(text); })
       ->check(refuse_unless_positive);
   add("--background", "#rrggbb|transparent", "Background [#ffffff]",

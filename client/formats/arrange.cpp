@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "client/failure.h"
+#include "client/formats/lighting.h"
+#include "client/formats/triple.h"
 
 namespace raytracer::client {
 namespace {
@@ -15,25 +17,6 @@ namespace {
 using model::Triple;
 
 using Axes = std::array<Triple, 3>;
-
-double dot(const Triple& a, const Triple& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Triple cross(const Triple& a, const Triple& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Triple scaled(const Triple& a, double factor) {
-  return {a[0] * factor, a[1] * factor, a[2] * factor};
-}
-
-Triple sum(const Triple& a, const Triple& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-
-/// By its largest component first, so that no square overflows.
-Triple unit(const Triple& a) {
-  const double largest = std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
-  const Triple moderate{a[0] / largest, a[1] / largest, a[2] / largest};
-  return scaled(moderate, 1 / std::sqrt(dot(moderate, moderate)));
-}
 
 /// Calls `visit` with balls that hold all of the scene: centres and radii.
 template <typename Visit>
@@ -248,6 +231,8 @@ struct FrameFit {
   double distance() const { return *std::max_element(reach.begin(), reach.end()); }
 };
 
+double zoomed(double fov, double zoom) { return 2 * std::atan(std::tan(fov / 2) / zoom); }
+
 }  // namespace
 
 model::View view_of_all(const model::Scene& scene, const Wishes& wishes, Upright upright) {
@@ -269,7 +254,7 @@ model::View view_of_all(const model::Scene& scene, const Wishes& wishes, Upright
   FrameFit fit{right, above, towards_eye, tangent_right,
                tangent_right * wishes.height_px / wishes.width_px};
   each_ball(scene, [&](const Triple& center, double radius) {
-    const Triple place = sum(center, scaled(pivot, -1));
+    const Triple place = difference(center, pivot);
     if (!wishes.is_turned) return fit.add(place, radius);
     constexpr int turns = 16;
     for (int i = 0; i < turns; ++i)
@@ -283,31 +268,40 @@ model::View view_of_all(const model::Scene& scene, const Wishes& wishes, Upright
   view.from = sum(view.at, scaled(towards_eye, fit.distance()));
   if (view.from == view.at) view.from = sum(view.at, towards_eye);
   view.up = up;
-  view.fov = 2 * std::atan(std::tan(fov / 2) / wishes.zoom);
+  view.fov = zoomed(fov, wishes.zoom);
   view.width_px = wishes.width_px;
   view.height_px = wishes.height_px;
   return view;
 }
 
-void light_studio(model::Scene& scene) {
-  const model::View& view = scene.view;
-  const Triple ahead = unit(sum(view.at, scaled(view.from, -1)));
-  const Triple right = unit(cross(ahead, view.up));
-  const Triple above = cross(right, ahead);
-  const auto direction = [&](double to_right, double upward, double forward) {
-    return sum(sum(scaled(right, to_right), scaled(above, upward)), scaled(ahead, forward));
-  };
-  constexpr Triple white{1, 1, 1};
-  scene.lights.emplace_back(model::Sun{direction(0.5, -0.8, 1), white, 0.9});
-  scene.lights.emplace_back(model::Sky{white, 0.5});
-  scene.ambient = 0.05;
-  scene.is_shadow_black = false;
+model::View view_through(const model::Camera& camera, const model::Scene& scene,
+                         const Wishes& wishes) {
+  const Triple ahead = unit(camera.ahead);
+  const Box box = box_around(scene, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  const double radius = std::sqrt(dot(box.size(), box.size())) / 2;
+  double distance = dot(difference(box.center(), camera.from), ahead);
+  // What is behind the eye, or in it, is nothing to look at.
+  constexpr double least = 0.01;
+  if (!(distance > least * radius)) distance = radius;
+  model::View view{};
+  view.from = camera.from;
+  view.at = sum(camera.from, scaled(ahead, distance));
+  if (view.at == view.from) view.at = sum(view.from, ahead);
+  view.up = camera.up;
+  const double width = 2 * std::atan(std::tan(camera.fov / 2) * wishes.width_px / wishes.height_px);
+  view.fov = zoomed(width, wishes.zoom);
+  view.width_px = wishes.width_px;
+  view.height_px = wishes.height_px;
+  return view;
 }
 
 void arrange(model::Scene& scene, const Wishes& wishes, const model::View& view) {
   scene.view = view;
   scene.background = wishes.background;
-  light_studio(scene);
+  if (scene.lights.empty())
+    light_studio(scene);
+  else
+    expose(scene);
   scene.samples = 4;
   scene.is_srgb = true;
 }

@@ -21,12 +21,13 @@ enum class Upright {
 /// and nothing is upright.
 model::View view_of_all(const model::Scene& scene, const Wishes& wishes, Upright upright);
 
-/// Adds a key light from the left above the eye, which the scene's view says, and a sky, which
-/// gives depth.
-void light_studio(model::Scene& scene);
+/// What the file's own camera sees: as high as it says, and as wide as the image is. It looks at
+/// what is as far ahead as the middle of all.
+model::View view_through(const model::Camera& camera, const model::Scene& scene,
+                         const Wishes& wishes);
 
-/// Sets the view, the lights, which are those of a studio, the background and how exact the picture
-/// is to be. `view`: what the frames before had.
+/// Sets the view, the lights, which are those of a studio if the file has none, the background and
+/// how exact the picture is to be. `view`: what the frames before had.
 void arrange(model::Scene& scene, const Wishes& wishes, const model::View& view);
 
 }  // namespace raytracer::client

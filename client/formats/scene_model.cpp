@@ -175,7 +175,8 @@ class DocumentWriter {
     place(lamp.position);
     print(", \"color\": ");
     numbers(lamp.color);
-    print(", \"intensity\": {}, \"falloff\": \"none\"}}", lamp.intensity);
+    print(", \"intensity\": {}, \"falloff\": \"{}\"}}", lamp.intensity,
+          lamp.falls_off ? "inverse_square" : "none");
   }
 
   void light(const Sun& sun) {

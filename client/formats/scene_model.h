@@ -27,11 +27,21 @@ struct View {
   int height_px;
 };
 
-/// A point that shines equally far and near.
+/// Of a file that does not know how wide the image will be.
+struct Camera {
+  Triple from;
+  Triple ahead;  ///< a direction, as is up
+  Triple up;
+  double fov;  ///< between the lower and the upper side of the image, in radians
+};
+
+/// A point that shines.
 struct Lamp {
   Triple position;
   Triple color;  ///< in [0, 1]
   double intensity;
+  /// With the square of the distance d, to intensity / (4 pi d^2); else it is equal far and near.
+  bool falls_off = false;
 };
 
 /// Shines from so far away that it has a direction only.
@@ -105,6 +115,7 @@ struct Objects {
 
 struct Scene {
   View view = {};
+  std::optional<Camera> camera{};  ///< the file's own, of which the view is made
   Background background = Triple{0, 0, 0};
   double ambient = 0;
   bool is_shadow_black = true;  ///< where no light comes nothing is seen, ambient light neither

@@ -1,10 +1,14 @@
 // Meshes and clouds of points, as assimp reads them.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <zstd.h>
 
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <thread>
 
@@ -139,6 +143,91 @@ TEST(Meshes, gltf_stands_where_its_nodes_say_in_its_colour) {
     const json& color =
         scene.at("materials").at(object.at("material").get<std::string>()).at("color");
     EXPECT_NEAR(color[0].get<double>(), 0.7, 1e-6);
+  }
+}
+
+/// A triangle in front of what `nodes` say, with one camera and three lights to refer to.
+json staged(const std::string& nodes, const std::string& roots) {
+  const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const TemporaryFolder folder;
+  folder.write("corners.bin", std::string(reinterpret_cast<const char*>(corners), sizeof corners));
+  const std::string path = folder.write("stage.gltf", R"({"asset": {"version": "2.0"},
+      "scene": 0, "extensionsUsed": ["KHR_lights_punctual"],
+      "extensions": {"KHR_lights_punctual": {"lights": [
+        {"type": "directional", "intensity": 300},
+        {"type": "point", "color": [1, 0.5, 0], "intensity": 5000},
+        {"type": "spot", "intensity": 5000, "spot": {}}]}},
+      "cameras": [
+        {"type": "perspective", "perspective": {"yfov": 0.7, "aspectRatio": 3, "znear": 0.1}},
+        {"type": "orthographic",
+         "orthographic": {"xmag": 1, "ymag": 1, "znear": 0.1, "zfar": 9}}],
+      "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+      "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                     "min": [0, 0, 0], "max": [1, 1, 0]}],
+      "bufferViews": [{"buffer": 0, "byteLength": 36}],
+      "buffers": [{"uri": "corners.bin", "byteLength": 36}],
+      "scenes": [{"nodes": )" + roots + R"(}], "nodes": [{"mesh": 0}, )" +
+                                                          nodes + "]}");
+  const auto file =
+      client::format_of(path)->open({client::source_of_file(path), path}, client::Wishes());
+  const client::Reading reading = file->next_frame().value();
+  json document = json::parse(to_document(reading.scene));
+  for (const client::Omission& kind : reading.omissions) document["told"][kind.one] = kind.count;
+  return document;
+}
+
+void expect_near(const json& vector, const std::array<double, 3>& expected) {
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(vector[i].get<double>(), expected[i], 1e-12) << vector;
+}
+
+TEST(Meshes, gltf_is_seen_through_its_own_camera) {
+  // A quarter turn round y: towards -x.
+  const json scene = staged(
+      R"({"translation": [5, 0, 0], "rotation": [0, 0.7071067811865476, 0, 0.7071067811865476],
+          "children": [2]}, {"translation": [0, 0, 2], "camera": 0}, {"camera": 1}, {"camera": 0})",
+      "[0, 1, 3, 4]");
+  const json& camera = scene.at("camera");
+  expect_near(camera.at("origin"), {-7, 0, 0});
+  expect_near(camera.at("look_at"), {-0.5, 0, 0});
+  expect_near(camera.at("up"), {0, 1, 0});
+  EXPECT_NEAR(camera.at("fov").get<double>(), 2 * std::atan(std::tan(0.35) * 1.4), 1e-12);
+  EXPECT_EQ(scene.at("told").at("camera left out"), 2);
+}
+
+TEST(Meshes, gltf_has_its_lights_in_their_proportions) {
+  const std::string nodes = R"(
+      {"extensions": {"KHR_lights_punctual": {"light": 0}}},
+      {"translation": [0, 0, 10], "extensions": {"KHR_lights_punctual": {"light": 1}}},
+      {"matrix": [1,0,0,0, 0,0,-1,0, 0,1,0,0, 2,3,4,1],
+       "extensions": {"KHR_lights_punctual": {"light": 1}}},
+      {"translation": [1, 0, 0], "extensions": {"KHR_lights_punctual": {"light": 2}}})";
+  const json lights = staged(nodes, "[0, 1, 2, 3, 4]").at("lights");
+  ASSERT_EQ(lights.size(), 4U);
+  expect_near(lights[0].at("direction"), {0, 0, -1});
+  expect_near(lights[1].at("position"), {0, 0, 10});
+  expect_near(lights[1].at("color"), {1, 0.5, 0});
+  EXPECT_EQ(lights[1].at("falloff"), "inverse_square");
+  expect_near(lights[2].at("position"), {-2, 3, 4});
+  EXPECT_NEAR(lights[1].at("intensity").get<double>() / lights[0].at("intensity").get<double>(),
+              4 * std::numbers::pi * 5000 / 300, 1e-9);
+  EXPECT_EQ(staged(nodes, "[0, 4]").at("told").at("spot light shines to all sides"), 1);
+  EXPECT_EQ(staged(nodes, "[0, 1]").at("lights")[0].at("intensity"), 0.9);
+  EXPECT_EQ(staged(nodes, "[0]").at("lights")[1].at("type"), "sky");
+}
+
+TEST(Meshes, gltf_whose_camera_or_lights_make_no_sense_is_seen_without) {
+  const std::string steep = R"({"camera": 0, "matrix": [1,0,0,0, 0,0,1,0, 0,0,1,0, 0,0,5,1]})";
+  EXPECT_EQ(staged(steep, "[0, 1]").at("told").at("camera left out"), 1);
+  const json wrong = staged(R"({"extensions": {"KHR_lights_punctual": {}}})", "[0, 1]");
+  EXPECT_EQ(
+      wrong.at("told").at("camera or light that cannot be read left out, with all that follow"), 1);
+  EXPECT_EQ(wrong.at("lights")[1].at("type"), "sky");
+  // Beside the eye, and in it: something is looked at.
+  for (const char* const place : {"[1, 0, 0.000000001]", "[0.5, 0.5, 0]"}) {
+    const json camera =
+        staged(fmt::format(R"({{"camera": 0, "translation": {}}})", place), "[0, 1]").at("camera");
+    EXPECT_LT(camera.at("look_at")[2].get<double>() + 0.1, camera.at("origin")[2].get<double>());
   }
 }
 

@@ -23,6 +23,17 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
   return at;
 }
 
+/// Four bytes, the last of which counts most.
+std::size_t number_at(std::string_view bytes, std::size_t at) {
+  std::size_t number = 0;
+  for (std::size_t i = at + 4; i > at; --i)
+    number = number << 8 | static_cast<unsigned char>(bytes.at(i - 1));
+  return number;
+}
+
+constexpr std::size_t glb_header = 12;
+constexpr std::size_t chunk_header = 8;
+
 }  // namespace
 
 void check_gltf(std::string_view text, Reading& reading) {
@@ -57,14 +68,16 @@ void check_gltf(std::string_view text, Reading& reading) {
 }
 
 void check_glb(std::string_view bytes) {
-  constexpr std::size_t header = 12;
-  if (!bytes.starts_with("glTF") || bytes.size() < header)
+  if (!bytes.starts_with("glTF") || bytes.size() < glb_header)
     throw InputError("is no binary glTF, which begins with the letters glTF");
-  std::size_t length = 0;
-  for (std::size_t i = header; i > header - 4; --i)
-    length = length << 8 | static_cast<unsigned char>(bytes[i - 1]);
+  const std::size_t length = number_at(bytes, 8);
   if (bytes.size() < length)
     throw InputError(fmt::format("the file ends after {} of {} bytes", bytes.size(), length));
+}
+
+std::string_view text_of_glb(std::string_view bytes) {
+  if (bytes.size() < glb_header + chunk_header) return {};
+  return bytes.substr(glb_header + chunk_header, number_at(bytes, glb_header));
 }
 
 }  // namespace raytracer::client

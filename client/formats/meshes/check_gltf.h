@@ -14,4 +14,8 @@ void check_gltf(std::string_view text, Reading& reading);
 /// Of a binary glTF: throws InputError if it is none, or ends too early.
 void check_glb(std::string_view bytes);
 
+/// The text of a binary glTF, which its first chunk has (glTF 2.0, section 4.4); empty if it has
+/// none.
+std::string_view text_of_glb(std::string_view bytes);
+
 }  // namespace raytracer::client

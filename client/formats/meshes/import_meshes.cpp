@@ -73,8 +73,6 @@ class MeshImport {
     omit(lacks_materials ? 1 : 0, "file of materials not found: its objects are gray",
          "files of materials not found: their objects are gray");
     omit(scene_.mNumTextures, "image left out", "images left out");
-    omit(scene_.mNumCameras, "camera left out", "cameras left out");
-    omit(scene_.mNumLights, "light left out", "lights left out");
     omit(scene_.mNumAnimations, "animation left out", "animations left out");
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
       omit(scene_.mMeshes[i]->mNumBones, "bone left out", "bones left out");

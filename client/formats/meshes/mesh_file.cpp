@@ -12,6 +12,7 @@
 #include "client/formats/meshes/check_obj.h"
 #include "client/formats/meshes/check_ply.h"
 #include "client/formats/meshes/check_stl.h"
+#include "client/formats/meshes/gltf_stage.h"
 #include "client/formats/meshes/import_meshes.h"
 #include "client/formats/meshes/own_process.h"
 #include "client/formats/meshes/reading_bytes.h"
@@ -76,19 +77,31 @@ class MeshFile : public SceneFile {
       if (is_read_there) bytes = read_plain(*source, known_size);
       Reading imported;
       check(format_, bytes, imported);
-      if (imported.errors.empty()) importer()(format_, input_.path, bytes, imported);
+      if (imported.errors.empty()) import(bytes, imported);
       return bytes_of(imported);
     }));
     if (!reading.errors.empty()) return reading;
-    arrange(
-        reading.scene, wishes_,
-        view_of_all(reading.scene, wishes_, format_ == MeshFormat::stl ? Upright::z : Upright::y));
+    arrange(reading.scene, wishes_, view_of(reading.scene));
     return reading;
   }
 
   bool has_more() const override { return input_.source != nullptr; }
 
  private:
+  void import(std::string_view bytes, Reading& reading) const {
+    importer()(format_, input_.path, bytes, reading);
+    if (format_ == MeshFormat::gltf) read_gltf_stage(bytes, reading);
+    if (format_ == MeshFormat::glb) read_gltf_stage(text_of_glb(bytes), reading);
+  }
+
+  /// A direction that is wished for is another view than the file's, and a camera that looks down
+  /// would go round under the ground.
+  model::View view_of(const model::Scene& scene) const {
+    if (scene.camera && !wishes_.view && !wishes_.is_turned)
+      return view_through(*scene.camera, scene, wishes_);
+    return view_of_all(scene, wishes_, format_ == MeshFormat::stl ? Upright::z : Upright::y);
+  }
+
   MeshFormat format_;
   FileInput input_;
   Wishes wishes_;

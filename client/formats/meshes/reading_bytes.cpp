@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <type_traits>
+#include <variant>
 
 #include "client/failure.h"
 
@@ -92,6 +93,12 @@ void material_fields(Bytes& bytes, Material& material) {
   bytes.field(material.ior);
 }
 
+template <typename Bytes, typename Scene>
+void stage_fields(Bytes& bytes, Scene& scene) {
+  bytes.field(scene.camera);
+  bytes.list(scene.lights);
+}
+
 template <typename Bytes, typename Omission>
 void omission_fields(Bytes& bytes, Omission& omission) {
   bytes.text(omission.one);
@@ -126,6 +133,7 @@ bool is_whole(const model::Spheres& spheres) {
 
 std::string bytes_of(const Reading& reading) {
   ByteWriter bytes;
+  stage_fields(bytes, reading.scene);
   bytes.field(reading.scene.materials.size());
   for (const model::Material& material : reading.scene.materials) material_fields(bytes, material);
   bytes.field(reading.scene.objects.size());
@@ -148,6 +156,9 @@ std::string bytes_of(const Reading& reading) {
 Reading reading_of(std::string_view all) {
   ByteReader bytes(all);
   Reading reading;
+  stage_fields(bytes, reading.scene);
+  for (const model::Light& light : reading.scene.lights)
+    if (light.index() >= std::variant_size_v<model::Light>) throw ByteReader::damaged();
   for (std::size_t left = bytes.size(); left > 0; --left)
     material_fields(bytes, reading.scene.materials.emplace_back());
   for (std::size_t left = bytes.size(); left > 0; --left) {

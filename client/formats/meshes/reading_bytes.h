@@ -8,8 +8,8 @@
 
 namespace raytracer::client {
 
-/// Of objects that are meshes or spheres, the materials, the omissions and the errors; nothing
-/// else.
+/// Of the camera, the lights, objects that are meshes or spheres, the materials, the omissions and
+/// the errors; nothing else.
 std::string bytes_of(const Reading& reading);
 
 /// Throws InputError if they are not whole.

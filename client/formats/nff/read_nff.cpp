@@ -13,6 +13,7 @@
 
 #include "client/failure.h"
 #include "client/formats/arrange.h"
+#include "client/formats/lighting.h"
 #include "client/formats/nff/contents.h"
 #include "client/formats/nff/element_reader.h"
 #include "client/formats/printable.h"
