@@ -55,8 +55,17 @@ void BrowserPage::open_in_new_tab(const std::string& url) {
   browser().open(url);
 }
 
+/// A tab takes the browser longer to open than a page.
 void BrowserPage::open(const std::string& address) {
-  open_in_new_tab(server().url() + address);
+  if (browser().is_changed()) {
+    open_in_new_tab(server().url() + address);
+  } else {
+    browser().open(server().url() + "/healthz");  // what is no page, in whose place it may
+    browser().run("sessionStorage.clear()");
+    browser().console();
+    browser().requested();
+    browser().open(server().url() + address);
+  }
   await("done");
 }
 

@@ -32,9 +32,10 @@ class BrowserPage : public testing::Test {
   /// Fails the test if it does not come.
   static std::string downloaded(const std::string& name);
 
-  /// Opens the page in a new tab, `address` behind the server's, and waits for its first picture.
+  /// Opens the page, `address` behind the server's, in a tab without a past, and waits for its
+  /// first picture.
   static void open(const std::string& address = "/");
-  /// Opens any page so, and does not wait.
+  /// Opens any page, and does not wait.
   static void open_in_new_tab(const std::string& url);
 
   /// "loading", "moving", "rendering", "done" or "error".

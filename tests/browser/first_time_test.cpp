@@ -38,7 +38,8 @@ TEST_F(FirstTime, one_drag_and_one_click_are_the_way_to_a_picture_of_ones_own) {
 }
 
 TEST_F(FirstTime, page_is_small) {
-  open();
+  open_in_new_tab(server().url());  // which has loaded nothing yet
+  await("done");
   const nlohmann::json loaded = value(
       "(() => { const all = [...performance.getEntriesByType('navigation'),"
       " ...performance.getEntriesByType('resource')].filter((each) =>"

@@ -147,6 +147,7 @@ void WebDriver::change_tab() {
   const json tab = command("POST", session_ + "/window/new", {{"type", "tab"}}).at("handle");
   command("DELETE", session_ + "/window");
   command("POST", session_ + "/window", {{"handle", tab}});
+  is_changed_ = false;
 }
 
 json WebDriver::run(const std::string& script) {
@@ -202,6 +203,7 @@ std::string WebDriver::screenshot() {
 }
 
 void WebDriver::devtools(const std::string& method, const json& parameters) {
+  is_changed_ = true;
   command("POST", session_ + "/goog/cdp/execute", {{"cmd", method}, {"params", parameters}});
 }
 

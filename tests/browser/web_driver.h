@@ -39,6 +39,8 @@ class WebDriver {
   /// An empty tab in place of the one before: nothing of that is left, such as what it kept or how
   /// large a screen it was told to be.
   void change_tab();
+  /// Whether the tab has another size, other media or the like than a new one.
+  bool is_changed() const { return is_changed_; }
   /// What `return ...;` in the function body `script` gives.
   nlohmann::json run(const std::string& script);
   /// What the function body `script` gives to the callback that is its last argument.
@@ -80,6 +82,7 @@ class WebDriver {
   std::unique_ptr<Process> driver_;
   std::unique_ptr<httplib::Client> http_;
   std::string session_;  ///< "/session/ID"
+  bool is_changed_ = false;
 };
 
 }  // namespace raytracer::test
