@@ -53,12 +53,14 @@ let left = keepEdits(() => left ?? edits());  // what is to be brought back
 let said = "";          // of the state
 let running = null;     // the AbortController of what is under way
 let reading = 0;        // the timer until typed text is read
+let isFormBehind = false;  // the text has changed since: the form's places are not those of its values
 
 const camera = () => ({ ...own, ...view });
 
 const editor = createEditor(at("editor-box"), {
   onInput() {
     if (root.dataset.state === "done") status.textContent = edited;
+    isFormBehind = true;
     clearTimeout(reading);
     reading = setTimeout(takeText, reading_after_ms);
   },
@@ -74,10 +76,13 @@ const problemPanel = createProblemPanel({
   },
 });
 const chooseTab = createTabs(at("tabs"));
-const form = createSceneForm(at("panel-form"), {
-  onEdit: (pointer, value) => revise(withValue(editor.text, pointer, value), pointer),
-  onAdd: (list, type) => revise(withElement(editor.text, list, newElement(type, camera())), "add"),
-  onRemove: (list, index) => revise(withoutElement(editor.text, list, index), "remove"),
+const form = createSceneForm(at("form"), {
+  onEdit: (pointer, value) => reviseByForm((text) => withValue(text, pointer, value), pointer),
+  onAdd(list, type) {
+    if (own) reviseByForm((text) => withElement(text, list, newElement(type, camera())), "add");
+    else instead(rest);  // says what the camera lacks
+  },
+  onRemove: (list, index) => reviseByForm((text) => withoutElement(text, list, index), "remove"),
 });
 const history = createHistory(at("undo"), (text) => revise(text, null));
 const accuracy = createAccuracy(at("accuracy-box"), () => instead(rest));
@@ -191,7 +196,21 @@ async function takeText() {
   own = outline && outline.camera;
   if (!own || !former || !sameCamera(own, former)) view = null;
   at("view-tools").hidden = view === null;
-  if (outline) form.show(outline.scene);  // where there is none, the editor's list of errors says why
+  showForm(outline);
+}
+
+// What the form cannot show it does not edit either; the picture is none of its business.
+function showForm(outline) {
+  let why = outline ? "" : "The text is no scene now, and nothing here can change it. Render says what is wrong.";
+  try {
+    if (outline) form.show(outline.scene);
+  } catch (error) {
+    why = `This form cannot show the scene: ${error.message}.`;
+  }
+  at("form-rests").textContent = why;
+  at("form-rests").hidden = why === "";
+  at("form").inert = why !== "";
+  isFormBehind = false;
 }
 
 // The text as the form or the hand changed it. `what` they changed, for the history; null: not for it.
@@ -199,7 +218,16 @@ async function revise(text, what) {
   if (what !== null) history.keep(editor.text, what);
   editor.revise(text);
   await takeText();
-  move();
+  if (own) move();
+  else instead(rest);
+}
+
+function reviseByForm(change, what) {
+  if (isFormBehind) return;
+  const text = change(editor.text);
+  if (text === editor.text) return;
+  isFormBehind = what === "remove";
+  revise(text, what);
 }
 
 async function load(signal) {

@@ -50,8 +50,9 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
     input.addEventListener("input", () => onEdit(pointer, isArray ? partsOf(input.value) : input.value));
     fields.push({ pointer, read(value) {
       if (value === transparent) return;  // what it was until then comes back
-      isArray = typeof value !== "string";
-      const hex = isArray ? hexOf(value ?? [1, 1, 1]) : value;
+      if (typeof value !== "string" && !Array.isArray(value)) return;  // no colour: the server says so
+      isArray = Array.isArray(value);
+      const hex = isArray ? hexOf(value) : value;
       if (input.value !== hex) input.value = hex;
     } });
     return input;
