@@ -14,10 +14,11 @@ export function withValue(text, pointer, value) {
   return withMember(text, parent, `${JSON.stringify(name)}: ${written(value)}`);
 }
 
-/// `text` with `value` as the last element of the array at `pointer`.
+/// `text` with `value` as the last element of the array at `pointer`, which is added if it is missing.
 export function withElement(text, pointer, value) {
   const { whole } = locator(text)(pointer);
-  return whole ? withMember(text, whole, written(value)) : text;
+  if (!whole) return withValue(text, pointer, [value]);
+  return text[whole.start] === "[" ? withMember(text, whole, written(value)) : text;
 }
 
 /// `text` without the element `index` of the array at `pointer`.
