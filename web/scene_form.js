@@ -137,7 +137,9 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
     groups.push(group("Surroundings", [
       row("Background", "", background("Background", "/background")),
       row("Ambient light", "", [labelled("", slider("Ambient light", "/ambient"))], "material")]));
+    const refocus = focusIn(box);
     box.replaceChildren(...groups);
+    refocus();
   }
 
   return {
@@ -171,6 +173,21 @@ function valueAt(scene, pointer) {
 
 const hexOf = (parts) => `#${parts.map((part) => Math.round(part * 255).toString(16).padStart(2, "0")).join("")}`;
 const partsOf = (hex) => [1, 3, 5].map((at) => Number((parseInt(hex.slice(at, at + 2), 16) / 255).toFixed(3)));
+
+// A function that gives the focus to the control of the name that has it now, or to the last button
+// of its group where that is gone, such as Add after Remove.
+function focusIn(box) {
+  const nameOf = (control) => control.ariaLabel ?? control.textContent;
+  const { activeElement } = document;
+  if (!box.contains(activeElement)) return () => {};
+  const name = nameOf(activeElement);
+  const place = [...box.children].indexOf(activeElement.closest("fieldset"));
+  return () => {
+    const controls = [...box.querySelectorAll("input, select, button")];
+    const same = controls.find((control) => nameOf(control) === name);
+    (same ?? [...box.children[place]?.querySelectorAll("button") ?? []].at(-1))?.focus();
+  };
+}
 
 function group(title, rows) {
   return element("fieldset", {}, element("legend", {}, title), ...rows);

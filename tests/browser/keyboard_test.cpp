@@ -64,6 +64,25 @@ TEST_F(Keyboard, editor_keeps_tab_until_escape) {
   EXPECT_NE(focused(), "editor");
 }
 
+TEST_F(Keyboard, focus_stays_where_the_form_adds_and_removes) {
+  const auto press = [](const std::string& name, const std::string& then) {
+    const std::string name_of_focused =
+        "(document.activeElement.ariaLabel ?? document.activeElement.textContent)";
+    browser().run(
+        "[...document.querySelectorAll('#form button')].find((each) =>"
+        " (each.ariaLabel ?? each.textContent) === '" +
+        name + "').focus(); window.form = document.querySelector('#form fieldset');");
+    browser().press(key_enter);
+    ASSERT_TRUE(comes_true("window.form !== document.querySelector('#form fieldset')")) << name;
+    EXPECT_EQ(value(name_of_focused), then);
+  };
+  show_panel("form");
+  press("Add a cone", "Add a cone");
+  press("Remove Cone 1", "Add a cone");
+  press("Remove Sphere 1", "Remove Sphere 1");
+  press("Add a sky", "Remove Light 3");
+}
+
 TEST_F(Keyboard, gallery_is_left_with_escape_and_gives_the_focus_back) {
   browser().type("#open-gallery", key_enter);
   EXPECT_EQ(value("document.getElementById('gallery').open"), true);
