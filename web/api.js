@@ -160,7 +160,7 @@ async function ask(address, { headers, ...request }, read, signal = request.sign
       if (error.status === too_many && wait_s > 0 && wait_s <= longest_wait_s && attempt < most_attempts) await waitFor(wait_s, signal);
       else if (error.status !== unauthorized) throw error;
       else if (!(await newToken(proof, signal)))
-        throw new Problem({ title: "This server asks for a token", detail: "Load this page again to give it." });
+        throw new Problem({ title: "This server asks for a token", detail: "Press Render to give it." });
     }
   }
 }

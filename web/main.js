@@ -3,13 +3,13 @@
 //
 // data-state of the root element says where it stands: loading, moving, rendering, done or error.
 import { createAccuracy } from "./accuracy.js";
-import { listScenes, Problem, renderFrame, sceneText } from "./api.js";
+import { Problem, renderFrame, sceneText } from "./api.js";
+import { createAside } from "./aside.js";
 import { createBoard } from "./board.js";
 import { createCompare } from "./compare.js";
 import { createCurvePanel } from "./curve_panel.js";
 import { acceptDrops } from "./drop.js";
 import { createEditor } from "./editor.js";
-import { createGallery } from "./gallery.js";
 import { createHistory } from "./history.js";
 import { withElement, withoutElement, withValue } from "./json_edit.js";
 import { createLive } from "./live.js";
@@ -19,6 +19,7 @@ import { showPicture } from "./picture.js";
 import { showPlan } from "./plan_panel.js";
 import { refine } from "./refine.js";
 import { createSceneForm } from "./scene_form.js";
+import { createSceneList } from "./scene_list.js";
 import { createSource } from "./scene_source.js";
 import { fragmentOf, readFragment } from "./share.js";
 import { createTabs } from "./tabs.js";
@@ -39,13 +40,12 @@ const reading_after_ms = 250;  // of a pause in typing: a long text takes a whil
 
 const root = document.documentElement;
 const at = (id) => document.getElementById(id);
-const [status, elapsed, cancel, restore, sceneSelect] =
-  ["status", "elapsed", "cancel", "restore", "scene-select"].map(at);
+const [status, elapsed, cancel] = ["status", "elapsed", "cancel"].map(at);
 
 const source = createSource();
 const read = createReader();
 let loaded = { name: first_scene, text: "" };  // what the text began as; name "": it came in a link or a file
-let laidAside = null;   // {loaded, text}: edits that another scene has replaced
+let isBegun = false;    // there is a text to render
 let own = null;         // the document's camera; null: it has none that can be read
 let view = null;        // {origin, look_at, up} as the hand left them; null: the document's own
 let shown = { blob: null, words: "" };  // the picture in sight
@@ -83,6 +83,19 @@ const form = createSceneForm(at("form"), {
     else instead(rest);  // says what the camera lacks
   },
   onRemove: (list, index) => reviseByForm((text) => withoutElement(text, list, index), "remove"),
+});
+const scenes = createSceneList(
+  { select: at("scene-select"), about: at("scene-about"), gallery: at("gallery"), opener: at("open-gallery") },
+  { current: () => loaded.name, onChoose: open });
+const aside = createAside(at("restore"), {
+  current: unsaved,
+  async onBring(edit) {
+    const fragment = await fragmentOf({ ...edit.loaded, view: null, choice: accuracy.choice });
+    loaded = edit.loaded;
+    scenes.choose(loaded.name);
+    window.history.replaceState(null, "", fragment);
+    instead((signal) => begin(edit.text, signal));
+  },
 });
 const history = createHistory(at("undo"), (text) => revise(text, null));
 const accuracy = createAccuracy(at("accuracy-box"), () => instead(rest));
@@ -231,58 +244,63 @@ function reviseByForm(change, what) {
 }
 
 async function load(signal) {
+  await scenes.load();
+  signal.throwIfAborted();
   const asked = await readFragment(location.hash || location.search);  // /?scene=glass, typed by hand, counts too
-  const name = asked.text === null ? asked.name ?? first_scene : "";
-  enter("loading", `Loading ${name || "the scene of the link"}`);
-  choose(name);
-  const text = asked.text ?? (await sceneText(name, signal));
-  layAside();
+  const back = left?.hash === location.hash ? left : null;
+  const isOwn = asked.text !== null || Boolean(back?.text && back.name === "");  // from a link, or a file that was dropped here
+  const name = isOwn ? "" : asked.name ?? first_scene;
+  enter("loading", `Loading ${name || "your scene"}`);
+  scenes.choose(name);
+  const text = asked.text ?? (isOwn ? "" : await sceneText(name, signal));
+  layAside(back !== null);
   loaded = { name, text };
   if (name) source.know(name, text);
   if (Object.keys(asked.choice).length > 0) accuracy.choice = asked.choice;
-  const back = bringBack();
-  await begin(back?.text ?? text, signal, back ? back.view : asked.view);
+  const isEdited = Boolean(text && back?.text && back.text !== text);
+  await begin(back?.text ?? text, signal, back ? back.view : asked.view, isEdited ? text : null);
   if (root.dataset.state !== "done") return;
   if (asked.isDamaged) status.textContent = problemPanel.say(damaged_link);
-  if (!back?.text) return;
-  history.keep(text, "load");
-  status.textContent = "Edits are back; Undo drops them";
-}
-
-function layAside() {
-  laidAside = editor.text === loaded.text ? null : { loaded, text: editor.text };
+  if (isEdited) status.textContent = "Edits are back; Undo drops them";
 }
 
 // A dropped file, whose text no address has: for the tab it is an edit, which it keeps.
 async function take(text, file, signal) {
   enter("loading", `Loading ${file}`);
-  layAside();
+  layAside(false);
   loaded = { name: "", text: "" };
   if (location.hash) window.history.pushState(null, "", location.pathname + location.search);  // Back leads to the scene before
-  choose("");
+  scenes.choose("");
   await begin(text, signal);
 }
 
-// What the page left when it was last here: of this address, to go on with; of another, laid aside.
-function bringBack() {
-  const back = left;
+function unsaved() {
+  return editor.text === loaded.text ? null : { loaded, text: editor.text };
+}
+
+// Another scene comes; it may go on with what the page left when it was last here.
+function layAside(goesOn) {
+  const edit = unsaved();
+  if (edit) aside.add(edit);
+  if (!left) return;
+  const { name, text, aside: others } = left;
+  aside.add(...[others ?? []].flat());
+  if (text !== null && !goesOn) aside.add({ loaded: { name, text: "" }, text });
   left = null;
-  if (!back) return null;
-  const { hash, name, text, aside } = back;
-  laidAside = text === null || hash === location.hash ? aside : { loaded: { name, text: name ? "" : text }, text };
-  return hash === location.hash ? back : null;
 }
 
 function edits() {
-  const text = editor.text === loaded.text ? null : editor.text;
-  if (text === null && view === null && laidAside === null) return null;
-  return { hash: location.hash, name: loaded.name, text, view, aside: laidAside };
+  const text = unsaved()?.text ?? null;
+  if (text === null && view === null && aside.edits.length === 0) return null;
+  return { hash: location.hash, name: loaded.name, text, view, aside: aside.edits };
 }
 
-async function begin(text, signal, from = null) {
-  restore.hidden = laidAside === null;
+// `former`: what Undo goes back to, if anything.
+async function begin(text, signal, from = null, former = null) {
+  isBegun = true;
   problemPanel.forget();
   history.forget();
+  if (former !== null) history.keep(former, "load");
   editor.text = text;
   view = null;
   await takeText();
@@ -293,33 +311,8 @@ async function begin(text, signal, from = null) {
   await rest(signal);
 }
 
-// Of a scene that the server does not list it knows no more.
-function choose(name) {
-  const options = [...sceneSelect.options];
-  let option = options.find(({ value }) => value === name) ?? options.find(({ value }) => value === "");
-  if (!option) {
-    option = new Option("A scene of your own", "");
-    option.dataset.description = "A scene from a link or a file.";
-    sceneSelect.prepend(option);
-  }
-  option.selected = true;
-  at("scene-about").textContent = option.dataset.description;
-}
-
 function open(name) {
   location.hash = new URLSearchParams({ scene: name });
-}
-
-async function start(signal) {
-  const scenes = await listScenes();
-  sceneSelect.replaceChildren(...scenes.map(({ name, title, description }) => {
-    const option = new Option(title, name);
-    option.dataset.description = description;
-    return option;
-  }));
-  createGallery(at("gallery"), at("open-gallery"), { scenes, current: () => loaded.name, onChoose: open });
-  if (signal.aborted) choose(loaded.name);
-  else await load(signal);
 }
 
 createBoard(at("board"), at("tool-move"), {
@@ -356,7 +349,7 @@ createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") 
 at("settings").addEventListener("submit", async (event) => {
   event.preventDefault();
   await takeText();
-  instead(rest);
+  instead(isBegun ? rest : load);  // where no scene has come, it is asked for again
 });
 document.addEventListener("keydown", (event) => {
   if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
@@ -369,21 +362,12 @@ acceptDrops({
     status.textContent = problemPanel.say(problemFrom(error));
   },
 });
-sceneSelect.addEventListener("change", () => open(sceneSelect.value));
 window.addEventListener("hashchange", () => instead(load));
 cancel.addEventListener("click", () => {
   stop();
   enter("done", "Cancelled");
 });
-restore.addEventListener("click", async () => {
-  const { text } = laidAside;
-  loaded = laidAside.loaded;
-  laidAside = null;
-  choose(loaded.name);
-  window.history.replaceState(null, "", await fragmentOf({ ...loaded, view: null, choice: accuracy.choice }));
-  instead((signal) => begin(text, signal));
-});
 
 if (/Mac|iPhone|iPad/.test(navigator.platform)) at("shortcut").textContent = "⌘ ↵";
 chooseTab("tab-form");
-instead(start);
+instead(load);

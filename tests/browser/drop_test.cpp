@@ -51,6 +51,9 @@ TEST_F(Drop, scene_survives_a_reload_and_back_leads_to_the_one_before) {
   browser().run("location.reload()");
   await("done");
   EXPECT_EQ(text(), page_scene);
+  EXPECT_EQ(value("document.getElementById('scene-select').value"), "");
+  EXPECT_EQ(value("document.getElementById('download').download"), "scene.png");
+  EXPECT_EQ(value("document.getElementById('undo').disabled"), true) << "to which scene?";
   former = picture();
   browser().run("history.back()");
   await("done", former);

@@ -53,12 +53,18 @@ TEST_F(Token, that_is_wrong_is_asked_for_again) {
   await("done");
 }
 
-TEST_F(Token, that_is_not_given_is_said_to_be_missing) {
+TEST_F(Token, that_is_not_given_is_said_to_be_missing_and_asked_for_again) {
   open_guarded();
   browser().press("\xee\x80\x8c");  // escape
   await("error");
   const std::string said = value("document.getElementById('problem').innerText");
   EXPECT_NE(said.find("token"), std::string::npos) << said;
+  browser().click("#render");
+  ASSERT_TRUE(comes_true(is_asked));
+  give("s3cret");
+  await("done");
+  EXPECT_EQ(value("document.getElementById('scene-select').value"), "demo");
+  EXPECT_EQ(value("document.getElementById('open-gallery').disabled"), false);
 }
 
 TEST_F(Token, goes_with_pictures_of_the_gallery_jobs_and_their_end) {

@@ -65,6 +65,40 @@ TEST_F(Unsaved, edits_of_another_address_can_be_brought_back) {
   EXPECT_EQ(value("location.hash"), "#scene=first-sphere");
 }
 
+TEST_F(Unsaved, edits_of_several_scenes_wait_until_they_are_brought_back) {
+  const auto load = [](const std::string& name) {
+    const std::string former = picture();
+    browser().run("location.hash = 'scene=" + name + "'");
+    await("done", former);
+  };
+  const auto bring_back = [] {
+    const std::string former = picture();
+    browser().click("#restore");
+    await("done", former);
+    return text();
+  };
+  const std::string other = page_scene + "\n";
+  load("mesh");  // where nothing is edited
+  load("demo");
+  edit_and_render(other);
+  EXPECT_EQ(bring_back(), page_scene);
+  EXPECT_EQ(value("location.hash"), "#scene=first-sphere");
+  EXPECT_EQ(bring_back(), other);
+  EXPECT_EQ(value("location.hash"), "#scene=demo");
+  reload();
+  EXPECT_EQ(text(), other);
+  EXPECT_EQ(bring_back(), page_scene);
+}
+
+TEST_F(Unsaved, link_to_them_has_them_without_a_word) {
+  browser().run("navigator.clipboard.writeText = async () => {};");
+  browser().click("#share");
+  ASSERT_TRUE(comes_true("location.hash.startsWith('#document=')"));
+  reload();
+  EXPECT_EQ(text(), page_scene);
+  EXPECT_EQ(value("document.getElementById('undo').disabled"), true);
+}
+
 TEST_F(Unsaved, browser_warns_only_of_edits_that_it_cannot_keep) {
   const std::string warns =
       "(() => { const leaving = new Event('beforeunload', { cancelable: true });"
