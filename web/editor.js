@@ -5,17 +5,18 @@
 // document costs no more than a short one. Lines do not wrap: a line's place is its number times
 // the line height. For the same reason the textarea holds a part of a long text, which follows the
 // scrolling: browsers lay out all that is in a textarea, at each key.
-import { element } from "./element.js";
 import { lineAndColumn } from "./json_pointer.js";
-import { tokensOf } from "./json_tokens.js";
-import { editorKeys } from "./editor_keys.js";
+import { concernsCaret, editorKeys } from "./editor_keys.js";
+import { moveMarks } from "./editor_marks.js";
+import { messagesByLine, numberRow, textRow } from "./editor_rows.js";
 
 const spare_lines = 8;        // painted above and below what is in sight
 const most_held = 40_000;     // characters that the textarea is given; it may grow to twice as many
 
-/// `box` holds #editor, #gutter and #paint. `onInput()` follows a change by the person, before one
-/// that the textarea cannot undo goes `onReplace()`; `onMarksMoved()` follows a change of the lines of the marks.
-export function createEditor(box, { onInput, onReplace, onMarksMoved }) {
+/// `box` holds #editor, #gutter and #paint. `onInput(former, isUndone)` follows a change by the person,
+/// before one that the textarea cannot undo goes `onReplace()`; `onUndo()` follows the keys for it where
+/// the textarea has nothing to undo; `onMarksMoved()` follows a change of the lines of the marks.
+export function createEditor(box, { onInput, onReplace, onUndo, onMarksMoved }) {
   const area = box.querySelector("textarea");
   const gutter = box.querySelector("#gutter");
   const paint = box.querySelector("#paint");
@@ -24,6 +25,8 @@ export function createEditor(box, { onInput, onReplace, onMarksMoved }) {
   let before = "";      // what stands before them in the text
   let after = "";       // and behind them
   let beforeLines = 0;  // the number of lines of that
+  let away = null;      // {start, end, shown}: of a selection in the text that is not held, and what stands for it
+  let isUntouched = true;  // nothing was typed since the textarea was given its part
   let marks = [];  // {start, end, line, message}
   let caretLine = 1;
 
@@ -64,7 +67,11 @@ export function createEditor(box, { onInput, onReplace, onMarksMoved }) {
 
   // A third of the way down, so that what is around the line is seen too.
   function scrollTo({ start, line }) {
-    if (start < before.length || start > text.length - after.length) hold(start);
+    if (start < before.length || start > text.length - after.length) {
+      const selected = selection();
+      hold(start);
+      select(selected);
+    }
     area.scrollTop = (line - 1 - beforeLines) * lineHeight() - area.clientHeight / 3;
   }
 
@@ -73,13 +80,14 @@ export function createEditor(box, { onInput, onReplace, onMarksMoved }) {
     lines = area.value.split("\n");
   }
 
-  // Gives the textarea the part of the text around `offset`, in whole lines if they are not too long.
-  function hold(offset) {
+  // Gives the textarea the part of the text around this one, in whole lines if they are not too long.
+  function hold(from, to = from) {
     let start = 0;
     let end = text.length;
-    if (text.length > most_held) {
-      start = Math.max(0, Math.min(Math.round(offset - most_held / 2), text.length - most_held));
-      end = start + most_held;
+    const size = Math.max(most_held, to - from);
+    if (text.length > size) {
+      start = Math.max(0, Math.min(Math.round((from + to - size) / 2), text.length - size));
+      end = start + size;
       const lineStart = start === 0 ? 0 : text.lastIndexOf("\n", start - 1) + 1;
       const lineEnd = text.indexOf("\n", end);
       if (start - lineStart < most_held / 2) start = lineStart;
@@ -89,17 +97,41 @@ export function createEditor(box, { onInput, onReplace, onMarksMoved }) {
     after = text.slice(end);
     beforeLines = linesIn(before);
     area.value = text.slice(start, end);
+    isUntouched = true;
     take(text);
     box.style.setProperty("--digits", String(beforeLines + lines.length + linesIn(after)).length);
   }
 
   // Like hold(), but what is in sight and what is selected stay so.
   function holdInSight(offset) {
-    const { scrollTop, scrollLeft, selectionStart, selectionEnd } = area;
-    const [formerStart, formerLines] = [before.length, beforeLines];
+    const { scrollTop, scrollLeft } = area;
+    const [isAll, selected, formerLines] = [isAllSelected(), selection(), beforeLines];
     hold(offset);
-    area.setSelectionRange(...[selectionStart, selectionEnd].map((each) => Math.max(0, each + formerStart - before.length)));
+    if (isAll) area.setSelectionRange(0, area.value.length);
+    else select(selected);
     area.scrollTo(scrollLeft, scrollTop + (formerLines - beforeLines) * lineHeight());
+  }
+
+  const isAway = () => away !== null && area.selectionStart === away.shown[0] && area.selectionEnd === away.shown[1];
+  const selection = () => (isAway() ? away : { start: before.length + area.selectionStart, end: before.length + area.selectionEnd });
+
+  // Selects so in the text; of what is not held, the nearest end.
+  function select({ start, end }) {
+    const shown = [start, end].map((each) => Math.max(0, Math.min(area.value.length, each - before.length)));
+    area.setSelectionRange(...shown);
+    const isHeld = shown[0] === start - before.length && shown[1] === end - before.length;
+    away = isHeld ? null : { start, end, shown };
+  }
+
+  // To where the selection is, however far the text has been scrolled since.
+  function comeBack() {
+    if (isAway()) goTo(away);
+  }
+
+  function goTo({ start, end = start }) {
+    hold(start, end);
+    select({ start, end });
+    scrollTo({ start, line: lineAndColumn(text, start).line });
   }
 
   // Near an end of what is held, another part follows.
@@ -112,7 +144,7 @@ export function createEditor(box, { onInput, onReplace, onMarksMoved }) {
   }
 
   // Whoever selects all that is held, as Ctrl+A does, means the whole text.
-  const isAllSelected = () => (before || after) && area.selectionStart === 0 && area.selectionEnd === area.value.length;
+  const isAllSelected = () => !isAway() && (before || after) && area.selectionStart === 0 && area.selectionEnd === area.value.length;
 
   function replaceSelection(inserted) {
     const isAll = isAllSelected();
@@ -120,41 +152,57 @@ export function createEditor(box, { onInput, onReplace, onMarksMoved }) {
     onReplace();
     const former = text;
     text = head + inserted + tail;
-    const caret = head.length + inserted.length;
-    hold(caret);
-    area.setSelectionRange(caret - before.length, caret - before.length);
-    scrollTo({ start: caret, line: lineAndColumn(text, caret).line });
+    goTo({ start: head.length + inserted.length });
     changed(former);
   }
 
-  function changed(former) {
+  function changed(former, isUndone = false) {
     if (marks.length > 0) {
       moveMarks(marks, former, text);
       onMarksMoved();
     }
     repaint();
-    onInput();
+    onInput(former, isUndone);
   }
 
-  area.addEventListener("input", () => {
+  area.addEventListener("input", ({ inputType }) => {
     const former = text;
+    away = null;
+    isUntouched = false;
     take(before + area.value + after);
     if (area.value.length > 2 * most_held) holdInSight(before.length + area.selectionStart);
-    changed(former);
+    changed(former, inputType?.startsWith("history"));
+  });
+  area.addEventListener("keydown", (event) => {
+    const { key, ctrlKey, metaKey, shiftKey } = event;
+    const end = ctrlKey && !shiftKey && { Home: 0, End: text.length }[key];
+    if (key === "z" && (ctrlKey || metaKey) && isUntouched) {
+      event.preventDefault();
+      onUndo();
+    } else if ((before || after) && Number.isFinite(end)) {
+      event.preventDefault();
+      goTo({ start: end });
+    } else if (concernsCaret(event)) {
+      comeBack();
+    }
   });
   area.addEventListener("beforeinput", ({ inputType }) => {
-    if (!isAllSelected() || inputType.startsWith("history")) return;
+    if (inputType.startsWith("history")) return;
+    comeBack();
+    if (!isAllSelected()) return;
     onReplace();
     before = after = "";
     beforeLines = 0;
   });
   area.addEventListener("paste", (event) => {
+    comeBack();
     const pasted = event.clipboardData.getData("text/plain").replaceAll("\r\n", "\n");
     if (area.value.length + pasted.length < 2 * most_held) return;
     event.preventDefault();
     replaceSelection(pasted);
   });
   for (const taking of ["copy", "cut"]) area.addEventListener(taking, (event) => {
+    comeBack();
     if (!isAllSelected()) return;
     event.preventDefault();
     event.clipboardData.setData("text/plain", text);
@@ -170,7 +218,8 @@ export function createEditor(box, { onInput, onReplace, onMarksMoved }) {
     area.title = marks.filter((mark) => mark.line === line).map((mark) => mark.message).join("\n");
   });
   document.addEventListener("selectionchange", () => {
-    if (document.activeElement !== area) return;
+    if (document.activeElement !== area || isAway()) return;
+    away = null;
     const place = lineAndColumn(area.value, area.selectionStart);
     const line = beforeLines + place.line;
     document.querySelector("#caret").textContent = `${line}:${place.column}`;
@@ -192,7 +241,7 @@ export function createEditor(box, { onInput, onReplace, onMarksMoved }) {
       marks = [];
       caretLine = 1;
       hold(0);
-      area.setSelectionRange(0, 0);
+      select({ start: 0, end: 0 });
       area.scrollTo(0, 0);
       repaint();
     },
@@ -222,7 +271,7 @@ export function createEditor(box, { onInput, onReplace, onMarksMoved }) {
       const { line, column } = lineAndColumn(text, start);
       area.focus();
       scrollTo({ start, line });
-      area.setSelectionRange(start - before.length, end - before.length);
+      select({ start, end });
       const columnWidth = area.scrollWidth / Math.max(80, ...lines.map((each) => each.length));
       area.scrollLeft = column * columnWidth < area.clientWidth * 0.8 ? 0 : (column - 20) * columnWidth;
     },
@@ -233,49 +282,4 @@ function linesIn(text) {
   let count = 0;
   for (let at = text.indexOf("\n"); at !== -1; at = text.indexOf("\n", at + 1)) count += 1;
   return count;
-}
-
-function messagesByLine(marks) {
-  const messages = new Map();
-  for (const { line, message } of marks) messages.set(line, [...(messages.get(line) ?? []), message]);
-  return messages;
-}
-
-function numberRow(line, isCurrent, wrong) {
-  const row = element("div", {}, String(line));
-  row.classList.toggle("current", isCurrent);
-  row.classList.toggle("wrong", Boolean(wrong));
-  if (wrong) row.title = wrong.join("\n");
-  return row;
-}
-
-function textRow(line, wrong) {
-  const row = element("div");
-  for (const { kind, text } of tokensOf(line)) {
-    row.append(kind === "plain" ? text : element("span", { className: kind }, text));
-  }
-  if (wrong) {
-    row.className = "wrong";
-    row.append(element("em", {}, wrong.join("; ")));
-  }
-  return row;
-}
-
-/// An edit replaced one stretch of the text: a mark before it stays, one behind it moves along.
-function moveMarks(marks, before, after) {
-  if (marks.length === 0) return;
-  const shorter = Math.min(before.length, after.length);
-  let start = 0;
-  while (start < shorter && before[start] === after[start]) start += 1;
-  const growth = after.length - before.length;
-  for (const mark of marks) {
-    if (mark.start >= start) mark.start = Math.max(start, mark.start + growth);
-    if (mark.end >= start) mark.end = Math.max(mark.start, mark.end + growth);
-  }
-  let line = 1;
-  let at = after.indexOf("\n");
-  for (const mark of [...marks].sort((a, b) => a.start - b.start)) {
-    for (; at !== -1 && at < mark.start; at = after.indexOf("\n", at + 1)) line += 1;
-    mark.line = line;
-  }
 }

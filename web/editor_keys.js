@@ -1,6 +1,13 @@
 // Keys that make a textarea an editor of JSON: Tab indents, Enter keeps the indentation.
 // Escape gives the next Tab back to the page, so that the keyboard never gets stuck here.
 
+/// Whether a key types, deletes or moves the caret.
+export function concernsCaret({ key, ctrlKey, metaKey }) {
+  const isCommand = ctrlKey || metaKey;
+  if (key.length === 1 || key === "Enter" || key === "Tab") return !isCommand;
+  return /^(Arrow|Page|Home|End|Backspace|Delete|Process|Unidentified)/.test(key);
+}
+
 export function editorKeys(area) {
   let tabLeaves = false;
 

@@ -58,13 +58,15 @@ let isFormBehind = false;  // the text has changed since: the form's places are 
 const camera = () => ({ ...own, ...view });
 
 const editor = createEditor(at("editor-box"), {
-  onInput() {
+  onInput(former, isUndone) {
+    if (!isUndone) history.keep(former, "typing");
     if (root.dataset.state === "done") status.textContent = edited;
     isFormBehind = true;
     clearTimeout(reading);
     reading = setTimeout(takeText, reading_after_ms);
   },
   onReplace: () => history.keep(editor.text, Symbol("a replacement")),
+  onUndo: () => history.undo(),
   onMarksMoved: () => problemPanel.renumber(),
 });
 const problemPanel = createProblemPanel({
@@ -97,7 +99,7 @@ const aside = createAside(at("restore"), {
     instead((signal) => begin(edit.text, signal));
   },
 });
-const history = createHistory(at("undo"), (text) => revise(text, null));
+const history = createHistory(at("undo"), { current: () => editor.text, restore: (text) => revise(text, null) });
 const accuracy = createAccuracy(at("accuracy-box"), () => instead(rest));
 const compare = createCompare(at("board"), at("compare"), { current: () => shown });
 const live = createLive(at("motion"), {

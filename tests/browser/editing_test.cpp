@@ -1,4 +1,5 @@
 // A document that is edited is rendered anew.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -7,6 +8,9 @@
 
 namespace raytracer::test {
 namespace {
+
+constexpr const char* key_home = "\xee\x80\x91";
+constexpr const char* key_end = "\xee\x80\x90";
 
 class Editing : public BrowserPage {
  protected:
@@ -37,6 +41,58 @@ TEST_F(Editing, edit_is_said_to_be_newer_than_the_picture) {
   const std::string before = value("document.getElementById('status').textContent");
   browser().type("#editor", " ");
   EXPECT_NE(value("document.getElementById('status').textContent"), before);
+}
+
+TEST_F(Editing, undo_knows_keys_as_well_as_the_form) {
+  const std::string original = text();
+  browser().run(
+      "const ambient = document.querySelector('[aria-label=\"Ambient light\"]');"
+      "ambient.value = 0.9; ambient.dispatchEvent(new Event('input'));");
+  const std::string by_form = text();
+  ASSERT_NE(by_form, original);
+  browser().type("#editor", "typed");
+  ASSERT_EQ(text(), by_form + "typed");
+  browser().click("#undo");
+  EXPECT_EQ(text(), by_form);
+  browser().type("#editor", std::string(key_control) + "z" + key_release);
+  EXPECT_EQ(text(), original) << "the textarea has nothing to undo by itself";
+  EXPECT_EQ(value("document.getElementById('undo').disabled"), true);
+}
+
+TEST_F(Editing, keys_go_to_the_caret_however_far_one_has_scrolled) {
+  std::string lines;
+  for (int i = 1; i < 10'000; ++i) lines += fmt::format("\"line {}\",\n", i);
+  edit(lines);
+  const auto press_with_control = [](const std::string& key) {
+    browser().type("#editor", key_control + key + key_release);
+  };
+  const auto scroll_down = [] {
+    const int top = value("Number(document.querySelector('#gutter div').textContent)");
+    browser().run(
+        "clearInterval(window.scrolling); window.scrolling = setInterval(() => {"
+        " document.getElementById('editor').scrollTop += 2000; }, 20);");
+    EXPECT_TRUE(comes_true(
+        fmt::format("document.querySelector('#gutter div').textContent > {}", top + 5000)));
+    browser().run("clearInterval(window.scrolling)");
+  };
+  const auto begin = [] { return value("document.getElementById('editor').value.slice(0, 9)"); };
+
+  press_with_control(key_home);
+  EXPECT_TRUE(comes_true("document.getElementById('caret').textContent === '1:1'"));
+  scroll_down();
+  EXPECT_NE(begin(), "\"line 1\",");
+  browser().press("X");
+  EXPECT_EQ(begin(), "X\"line 1\"");
+  EXPECT_TRUE(comes_true("document.getElementById('caret').textContent === '1:2'"));
+
+  // Nor is it lost to the key that undoes it.
+  scroll_down();
+  press_with_control("z");
+  press_with_control(key_home);
+  EXPECT_EQ(begin(), "\"line 1\",");
+
+  press_with_control(key_end);
+  EXPECT_TRUE(comes_true("document.getElementById('caret').textContent === '10000:1'"));
 }
 
 }  // namespace
