@@ -367,6 +367,8 @@ acceptDrops({
 window.addEventListener("hashchange", () => instead(load));
 cancel.addEventListener("click", () => {
   stop();
+  live.hide();
+  problemPanel.showDate();
   enter("done", "Cancelled");
 });
 

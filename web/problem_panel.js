@@ -9,17 +9,24 @@ import { pluralised } from "./units.js";
 export function createProblemPanel({ editor, dated, overriding, reveal }) {
   let marks = [];         // what is marked in the editor and listed below it
   let renderedAt = null;  // when the picture in sight was
+  let isSaid = false;     // since the last render began, and so not about it
+
+  function showDate(what = "Picture of the last render") {
+    dated.hidden = renderedAt === null;
+    dated.textContent = `${what}, ${renderedAt?.toLocaleTimeString()}`;
+  }
 
   return {
+    /// Says that the picture in sight is an older one.
+    showDate: () => showDate(),
+
     /// `text` is the document that the problem is about. Returns what to say of it in two or three words.
     show(problem, text) {
       marks = marksOf(problem, text, overriding());
       showProblem(problem, marks, (mark) => (mark.control ? mark.control.focus() : reveal(mark)));
       editor.mark(marks.filter((mark) => !mark.control), text);
       document.getElementById("problem").scrollIntoView({ block: "nearest" });
-      dated.hidden = renderedAt === null;
-      const what = marks.length > 0 ? "Picture of the last valid scene" : "Picture of the last render";
-      dated.textContent = `${what}, ${renderedAt?.toLocaleTimeString()}`;
+      showDate(marks.length > 0 ? "Picture of the last valid scene" : undefined);
       return marks.length > 0 ? `Not rendered: ${pluralised(Math.max(marks.length, problem.errors.length), "error")}` : "Not rendered";
     },
 
