@@ -154,6 +154,7 @@ async function rest(signal) {
   const { text } = editor;
   const words = accuracy.words;
   enter("rendering", "Refining");
+  problemPanel.beginRender();
   // A refusal would have come early, so what was said about the text before is out of date then.
   const waiting = startWaiting(elapsed, cancel, () => problemPanel.forget());
   try {

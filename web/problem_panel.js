@@ -32,6 +32,7 @@ export function createProblemPanel({ editor, dated, overriding, reveal }) {
 
     /// Says what is wrong with neither the text nor the picture. Returns it in short.
     say(problem) {
+      isSaid = true;
       showProblem(problem, []);
       return problem.message;
     },
@@ -48,11 +49,16 @@ export function createProblemPanel({ editor, dated, overriding, reveal }) {
       hideProblem();
     },
 
+    /// What was said until now is out of date when this render has a picture.
+    beginRender() {
+      isSaid = false;
+    },
+
     /// A picture without a problem is in sight, from now.
     rendered() {
       renderedAt = new Date();
       dated.hidden = true;
-      this.forget();
+      if (!isSaid) this.forget();
     },
   };
 }

@@ -10,6 +10,7 @@
 #include "tests/browser/browser_page.h"
 #include "tests/process/endless_scene.h"
 #include "tests/process/patience.h"
+#include "tests/process/temporary_folder.h"
 
 namespace raytracer::test {
 namespace {
@@ -130,10 +131,21 @@ TEST_F(Refine, cancel_ends_the_job_and_brings_no_picture) {
   const std::string former = picture();
   begin_endless();
   keep_screenshot("refining");
+
+  // What is said meanwhile stays.
+  const TemporaryFolder folder;
+  browser().drop(folder.write("water.pdb", "END\n"));
+  ASSERT_TRUE(comes_true("!document.getElementById('problem').hidden"));
+  browser().run("window.before = document.getElementById('elapsed').textContent");
+  ASSERT_TRUE(comes_true("document.getElementById('elapsed').textContent !== window.before"));
+  EXPECT_EQ(value("document.getElementById('problem').hidden"), false);
+
   browser().click("#cancel");
   EXPECT_TRUE(no_job_runs()) << server().log();
   EXPECT_EQ(state(), "done");
   EXPECT_EQ(picture(), former);
+  EXPECT_EQ(value("document.getElementById('motion').hidden"), true) << "the picture is in sight";
+  EXPECT_EQ(value("document.getElementById('dated').hidden"), false);
 }
 
 TEST_F(Refine, leaving_the_page_ends_the_job) {
