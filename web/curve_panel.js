@@ -14,32 +14,50 @@ const gain = 16;  // of the difference
 
 /// `box` holds #measure, #curve-progress, #curve-says, #curve-plot and #curve-figures.
 /// `state()` gives {text, view}; `onSettings(settings)` follows the choice of a point that a
-/// query can ask for, and resolves when it is in sight; `onFail(error)` follows a failure.
+/// query can ask for, and resolves when it is in sight; `onFail(error)` follows a failure. Returns
+/// follow(), to be told when the state may be another than was measured.
 export function createCurvePanel(box, { state, onSettings, onFail }) {
   const [measure, progress, says, plot, figures] =
     ["measure", "curve-progress", "curve-says", "curve-plot", "curve-figures"].map((id) => box.querySelector(`#${id}`));
   let running = null;   // the AbortController of the job
   let choosing = null;  // and of the point's pictures
+  let measured = null;  // {state, words}: what the plot is about, and what is said of it
+
+  const isSame = (a, b) => a.text === b.text && JSON.stringify(a.view) === JSON.stringify(b.view);
+
+  // A curve says nothing of another scene or view; it waits for its own to come back.
+  function follow() {
+    if (!measured) return;
+    const isCurrent = isSame(measured.state, state());
+    plot.inert = !isCurrent;
+    if (!isCurrent) {
+      choosing?.abort();
+      figures.replaceChildren();
+    }
+    if (!running) says.textContent = isCurrent ? measured.words : "This was measured for another scene or view. Measure again for this one.";
+  }
 
   async function run(signal) {
-    const { text, view } = state();
-    const written = withView(text, view);
+    const begun = state();
+    const written = withView(begun.text, begun.view);
     says.textContent = "Measuring: the same picture with many settings, against a reference.";
     const onProgress = (job) => {
       progress.value = job.progress;
     };
-    show(written, await withJob("tradeoff", { query: {}, body: written }, signal, onProgress, (id) => jobResult(id, signal)));
+    const curve = await withJob("tradeoff", { query: {}, body: written }, signal, onProgress, (id) => jobResult(id, signal));
+    measured = { state: begun, words: wordsOf(curve) };
+    show(written, curve);
   }
 
   function show(text, curve) {
-    says.textContent = `${curve.points.length} settings at ${curve.width} × ${curve.height}, against ${curve.reference.samples} samples per pixel. `
-      + "The line joins those that nothing beats; rings leave something out. Choose a point to see its picture.";
     plot.replaceChildren(curvePlot(curve.points, { nameOf, onChoose: (point) => choose(text, curve, point) }));
     figures.replaceChildren();
   }
 
   // The picture first, alone. The reference takes a hundred times as long, and is rendered once.
   async function choose(text, curve, point) {
+    follow();
+    if (plot.inert) return;
     const { shadows, ...settings } = point.settings;
     choosing?.abort();
     choosing = new AbortController();
@@ -71,6 +89,8 @@ export function createCurvePanel(box, { state, onSettings, onFail }) {
     progress.value = 0;
     try {
       await run(mine.signal);
+      running = null;
+      follow();
     } catch (error) {
       says.textContent = mine.signal.aborted ? "Stopped." : "Not measured.";
       if (!mine.signal.aborted) onFail(error);
@@ -80,6 +100,13 @@ export function createCurvePanel(box, { state, onSettings, onFail }) {
       measure.textContent = "Measure the curve";
     }
   });
+
+  return { follow };
+}
+
+function wordsOf({ points, width, height, reference }) {
+  return `${points.length} settings at ${width} × ${height}, against ${reference.samples} samples per pixel. `
+    + "The line joins those that nothing beats; rings leave something out. Choose a point to see its picture.";
 }
 
 function nameOf({ settings, trace_ms, rmse }) {

@@ -153,6 +153,7 @@ function fail(problem, text = editor.text) {
 async function rest(signal) {
   const { text } = editor;
   const words = accuracy.words;
+  curve.follow();
   enter("rendering", "Refining");
   problemPanel.beginRender();
   // A refusal would have come early, so what was said about the text before is out of date then.
@@ -337,7 +338,7 @@ at("reset-view").addEventListener("click", () => {
   at("view-tools").hidden = true;
   instead(rest);
 });
-createCurvePanel(at("panel-curve"), {
+const curve = createCurvePanel(at("panel-curve"), {
   state: () => ({ text: editor.text, view }),
   onSettings: (settings) => accuracy.choose(settings),
   onFail: (error) => fail(problemFrom(error)),

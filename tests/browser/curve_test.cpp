@@ -39,6 +39,15 @@ TEST_F(Curve, is_drawn_and_its_points_are_pictures) {
         was_asked || address.find("/render?scene=first-sphere&samples=") != std::string::npos;
   EXPECT_TRUE(was_asked);
 
+  // It is no other scene's.
+  browser().run("window.formerHash = location.hash; location.hash = 'scene=spheres'");
+  const std::string inert = "document.getElementById('curve-plot').inert";
+  ASSERT_TRUE(comes_true(inert));
+  EXPECT_EQ(count("#curve-figures canvas"), 0);
+  browser().run("location.hash = window.formerHash");
+  ASSERT_TRUE(comes_true("!" + inert));
+  await("done");
+
   // A link to it opens the same.
   const std::string chosen = value("document.getElementById('accuracy-says').textContent");
   browser().click("#share");
