@@ -21,6 +21,7 @@ export function acceptDrops({ onScene, onProblem }) {
     root.classList.remove("receiving");
     if (!holdsFiles(event)) return;
     event.preventDefault();  // or the browser would leave the page for the file
+    document.querySelector(".gallery[open]")?.close();  // it says that files may be dropped, and would hide what comes of it
     const { files } = event.dataTransfer;
     try {
       onScene(await documentOf([...files]), files[0].name);

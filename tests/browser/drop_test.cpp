@@ -35,8 +35,10 @@ class Drop : public BrowserPage {
 
 TEST_F(Drop, scene_document_is_opened) {
   const std::string former = picture();
+  browser().click("#open-gallery");
   drop("mine.json", page_scene);
   await("done", former);
+  EXPECT_EQ(value("document.getElementById('gallery').open"), false);
   EXPECT_EQ(text(), page_scene);
   EXPECT_EQ(value("document.getElementById('picture').naturalWidth"), 60);
   EXPECT_EQ(value("document.getElementById('scene-select').value"), "");
