@@ -1,11 +1,14 @@
 // What leaves the page: a link to its state, and the command that renders the same picture.
 import { curlCommand, fragmentOf } from "./share.js";
 
+const longest_link = 1_000_000;  // Firefox follows none beyond 2^20 characters, Chromium none beyond twice that
+
 /// `state()` gives {name, title, text, view, choice, settings, written}: `name` is empty where the text
 /// is no shipped scene's; `written()` is the text with the view in it. `say(words)` tells the person what happened.
 export function createSharing({ share, curl, dialog }, state, say) {
   share.addEventListener("click", async () => {
     const fragment = await fragmentOf(state());
+    if (fragment.length > longest_link) return say("Too large for a link; share the JSON itself");
     // The address is the link too: for those who copy it from there.
     window.history.replaceState(null, "", fragment);
     if (await copy(location.href, dialog, "Link to this scene and view")) say("Link copied");

@@ -59,6 +59,21 @@ TEST_F(Share, link_carries_settings_that_no_step_of_accuracy_stands_for) {
   EXPECT_NE(copied_by("#curl").find("samples=16&precision=double"), std::string::npos);
 }
 
+TEST_F(Share, text_that_no_browser_follows_a_link_to_is_not_linked_to) {
+  open("/#scene=first-sphere");
+  // 1.6 MB that cannot be compressed below 1.2.
+  browser().run(R"(
+      const bytes = Array.from({ length: 25 }, () => crypto.getRandomValues(new Uint8Array(48000)));
+      const editor = document.getElementById('editor');
+      editor.value = bytes.map((each) => btoa(String.fromCharCode(...each))).join('\n');
+      editor.dispatchEvent(new Event('input'));)");
+  browser().run("navigator.clipboard.writeText = async (text) => { window.copied = text; };");
+  browser().click("#share");
+  EXPECT_TRUE(comes_true("/Too large/.test(document.getElementById('status').textContent)"));
+  EXPECT_EQ(value("window.copied ?? null"), nullptr);
+  EXPECT_EQ(value("location.hash"), "#scene=first-sphere");
+}
+
 TEST_F(Share, link_to_a_shipped_scene_names_it) {
   open("/#scene=mesh");
   EXPECT_EQ(copied_by("#share"), server().url() + "/#scene=mesh");
