@@ -6,9 +6,9 @@ import { keepInTab, keptInTab } from "./tab_memory.js";
 export function keepEdits(state) {
   const keep = (event) => {
     const edits = state();
-    if (keepInTab("edits", edits && JSON.stringify(edits))) return;
+    if (edits !== null && keepInTab("edits", JSON.stringify(edits))) return;
     keepInTab("edits", null);  // an older state would come as a surprise
-    event.preventDefault();    // of beforeunload: the browser asks whether to leave
+    if (edits !== null) event.preventDefault();  // of beforeunload: the browser asks whether to leave
   };
   for (const leaving of ["beforeunload", "pagehide"]) window.addEventListener(leaving, keep);
   return JSON.parse(keptInTab("edits"));

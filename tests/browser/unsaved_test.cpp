@@ -110,6 +110,14 @@ TEST_F(Unsaved, browser_warns_only_of_edits_that_it_cannot_keep) {
   EXPECT_EQ(value(warns), true);
   edit(page_scene);
   EXPECT_EQ(value(warns), false);
+
+  // Where it keeps nothing at all, there has to be something to lose.
+  browser().run(
+      "Storage.prototype.setItem = Storage.prototype.removeItem = () => { throw 'forbidden'; };");
+  EXPECT_EQ(value(warns), true);
+  browser().run(
+      "const undo = document.getElementById('undo'); while (!undo.disabled) undo.click();");
+  EXPECT_EQ(value(warns), false);
 }
 
 }  // namespace
