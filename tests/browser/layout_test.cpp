@@ -10,13 +10,30 @@
 namespace raytracer::test {
 namespace {
 
-class Layout : public BrowserPage {};
+class Layout : public BrowserPage {
+ protected:
+  /// Controls of the form that lie over another of their row, or reach out of it.
+  inline static const std::string overlaps = R"((() => {
+    const found = [];
+    for (const row of document.querySelectorAll('#form .form-row > div')) {
+      const outer = row.getBoundingClientRect();
+      const controls = [...row.querySelectorAll('input, button, select')];
+      const boxes = controls.map((each) => each.getBoundingClientRect());
+      boxes.forEach((a, i) => {
+        const isOver = boxes.slice(i + 1).some((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom);
+        if (isOver || a.right > outer.right + 1) found.push(controls[i].ariaLabel);
+      });
+    }
+    return found;
+  })())";
+};
 
 TEST_F(Layout, no_window_has_to_be_scrolled_sideways) {
   open();
   for (const int width : {1600, 1024, 768, 360}) {
     browser().resize(width, 800);
     EXPECT_LE(value("document.documentElement.scrollWidth"), width) << width;
+    EXPECT_EQ(value(overlaps), std::vector<std::string>{}) << width;
     const double picture_width =
         value("document.getElementById('picture').getBoundingClientRect().width");
     EXPECT_GT(picture_width, 200) << width;
