@@ -3,8 +3,7 @@
 //
 // data-state of the root element says where it stands: loading, moving, rendering, done or error.
 import { createAccuracy } from "./accuracy.js";
-import { Problem, renderFrame, sceneText } from "./api.js";
-import { createAside } from "./aside.js";
+import { Problem, renderFrame } from "./api.js";
 import { createBoard } from "./board.js";
 import { createCompare } from "./compare.js";
 import { createCurvePanel } from "./curve_panel.js";
@@ -14,23 +13,20 @@ import { createHistory } from "./history.js";
 import { withElement, withoutElement, withValue } from "./json_edit.js";
 import { createLive } from "./live.js";
 import { newElement } from "./move_sphere.js";
+import { createOpening } from "./opening.js";
 import { createReader, long_text } from "./outline.js";
 import { showPicture } from "./picture.js";
 import { showPlan } from "./plan_panel.js";
 import { refine } from "./refine.js";
 import { createSceneForm } from "./scene_form.js";
-import { createSceneList } from "./scene_list.js";
 import { createSource } from "./scene_source.js";
-import { fragmentOf, readFragment } from "./share.js";
 import { createTabs } from "./tabs.js";
 import { createSharing } from "./sharing.js";
 import { createProblemPanel, problemFrom } from "./problem_panel.js";
 import { duration } from "./units.js";
-import { keepEdits } from "./unsaved.js";
 import { sameCamera, withView } from "./view.js";
 import { startWaiting } from "./waiting.js";
 
-const first_scene = "demo";
 const edited = "Edited since this picture";
 const damaged_link = new Problem({
   title: "This link is damaged",
@@ -44,16 +40,12 @@ const [status, elapsed, cancel] = ["status", "elapsed", "cancel"].map(at);
 
 const source = createSource();
 const read = createReader();
-let loaded = { name: first_scene, text: "" };  // what the text began as; name "": it came in a link or a file
-let isBegun = false;    // there is a text to render
 let own = null;         // the document's camera; null: it has none that can be read
 let view = null;        // {origin, look_at, up} as the hand left them; null: the document's own
 let shown = { blob: null, words: "" };  // the picture in sight
-let left = keepEdits(() => left ?? edits());  // what is to be brought back
 let said = "";          // of the state
 let running = null;     // the AbortController of what is under way
 let reading = 0;        // the timer until typed text is read
-let isFormBehind = false;  // the text has changed since: the form's places are not those of its values
 
 const camera = () => ({ ...own, ...view });
 
@@ -61,7 +53,7 @@ const editor = createEditor(at("editor-box"), {
   onInput(former, isUndone) {
     if (!isUndone) history.keep(former, "typing");
     if (root.dataset.state === "done") status.textContent = edited;
-    isFormBehind = true;
+    form.fallBehind();
     clearTimeout(reading);
     reading = setTimeout(takeText, reading_after_ms);
   },
@@ -78,29 +70,24 @@ const problemPanel = createProblemPanel({
   },
 });
 const chooseTab = createTabs(at("tabs"));
-const form = createSceneForm(at("form"), {
-  onEdit: (pointer, value) => reviseByForm((text) => withValue(text, pointer, value), pointer),
+const form = createSceneForm(at("panel-form"), {
+  onEdit: (pointer, value) => revise(withValue(editor.text, pointer, value), pointer),
   onAdd(list, type) {
-    if (own) reviseByForm((text) => withElement(text, list, newElement(type, camera())), "add");
+    if (own) revise(withElement(editor.text, list, newElement(type, camera())), "add");
     else instead(rest);  // says what the camera lacks
   },
-  onRemove: (list, index) => reviseByForm((text) => withoutElement(text, list, index), "remove"),
-});
-const scenes = createSceneList(
-  { select: at("scene-select"), about: at("scene-about"), gallery: at("gallery"), opener: at("open-gallery") },
-  { current: () => loaded.name, onChoose: open });
-const aside = createAside(at("restore"), {
-  current: unsaved,
-  async onBring(edit) {
-    const fragment = await fragmentOf({ ...edit.loaded, view: null, choice: accuracy.choice });
-    loaded = edit.loaded;
-    scenes.choose(loaded.name);
-    window.history.replaceState(null, "", fragment);
-    instead((signal) => begin(edit.text, signal));
-  },
+  onRemove: (list, index) => revise(withoutElement(editor.text, list, index), "remove"),
 });
 const history = createHistory(at("undo"), { current: () => editor.text, restore: (text) => revise(text, null) });
 const accuracy = createAccuracy(at("accuracy-box"), () => instead(rest));
+const opening = createOpening({
+  select: at("scene-select"), about: at("scene-about"), gallery: at("gallery"), opener: at("open-gallery"), restore: at("restore"),
+}, {
+  editor, source, accuracy, begin,
+  view: () => view,
+  onLoading: (what) => enter("loading", `Loading ${what}`),
+  onBring: (text) => instead((signal) => begin(text, signal, null, null)),
+});
 const compare = createCompare(at("board"), at("compare"), { current: () => shown });
 const live = createLive(at("motion"), {
   size: camera,
@@ -170,7 +157,7 @@ async function rest(signal) {
       onPart: (frame) => live.showPart(frame),
     }, signal);
     const total_ms = waiting.passed_ms();
-    await showPicture(rendering, loaded.name || "scene", total_ms);
+    await showPicture(rendering, opening.name || "scene", total_ms);
     signal.throwIfAborted();
     live.hide();
     accuracy.report(rendering);
@@ -207,104 +194,40 @@ function look(next) {
 // The camera follows the text; a view of another camera is none of this one.
 async function takeText() {
   clearTimeout(reading);
-  const outline = await read(editor.text);
+  const { text } = editor;
+  const outline = await read(text);
   if (outline === undefined) return;  // another text has come
   const former = own;
   own = outline && outline.camera;
   if (!own || !former || !sameCamera(own, former)) view = null;
   at("view-tools").hidden = view === null;
-  showForm(outline);
-}
-
-// What the form cannot show it does not edit either; the picture is none of its business.
-function showForm(outline) {
-  let why = outline ? "" : "The text is no scene now, and nothing here can change it. Render says what is wrong.";
-  try {
-    if (outline) form.show(outline.scene);
-  } catch (error) {
-    why = `This form cannot show the scene: ${error.message}.`;
-  }
-  at("form-rests").textContent = why;
-  at("form-rests").hidden = why === "";
-  at("form").inert = why !== "";
-  isFormBehind = false;
+  form.show(outline);
+  if (editor.text !== text) form.fallBehind();
 }
 
 // The text as the form or the hand changed it. `what` they changed, for the history; null: not for it.
 async function revise(text, what) {
-  if (what !== null) history.keep(editor.text, what);
+  if (what !== null && text !== editor.text) history.keep(editor.text, what);
+  if (what === null) form.fallBehind();
   editor.revise(text);
   await takeText();
   if (own) move();
   else instead(rest);
 }
 
-function reviseByForm(change, what) {
-  if (isFormBehind) return;
-  const text = change(editor.text);
-  if (text === editor.text) return;
-  isFormBehind = what === "remove";
-  revise(text, what);
-}
-
 async function load(signal) {
-  await scenes.load();
-  signal.throwIfAborted();
-  const asked = await readFragment(location.hash || location.search);  // /?scene=glass, typed by hand, counts too
-  const back = left?.hash === location.hash ? left : null;
-  const isOwn = asked.text !== null || Boolean(back?.text && back.name === "");  // from a link, or a file that was dropped here
-  const name = isOwn ? "" : asked.name ?? first_scene;
-  enter("loading", `Loading ${name || "your scene"}`);
-  scenes.choose(name);
-  const text = asked.text ?? (isOwn ? "" : await sceneText(name, signal));
-  layAside(back !== null);
-  loaded = { name, text };
-  if (name) source.know(name, text);
-  if (Object.keys(asked.choice).length > 0) accuracy.choice = asked.choice;
-  const isEdited = Boolean(text && back?.text && back.text !== text);
-  await begin(back?.text ?? text, signal, back ? back.view : asked.view, isEdited ? text : null);
+  const { areBack, isDamaged } = await opening.load(signal);
   if (root.dataset.state !== "done") return;
-  if (asked.isDamaged) status.textContent = problemPanel.say(damaged_link);
-  if (isEdited) status.textContent = "Edits are back; Undo drops them";
+  if (isDamaged) status.textContent = problemPanel.say(damaged_link);
+  if (areBack) status.textContent = "Edits are back; Undo drops them";
 }
 
-// A dropped file, whose text no address has: for the tab it is an edit, which it keeps.
-async function take(text, file, signal) {
-  enter("loading", `Loading ${file}`);
-  layAside(false);
-  loaded = { name: "", text: "" };
-  if (location.hash) window.history.pushState(null, "", location.pathname + location.search);  // Back leads to the scene before
-  scenes.choose("");
-  await begin(text, signal);
-}
-
-function unsaved() {
-  return editor.text === loaded.text ? null : { loaded, text: editor.text };
-}
-
-// Another scene comes; it may go on with what the page left when it was last here.
-function layAside(goesOn) {
-  const edit = unsaved();
-  if (edit) aside.add(edit);
-  if (!left) return;
-  const { name, text, aside: others } = left;
-  aside.add(...[others ?? []].flat());
-  if (text !== null && !goesOn) aside.add({ loaded: { name, text: "" }, text });
-  left = null;
-}
-
-function edits() {
-  const text = unsaved()?.text ?? null;
-  if (text === null && view === null && aside.edits.length === 0) return null;
-  return { hash: location.hash, name: loaded.name, text, view, aside: aside.edits };
-}
-
-// `former`: what Undo goes back to, if anything.
-async function begin(text, signal, from = null, former = null) {
-  isBegun = true;
+// `former`: what Undo goes back to; null: nothing.
+async function begin(text, signal, from, former) {
   problemPanel.forget();
   history.forget();
   if (former !== null) history.keep(former, "load");
+  form.fallBehind();
   editor.text = text;
   view = null;
   await takeText();
@@ -313,10 +236,6 @@ async function begin(text, signal, from = null, former = null) {
   at("view-tools").hidden = view === null;
   live.hide();
   await rest(signal);
-}
-
-function open(name) {
-  location.hash = new URLSearchParams({ scene: name });
 }
 
 createBoard(at("board"), at("tool-move"), {
@@ -344,7 +263,7 @@ const curve = createCurvePanel(at("panel-curve"), {
   onFail: (error) => fail(problemFrom(error)),
 });
 createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") }, () => ({
-  name: editor.text === loaded.text ? loaded.name : "", title: loaded.name || "scene", text: editor.text, view,
+  name: opening.isEdited ? "" : opening.name, title: opening.name || "scene", text: editor.text, view,
   written: () => withView(editor.text, view), choice: accuracy.choice, settings: accuracy.settings,
 }), (words) => {
   status.textContent = words;
@@ -353,7 +272,7 @@ createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") 
 at("settings").addEventListener("submit", async (event) => {
   event.preventDefault();
   await takeText();
-  instead(isBegun ? rest : load);  // where no scene has come, it is asked for again
+  instead(opening.isBegun ? rest : load);  // where no scene has come, it is asked for again
 });
 document.addEventListener("keydown", (event) => {
   if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
@@ -361,7 +280,7 @@ document.addEventListener("keydown", (event) => {
   at("settings").requestSubmit();
 });
 acceptDrops({
-  onScene: (text, file) => instead((signal) => take(text, file, signal)),
+  onScene: (text, file) => instead((signal) => opening.take(text, file, signal)),
   onProblem: (error) => {
     status.textContent = problemPanel.say(problemFrom(error));
   },

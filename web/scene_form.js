@@ -9,17 +9,34 @@ const kinds = {
   cone: { title: "Cone", points: ["from", "to"], radii: { radius_from: "r from", radius_to: "r to" }, flags: ["caps"] },
 };
 
-/// `box` is filled anew by show(). `onEdit(pointer, value)` follows each change of a value;
-/// `onAdd(list, type)` and `onRemove(list, index)` the buttons of the lists at these pointers.
-export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
+/// `panel` holds #form, which is filled by show(), and #form-rests, which says why it cannot be.
+/// `onEdit(pointer, value)` follows each change of a value; `onAdd(list, type)` and `onRemove(list, index)`
+/// the buttons of the lists at these pointers.
+export function createSceneForm(panel, { onEdit, onAdd, onRemove }) {
+  const [box, rests] = ["form", "form-rests"].map((id) => panel.querySelector(`#${id}`));
+  let isBehind = false;  // the text is another than is shown: the pointers may lead to other values
   let shape = "";   // of the document that the controls were made for
   let fields = [];  // {pointer, read(value)}
+
+  function edit(pointer, value) {
+    if (!isBehind) onEdit(pointer, value);
+  }
+
+  function add(list, type) {
+    if (!isBehind) onAdd(list, type);
+  }
+
+  function remove(list, index) {
+    if (isBehind) return;
+    isBehind = true;
+    onRemove(list, index);
+  }
 
   function number(label, pointer, { step = 0.1, min } = {}) {
     const input = element("input", { type: "number", step: "any", ariaLabel: label });
     if (min !== undefined) input.min = min;
     input.addEventListener("input", () => {
-      if (input.value !== "" && input.checkValidity()) onEdit(pointer, input.valueAsNumber);
+      if (input.value !== "" && input.checkValidity()) edit(pointer, input.valueAsNumber);
     });
     // "any" allows what was written in the document; the arrows still want a step.
     input.addEventListener("keydown", (event) => {
@@ -37,7 +54,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
 
   function slider(label, pointer, max = 1) {
     const input = element("input", { type: "range", min: 0, max, step: max / 100, ariaLabel: label });
-    input.addEventListener("input", () => onEdit(pointer, input.valueAsNumber));
+    input.addEventListener("input", () => edit(pointer, input.valueAsNumber));
     fields.push({ pointer, read(value) {
       if (Number.isFinite(value)) input.value = value;
     } });
@@ -47,7 +64,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
   function colour(label, pointer) {
     const input = element("input", { type: "color", ariaLabel: label });
     let isArray = true;
-    input.addEventListener("input", () => onEdit(pointer, isArray ? partsOf(input.value) : input.value));
+    input.addEventListener("input", () => edit(pointer, isArray ? partsOf(input.value) : input.value));
     fields.push({ pointer, read(value) {
       if (value === transparent) return;  // what it was until then comes back
       if (typeof value !== "string" && !Array.isArray(value)) return;  // no colour: the server says so
@@ -60,7 +77,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
 
   function checkbox(label, pointer) {
     const input = element("input", { type: "checkbox", ariaLabel: label });
-    input.addEventListener("input", () => onEdit(pointer, input.checked));
+    input.addEventListener("input", () => edit(pointer, input.checked));
     fields.push({ pointer, read(value) { input.checked = value ?? true; } });
     return input;
   }
@@ -69,22 +86,22 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
   function background(label, pointer) {
     const input = colour(`${label}, colour`, pointer);
     const none = element("input", { type: "checkbox", ariaLabel: `${label}, ${transparent}` });
-    none.addEventListener("input", () => onEdit(pointer, none.checked ? transparent : partsOf(input.value)));
+    none.addEventListener("input", () => edit(pointer, none.checked ? transparent : partsOf(input.value)));
     fields.push({ pointer, read(value) { input.disabled = none.checked = value === transparent; } });
     return [input, labelled(transparent, none)];
   }
 
   function choice(label, pointer, words) {
     const select = element("select", { ariaLabel: label }, ...words.map((word) => element("option", { value: word }, word.replace("_", " "))));
-    select.addEventListener("change", () => onEdit(pointer, select.value));
+    select.addEventListener("change", () => edit(pointer, select.value));
     fields.push({ pointer, read(value) { select.value = value ?? words[0]; } });
     return select;
   }
 
   function remover(name, list, index) {
-    const remove = button("×", () => onRemove(list, Number(index)));
-    remove.ariaLabel = remove.title = `Remove ${name}`;
-    return remove;
+    const made = button("×", () => remove(list, Number(index)));
+    made.ariaLabel = made.title = `Remove ${name}`;
+    return made;
   }
 
   const point = (label, pointer) => ["x", "y", "z"].map((axis, index) => labelled(axis, number(`${label}, ${axis}`, `${pointer}/${index}`)));
@@ -104,7 +121,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
             labelled(label, number(`${name}, ${key.replace("_", " ")}`, `${pointer}/${key}`, { min: 0 }))),
           ...flags.map((key) => labelled(key, checkbox(`${name}, ${key}`, `${pointer}/${key}`))), remover(name, "/objects", index)]));
       }
-      rows.push(button(`Add a ${type}`, () => onAdd("/objects", type)));
+      rows.push(button(`Add a ${type}`, () => add("/objects", type)));
       groups.push(group(`${title}s`, rows));
     }
 
@@ -132,7 +149,7 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
         ...(where === "position" ? [labelled("softness", slider(`${name}, radius`, `${pointer}/radius`, widestRadius(light))), labelled("falloff", choice(`${name}, falloff`, `${pointer}/falloff`, ["inverse_square", "none"]))] : []),
         ...(light?.type === "sky" ? [remover(name, "/lights", index)] : [])]);
     });
-    if (!scene.lights.some((light) => light?.type === "sky")) lights.push(button("Add a sky", () => onAdd("/lights", "sky")));
+    if (!scene.lights.some((light) => light?.type === "sky")) lights.push(button("Add a sky", () => add("/lights", "sky")));
     groups.push(group("Lights", lights));
     groups.push(group("Surroundings", [
       row("Background", "", background("Background", "/background")),
@@ -142,13 +159,33 @@ export function createSceneForm(box, { onEdit, onAdd, onRemove }) {
     refocus();
   }
 
+  // Makes the controls anew only if the scene has other things in it.
+  function fill(scene) {
+    const next = shapeOf(scene);
+    if (next !== shape) make(scene);
+    shape = next;
+    for (const { pointer, read } of fields) read(valueAt(scene, pointer) ?? defaults[pointer.split("/").pop()]);
+  }
+
   return {
-    /// Shows the values of an outline's scene; makes the controls anew only if it has other things in it.
-    show(scene) {
-      const next = shapeOf(scene);
-      if (next !== shape) make(scene);
-      shape = next;
-      for (const { pointer, read } of fields) read(valueAt(scene, pointer) ?? defaults[pointer.split("/").pop()]);
+    /// Shows the values of an outline's scene. What it cannot show it does not edit either, and says so:
+    /// whoever calls goes on.
+    show(outline) {
+      let why = outline ? "" : "The text is no scene now, and nothing here can change it. Render says what is wrong.";
+      try {
+        if (outline) fill(outline.scene);
+      } catch (error) {
+        why = `This form cannot show the scene: ${error.message}.`;
+      }
+      rests.textContent = why;
+      rests.hidden = why === "";
+      box.inert = why !== "";
+      isBehind = false;
+    },
+
+    /// The text was changed elsewhere: until show(), nothing is written by pointers that may be out of date.
+    fallBehind() {
+      isBehind = true;
     },
   };
 }

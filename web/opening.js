@@ -1,0 +1,102 @@
+// Which scene is open: one of the server's, a link's, a file's, or what the page had when it was left;
+// and what becomes of the edits of the one before.
+import { sceneText } from "./api.js";
+import { createAside } from "./aside.js";
+import { createSceneList } from "./scene_list.js";
+import { fragmentOf, readFragment } from "./share.js";
+import { keepEdits } from "./unsaved.js";
+
+const first_scene = "demo";
+
+/// `elements`: those of scene_list.js, and {restore}, which brings edits back. `view()` is what the hand
+/// made of the camera, or null. `onLoading(name)` comes first; `begin(text, signal, view, former)` shows a
+/// scene, with `former` for Undo to go back to, or null; `onBring(text)` follows edits that are brought back.
+export function createOpening({ restore, ...elements }, { editor, source, accuracy, view, onLoading, begin, onBring }) {
+  let loaded = { name: first_scene, text: "" };  // what the text began as; name "": it came in a link or a file
+  let isBegun = false;                           // there is a text to render
+  let left = keepEdits(() => left ?? edits());   // what is to be brought back
+
+  const scenes = createSceneList(elements, {
+    current: () => loaded.name,
+    onChoose(name) {
+      location.hash = new URLSearchParams({ scene: name });
+    },
+  });
+  const aside = createAside(restore, {
+    current: unsaved,
+    async onBring({ loaded: former, text }) {
+      const fragment = await fragmentOf({ ...former, view: null, choice: accuracy.choice });
+      loaded = former;
+      scenes.choose(loaded.name);
+      history.replaceState(null, "", fragment);
+      onBring(text);
+    },
+  });
+
+  function unsaved() {
+    return editor.text === loaded.text ? null : { loaded, text: editor.text };
+  }
+
+  function edits() {
+    const text = unsaved()?.text ?? null;
+    if (text === null && view() === null && aside.edits.length === 0) return null;
+    return { hash: location.hash, name: loaded.name, text, view: view(), aside: aside.edits };
+  }
+
+  // Another scene comes; it may go on with what the page left when it was last here.
+  function layAside(goesOn) {
+    const edit = unsaved();
+    if (edit) aside.add(edit);
+    if (!left) return;
+    const { name, text, aside: others } = left;
+    aside.add(...[others ?? []].flat());
+    if (text !== null && !goesOn) aside.add({ loaded: { name, text: "" }, text });
+    left = null;
+  }
+
+  return {
+    /// "": no scene of the server's.
+    get name() {
+      return loaded.name;
+    },
+    get isBegun() {
+      return isBegun;
+    },
+    get isEdited() {
+      return unsaved() !== null;
+    },
+
+    /// Opens what the address says. Resolves, when begin() has, to whether edits of it {areBack} and the
+    /// link {isDamaged}.
+    async load(signal) {
+      await scenes.load();
+      signal.throwIfAborted();
+      const asked = await readFragment(location.hash || location.search);  // /?scene=glass, typed by hand, counts too
+      const back = left?.hash === location.hash ? left : null;
+      const isOwn = asked.text !== null || Boolean(back?.text && back.name === "");  // a link's, or of a file that was dropped here
+      const name = isOwn ? "" : asked.name ?? first_scene;
+      onLoading(name || "your scene");
+      scenes.choose(name);
+      const text = asked.text ?? (isOwn ? "" : await sceneText(name, signal));
+      layAside(back !== null);
+      loaded = { name, text };
+      if (name) source.know(name, text);
+      if (Object.keys(asked.choice).length > 0) accuracy.choice = asked.choice;
+      const areBack = Boolean(text && back?.text && back.text !== text);
+      isBegun = true;
+      await begin(back?.text ?? text, signal, back ? back.view : asked.view, areBack ? text : null);
+      return { areBack, isDamaged: asked.isDamaged };
+    },
+
+    /// Opens a dropped file, whose text no address has: for the tab it is an edit, which it keeps.
+    async take(text, file, signal) {
+      onLoading(file);
+      layAside(false);
+      loaded = { name: "", text: "" };
+      if (location.hash) history.pushState(null, "", location.pathname + location.search);  // Back leads to the scene before
+      scenes.choose("");
+      isBegun = true;
+      await begin(text, signal, null, null);
+    },
+  };
+}
