@@ -37,7 +37,8 @@ constexpr double exact_px = 1e-6;
 // What every picture's values are rounded to, and the few roundings of a colour before it. Chosen:
 // more than the operations from a sample to a pixel.
 constexpr double colour_rounding = 16 * single_rounding;
-// What a highlight may change by. Derived: no more than by rounding to 8 bits.
+// What a highlight may change by, and bent rays be turned by: the square of the cosine beyond a
+// surface is 1 - ior^2 (1 - cos^2). Derived: no more than by rounding to 8 bits.
 constexpr double half_level = 0.5 / 255;
 // What shading may change by. Chosen: the bound is many times what was seen on those scenes.
 constexpr double most_levels = 16;
@@ -204,6 +205,12 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
     return {double_precision,
             because("single would change highlights by {:.2g}: shininess is {:.3g}",
                     highlight_error, features.shininess)};
+
+  const double bending_error = kappa * single_rounding * features.ior * features.ior;
+  if (bending_error > half_level)
+    return {double_precision, because("single would turn bent rays by {:.2g}: an index of "
+                                      "refraction is {:.3g}",
+                                      bending_error, features.ior)};
 
   const double levels = foresee_arithmetic_error(single_precision, features, statistics).levels;
   if (levels > most_levels)

@@ -112,8 +112,10 @@ std::int32_t uniform_shininess(const std::vector<double>& exponents) {
 }
 
 void find_followed_rays(const Scene& scene, const std::vector<Material>& used, Features& features) {
-  for (const Material& material : used)
+  for (const Material& material : used) {
     features.transparency = std::max(features.transparency, material.transparency);
+    if (material.transparency > 0) features.ior = std::max(features.ior, material.ior);
+  }
   features.transmits = features.transparency > 0;
   if (scene.render.max_depth == 0) return;
   for (const Material& material : used)

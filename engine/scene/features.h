@@ -41,6 +41,7 @@ struct Features {
   double reflectivity = 0;  ///< the largest in use; 0 if nothing reflects
   bool transmits = false;   ///< some surface lets light through
   double transparency = 0;  ///< the largest in use
+  double ior = 1;           ///< the largest of what lets light through
   /// Kinds of which some lets light through.
   std::array<bool, ObjectKinds::count> transmitting{};
   int max_depth = 0;  ///< rays that follow another in a row; 0 if none does

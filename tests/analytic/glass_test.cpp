@@ -34,6 +34,17 @@ TEST(Glass, shows_as_much_of_what_is_behind_as_its_transparency_says) {
   }
 }
 
+TEST(Glass, of_a_huge_index_is_the_same_in_every_precision) {
+  json text = document(camera_json(24, 16, 0.8, {0, 0, -4}, {0, 0, 0}),
+                       {sphere_json({0, 0, 0}, 1, glass(0.8, 1000)),
+                        plane_json({0, 0, 5}, {0.1, 0.2, -1}, diffuse_material({1, 0, 0}))},
+                       {distant_json({0.2, -0.3, 1})});
+  text["render"]["precision"] = "double";
+  const Image expected = image_of(text);
+  text["render"]["precision"] = "auto";
+  EXPECT_LE(distance(image_of(text), expected), 1e-4);
+}
+
 TEST(Glass, of_index_one_bends_nothing) {
   const json wall = plane_json({0, 0, 9}, {0.3, 0.2, -1}, diffuse_material(behind));
   json text = document(camera_json(48, 36, 0.8), {wall}, {distant_json({0.2, 0.3, 1})});
