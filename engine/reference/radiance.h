@@ -135,6 +135,16 @@ inline Rgb soft_light(const SoftLight& soft, const SurfacePoint& point, const Po
   return direct_light(material, arriving_light(soft.light, point), shading.normal, view);
 }
 
+/// Whether the light is on the normal's side: one that shines along a surface shines on no side of
+/// it, whatever rounding makes of the point, the normal and the direction.
+inline bool faces(const Vec3& normal, const ArrivingLight& light, const SurfacePoint& point) {
+  constexpr double noise = 0x1p-50;
+  const double incidence = dot(normal, light.towards);
+  return std::isinf(light.distance)
+             ? incidence > noise
+             : incidence * light.distance > noise * (light.distance + max_abs(point.point()));
+}
+
 /// The colour of a point under all lights, without what it mirrors.
 /// `view` is the unit vector towards the viewer; `light_set`: of the places on soft lights.
 template <typename Finder>
@@ -146,7 +156,7 @@ Rgb shade(const PackedScene& scene, const Finder& finder, const SurfacePoint& po
   if (scene.shadows != Shadows::black) sum += ambient;
   for (const PackedLight& packed_light : scene.lights) {
     const ArrivingLight light = arriving_light(packed_light, point);
-    if (!(dot(shading.normal, light.towards) > 0)) continue;
+    if (!faces(shading.normal, light, point)) continue;
     const double share = share_along(scene, point, light.towards, light.distance, finder);
     if (!(share > 0)) continue;
     if (scene.shadows == Shadows::black) sum += ambient;

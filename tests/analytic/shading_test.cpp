@@ -266,6 +266,46 @@ TEST(Shadow, is_not_cast_by_what_the_light_lies_in) {
   }
 }
 
+TEST(Shadow, is_not_cast_by_a_plane_along_the_light) {
+  const json ball = sphere_json({0, 0, 0}, 1, diffuse_material());
+  const struct {
+    std::array<double, 3> direction, normal;
+  } along[]{{{1, 1, -1}, {0, 1, 1}},
+            {{1, 1, 1}, {1, -1, 0}},
+            {{1, 1, 1}, {1, 1, -2}},
+            {{1, 2, 3}, {1, 1, -1}},
+            {{0.3, 0.7, 0}, {-0.7, 0.3, -0.2}}};
+  for (const auto& [direction, normal] : along)
+    for (const double side : {-7.0, -5.0, 5.0, 7.0}) {
+      json text = document(camera_json(20, 16, 0.2, {-3, -3, 3}, {0, 0, 0}), {ball},
+                           {distant_json({direction[0], direction[1], direction[2]})});
+      for (const char* const precision : {"double", "auto"}) {
+        text["render"]["precision"] = precision;
+        json with_plane = text;
+        with_plane["objects"].push_back(
+            plane_json({side * normal[0], side * normal[1], side * normal[2]},
+                       {normal[0], normal[1], normal[2]}));
+        EXPECT_LE(distance(image_of(with_plane), image_of(text)), 1e-6)
+            << json(direction) << json(normal) << side << precision;
+      }
+    }
+}
+
+TEST(Light, along_a_surface_lights_none_of_it) {
+  const Vec3 black{};
+  json ceiling = document(
+      camera_json(48, 36, 1.2, {0.1, 0.3, -1}, {0, 2.7, 0.5}),
+      {mesh_json({{-9, 2.7, -9}, {9, 2.7, -9}, {9, 2.7, 9}, {-9, 2.7, 9}}, {{0, 1, 2}, {0, 2, 3}})},
+      {point_json({0, 2.7, 0}, 60)});
+  expect_exact_color(ceiling, black);
+  ceiling["objects"] = {plane_json({0, 2.7, 0}, {0, -1, 0})};
+  expect_exact_color(ceiling, black);
+  json slope = document(camera_json(30, 20, 0.8, {1, 2, 8}, {0, 0, 0}),
+                        {plane_json({0, 0, 0}, {1, 2, 3})}, {distant_json({1, 1, -1})});
+  slope["ambient"] = 0.2;
+  expect_exact_color(slope, black);
+}
+
 TEST(Light, exactly_at_a_surface_lights_nothing_there_and_makes_no_nan) {
   const Image image =
       image_of(document(camera_json(9, 9), {wall(1, 1, 1, 1)}, {point_json({0, 0, 5}, 100)}));

@@ -28,6 +28,15 @@ struct OpaqueSurfaces {
   }
 };
 
+/// Points that face a light: one that shines along a surface shines on no side of it, whatever
+/// rounding makes of the point, the surface and the direction.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M faces(D d, const V3<V>& point, const ArrivingLights<V>& arriving, V incidence) {
+  const V size = hn::Add(hn::Abs(point.x), hn::Add(hn::Abs(point.y), hn::Abs(point.z)));
+  const V noise = hn::Set(d, 4 * std::numeric_limits<T>::epsilon());
+  return hn::Gt(hn::Mul(incidence, arriving.path), hn::Mul(noise, hn::Add(arriving.path, size)));
+}
+
 /// The colour of the packet's points, without what they mirror or show behind them; rubbish in
 /// lanes not `active`. `between` tells what stands before a light; `light_set` is of places on soft
 /// ones.
@@ -50,7 +59,7 @@ HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surfa
   for (const PacketLight<T>& light : scene.lights) {
     const ArrivingLights<V> arriving = arriving_light(d, light, point.point);
     const V incidence = dot(surface.normal, arriving.towards);
-    M lit = hn::And(active, hn::Gt(incidence, zero));
+    M lit = hn::And(active, faces(d, point.point, arriving, incidence));
     if (!scene.corners.empty())
       lit = hn::And(lit, hn::Gt(dot(point.normal, arriving.towards), zero));
     if (hn::AllFalse(d, lit)) continue;

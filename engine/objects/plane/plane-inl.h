@@ -7,13 +7,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
+/// A plane has no end that a ray along it would miss.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M meets(D d, const FlatItem<T>& plane, const RayOrigin<V>& from, const V3<V>& direction,
+                   V& t) {
+  return hn::And(goes_across(d, broadcast(d, plane.normal), direction),
+                 intersect_plane(d, plane, from, direction, t));
+}
+
 /// The packet against one plane.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE void intersect_item(D d, const Geometry<PlaneKind, T>&, const FlatItem<T>& plane,
                                const RayOrigin<V>& from, const V3<V>& direction, M active,
                                Hit<V>& hit) {
   V t;
-  const M is_hit = hn::And(active, intersect_plane(d, plane, from, direction, t));
+  const M is_hit = hn::And(active, meets(d, plane, from, direction, t));
   const V id = hn::Set(d, plane.id);
   take(hit, is_nearer(hit, t, id, is_hit), t, id);
 }
@@ -38,7 +46,7 @@ HWY_INLINE M occluded_by(D d, const Geometry<PlaneKind, T>& planes, const Packet
     V t;
     const M hides =
         light.rays == LightRays::parallel
-            ? intersect_plane(d, planes.items[i], rays.from, rays.towards, t)
+            ? meets(d, planes.items[i], rays.from, rays.towards, t)
             : stands_between(d, planes.items[i], rays.from, planes.lights[light.index].sides[i]);
     dark = hn::Or(dark, hn::And(lit, hides));
   }
