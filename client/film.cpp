@@ -123,6 +123,7 @@ class AnimatedPng : public Film {
 
   std::string finish(bool is_whole) override {
     std::vector<std::string> images;
+    images.reserve(static_cast<std::size_t>(count_));
     for (int frame = 0; frame < count_; ++frame) images.push_back(frames_.read(frame));
     file_.write(joined(images));
     if (is_whole) remove_folder();
