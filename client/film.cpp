@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <regex>
 #include <system_error>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "client/failure.h"
+#include "client/formats/text_source.h"
 #include "client/image_format.h"
 #include "client/output_file.h"
 #include "client/y4m.h"
@@ -60,10 +60,8 @@ class NumberedFiles : public Film {
                        count_ == 1 ? "frame" : "frames");
   }
 
-  std::string read(int frame) const {
-    std::ifstream stream(path(frame), std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
+  /// Throws InputError.
+  std::string read(int frame) const { return read_all(*source_of_file(path(frame).string())); }
 
   std::filesystem::path path(int frame) const { return file(frame).path; }
 

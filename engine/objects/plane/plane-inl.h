@@ -1,11 +1,23 @@
 // Packets against planes.
 
+#include <limits>
+
 #include "engine/lights/packet_light.h"
 #include "engine/objects/geometry.h"
 #include "engine/objects/plane/packets.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
+
+/// Directions that are not along the plane, but for what rounding makes of them and of its normal.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M goes_across(D d, const V3<V>& normal, const V3<V>& direction) {
+  const V parts = hn::MulAdd(hn::Abs(normal.x), hn::Abs(direction.x),
+                             hn::MulAdd(hn::Abs(normal.y), hn::Abs(direction.y),
+                                        hn::Mul(hn::Abs(normal.z), hn::Abs(direction.z))));
+  const V noise = hn::Mul(parts, hn::Set(d, 4 * std::numeric_limits<T>::epsilon()));
+  return hn::Gt(hn::Abs(dot(normal, direction)), noise);
+}
 
 /// A plane has no end that a ray along it would miss.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
