@@ -3,9 +3,9 @@
 
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <string>
 #include <thread>
-#include <utility>
 
 #include "tests/cluster/cluster_test.h"
 #include "tests/cluster/stored.h"
@@ -18,14 +18,22 @@ using namespace std::chrono_literals;
 
 class NatsAway : public ClusterTest {};
 
-/// Whether there are tasks, to which no more come.
-bool are_all_queued(const ServerProcess& front) {
-  std::uint64_t before = 0;
-  return eventually([&] {
-    std::this_thread::sleep_for(50ms);
-    const std::uint64_t now = task_count(front);
-    return now > 0 && std::exchange(before, now) == now;
+/// Whether all tasks of the one job that there is are queued (they wait, run or are done), as the
+/// front knows.
+bool are_all_queued(const ServerProcess& front, const std::string& nats_url) {
+  Stored stored(nats_url);
+  const bool are_stored = eventually([&] {
+    for (const OpenJob& open : stored.store.open_jobs()) {
+      const std::optional<JobRecord> record = stored.store.job(open.id);
+      const std::size_t done = stored.store.results(open.id).size();
+      if (record && record->task_count > 0 &&
+          done + open.waiting + open.running >= static_cast<std::size_t>(record->task_count))
+        return true;
+    }
+    return false;
   });
+  // What NATS answers it now comes after what NATS has answered it of the tasks.
+  return are_stored && cluster_of(front).is_object();
 }
 
 std::string readiness(const ServerProcess& server) {
@@ -129,7 +137,7 @@ TEST_F(NatsAway, render_that_its_client_gave_up_meanwhile_is_forgotten) {
     EXPECT_FALSE(connection.Post("/render", endless_scene(), "application/json"));
   });
   // A render that cannot be queued has failed by itself.
-  EXPECT_TRUE(are_all_queued(front));
+  EXPECT_TRUE(are_all_queued(front, nats().url()));
   nats().kill();
   client.join();
   EXPECT_TRUE(eventually([&] { return front.log().find("status=499") != std::string::npos; }))
@@ -147,7 +155,7 @@ TEST_F(NatsAway, client_that_waits_for_a_shared_render_gets_it) {
   const std::string scene = long_scene(60);
   Answer image;
   std::thread client([&] { image = post(front, "/render", scene); });
-  EXPECT_TRUE(are_all_queued(front)) << "half a job is refused";
+  EXPECT_TRUE(are_all_queued(front, nats().url())) << "half a job is refused";
   nats().kill();
   nats().start();
   client.join();
