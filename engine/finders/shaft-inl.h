@@ -41,7 +41,7 @@ struct Shaft {
     growth = length > 0 ? (light_radius + noise - radius) / length : 1;
     if (!(std::abs(growth) < steepest)) {
       growth = 0;
-      radius = std::max(radius, light_radius);
+      radius = std::max(radius, light_radius + noise);
     }
     slant = 1 / std::sqrt(1 - growth * growth);
     const T ends[3][3] = {

@@ -22,10 +22,24 @@ void visit_swept(const Tracer& tracer, const Visit& visit) {
       tracer);
 }
 
+/// Of the directions that are swept.
+template <typename T>
+double share_of_sets(const PacketScene<T>& scene) {
+  double in_sets = 0;
+  double all = 0;
+  for (const PacketSoftLight<T>& soft : scene.soft_lights) {
+    if (soft.directions.empty()) continue;
+    in_sets += static_cast<double>(soft.numbers.sets * soft.numbers.per_set);
+    all += static_cast<double>(soft.numbers.count());
+  }
+  return in_sets / all;
+}
+
 }  // namespace
 
 double SweepCost::ms(double samples) const {
-  const double used = std::min(4 * samples, static_cast<double>(sets)) / sets;
+  const double used_sets = std::min(4 * samples, static_cast<double>(sets)) / sets;
+  const double used = share_of_sets * used_sets + 1 - share_of_sets;
   return all_ms * used * std::ceil(pixels * samples / pixels_at_once);
 }
 
@@ -80,6 +94,7 @@ SweepCost measure_sweeps(const Tracer& tracer, std::span<const Tile> tiles) {
   SweepCost cost;
   visit_swept(tracer, [&]<typename T>(const PacketScene<T>& scene, std::int64_t target) {
     cost.sets = scene.light_sets;
+    cost.share_of_sets = share_of_sets(scene);
     cost.pixels = static_cast<double>(scene.view.width) * scene.view.height;
     cost.pixels_at_once = static_cast<double>(samples_at_once(scene.primitives.size()));
     const SamplePattern pattern = sample_pattern(1);

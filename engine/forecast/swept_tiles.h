@@ -15,6 +15,7 @@ namespace raytracer {
 struct SweepCost {
   double all_ms = 0;  ///< of one thread, along all directions
   int sets = 1;  ///< of directions, of which neighbouring pixels and samples use different ones
+  double share_of_sets = 1;   ///< of all directions; the others are used by all
   double pixels_at_once = 1;  ///< of one sample
   double pixels = 0;          ///< of the image
 

@@ -59,8 +59,8 @@ class LightLedger {
   std::size_t light_set(std::size_t i) const { return packets_[i].light_set; }
   Lanes active(std::size_t i) const { return packets_[i].active; }
 
-  /// From now on it tells: `dark` has, for each place of a set on each soft light in turn, the
-  /// lanes of its packets that see nothing of it; places are `stride` packets apart.
+  /// From now on it tells: `dark` has, for each place of a packet's set and of the rim of each soft
+  /// light in turn, the lanes that see nothing of it; places are `stride` packets apart.
   void tell(const Lanes* dark, std::size_t stride) {
     tells_ = true;
     dark_ = dark;

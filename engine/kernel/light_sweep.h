@@ -15,7 +15,7 @@ namespace raytracer {
 /// What to look into: a direction that points share, or both ends of a sky's axis.
 struct SweptDirection {
   std::size_t light;  ///< among the soft ones
-  std::size_t place;  ///< of all of its sets
+  std::size_t place;  ///< as SoftLight numbers them
 };
 
 /// Sets in `dark` the bits of those lanes of the ledgers' packets, taken one ledger after another,

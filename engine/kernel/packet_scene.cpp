@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "engine/parallel/chunks.h"
@@ -41,7 +42,7 @@ void add_soft_light(const SoftLight& soft, std::vector<PackedLight>& lights,
   PacketSoftLight<T> to{packet_light<T>(soft.light, 0),
                         soft.light.shape,
                         static_cast<T>(std::min(soft.light.size, most)),
-                        soft.per_set,
+                        soft.numbers,
                         packed.told_places,
                         {},
                         {},
@@ -53,7 +54,7 @@ void add_soft_light(const SoftLight& soft, std::vector<PackedLight>& lights,
     (is_opposite ? to.opposites : to.directions)
         .push_back(packet_light<T>(lights.back(), lights.size() - 1));
   };
-  if (soft.light.rays == LightRays::parallel) packed.told_places += soft.per_set;
+  if (soft.light.rays == LightRays::parallel) packed.told_places += soft.numbers.told();
   for (const Vec3& place : soft.places) {
     if (soft.light.rays != LightRays::parallel) {
       to.places.push_back(narrowed<T>(place));
@@ -193,6 +194,8 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
     if (geometry.finder(RayKind::to_soft_light) == Finder::light_sweep)
       packed.sweeps_soft_light = true;
   });
+  if (packed.sweeps_soft_light && packed.sets_to_be_sure > 1)
+    throw std::logic_error("a sweep tells points of no other set than their own");
   packed.background = narrowed<T>(scene.background);
   packed.shadows = scene.shadows;
   packed.materials = make_materials<T>(scene, features);

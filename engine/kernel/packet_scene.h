@@ -45,9 +45,9 @@ struct PacketSoftLight {
   PacketLight<T> light;  ///< its middle; of a sky only the emission counts
   LightShape shape;
   T size;                  ///< as PackedLight has it
-  std::size_t per_set;     ///< of its places
-  std::size_t first_told;  ///< of these, in ledgers
-  /// Its places, set after set, as SoftLight has them; where rays share directions, these.
+  PlaceNumbers numbers;
+  std::size_t first_told;  ///< of those that ledgers tell of
+  /// Its places as SoftLight has them; where rays share directions, these.
   std::vector<Triple<T>> places;
   std::vector<PacketLight<T>> directions;
   std::vector<PacketLight<T>> opposites;  ///< of a sky's directions
@@ -67,7 +67,7 @@ struct PacketScene {
   std::vector<PacketSoftLight<T>> soft_lights;
   int light_sets;                    ///< of places on these
   int sets_to_be_sure;               ///< as LightSampling has it
-  std::size_t told_places;           ///< of a set, that ledgers tell of
+  std::size_t told_places;           ///< of all soft lights, that ledgers tell of
   PrimitiveRows<T> primitives;       ///< by their numbers
   LargeArray<CornerRow<T>> corners;  ///< of primitives whose corners tell normals or colours
   PacketMaterials<T> materials;

@@ -99,7 +99,11 @@ Vec3 on_unit_hemisphere(const SquarePlace& place) {
 
 SoftLight place_samples(const PackedLight& light, const LightSampling& sampling) {
   const bool is_sky = light.shape == LightShape::sky;
-  SoftLight soft{light, static_cast<std::size_t>(sampling.per_set), {}};
+  SoftLight soft{light,
+                 {.sets = static_cast<std::size_t>(sampling.sets),
+                  .per_set = static_cast<std::size_t>(sampling.per_set),
+                  .on_rim = is_sky ? 0 : static_cast<std::size_t>(sampling.on_rim)},
+                 {}};
   const OrthonormalBasis around = orthonormal_basis(light.place);
   const auto add = [&](const SquarePlace& place) {
     if (is_sky) return soft.places.push_back(on_unit_hemisphere(place));
@@ -107,11 +111,14 @@ SoftLight place_samples(const PackedLight& light, const LightSampling& sampling)
     if (light.rays != LightRays::parallel) return soft.places.push_back(disc);
     soft.places.push_back(unit(light.place + light.size * (disc.x * around.u + disc.y * around.v)));
   };
-  const std::size_t count = soft.per_set * static_cast<std::size_t>(sampling.sets);
-  soft.places.reserve(count);
-  for (std::size_t i = 0; i < count; ++i)
-    add(sampling.is_alone ? place_of_lattice(i % soft.per_set, soft.per_set, i / soft.per_set)
-                          : place_of_sequence(i));
+  const PlaceNumbers& numbers = soft.numbers;
+  soft.places.reserve(numbers.count());
+  for (std::size_t i = 0; i < numbers.sets * numbers.per_set; ++i)
+    add(sampling.is_alone
+            ? place_of_lattice(i % numbers.per_set, numbers.per_set, numbers.set_of(i))
+            : place_of_sequence(i));
+  for (std::size_t i = 0; i < numbers.on_rim; ++i)
+    add({1, radical_inverse(static_cast<std::uint32_t>(i)) / 0x1p32});
   return soft;
 }
 

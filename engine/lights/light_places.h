@@ -22,14 +22,50 @@ struct LightSampling {
   /// How many sets a point looks at before it counts as seeing nothing of a light that would bring
   /// the ambient part.
   int sets_to_be_sure = 1;
+  /// How many places on a disc's rim it looks at after its own set and before the others, a multiple
+  /// of 8: what goes out of sight behind an edge goes out of sight there last, where places of equal
+  /// areas are few. A segment between n places of the rim is as narrow as one over their square, one
+  /// without any of n of equal areas only as one over their power of 2/3.
+  int on_rim = 0;
 };
 
-/// A soft light and the places on it, set after set: of a disc of directions unit vectors towards
-/// them; of a sky one for each axis, which stands for its opposite too; of a disc around a place
-/// their (x, y) in the unit disc.
+/// Some of a soft light's places, one after another.
+struct PlaceRange {
+  std::size_t first;
+  std::size_t count;
+  std::size_t told;   ///< of the first, its place among those that a ledger tells of
+};
+
+/// The places of a soft light by their numbers: set after set, then those on its rim.
+struct PlaceNumbers {
+  std::size_t sets = 0;
+  std::size_t per_set = 0;
+  std::size_t on_rim = 0;
+
+  std::size_t count() const { return sets * per_set + on_rim; }
+  /// How many a ledger tells a point of: those of its own set and those on the rim.
+  std::size_t told() const { return per_set + on_rim; }
+  PlaceRange of_set(std::size_t set) const { return {set * per_set, per_set, 0}; }
+  /// Those on the rim in runs, each of which goes around it: most points that see some of it are
+  /// told by the first.
+  static constexpr std::size_t rim_run = 8;
+  std::size_t rim_runs() const { return on_rim / rim_run; }
+  PlaceRange of_rim(std::size_t run) const {
+    return {sets * per_set + run * rim_run, rim_run, per_set + run * rim_run};
+  }
+  bool is_on_rim(std::size_t place) const { return place >= sets * per_set; }
+  std::size_t set_of(std::size_t place) const { return place / per_set; }
+  std::size_t told_of(std::size_t place) const {
+    return is_on_rim(place) ? per_set + place - sets * per_set : place % per_set;
+  }
+};
+
+/// A soft light and the places on it: of a disc of directions unit vectors towards them; of a sky
+/// one for each axis, which stands for its opposite too; of a disc around a place their (x, y) in
+/// the unit disc.
 struct SoftLight {
   PackedLight light;
-  std::size_t per_set = 0;
+  PlaceNumbers numbers;
   std::vector<Vec3> places;
 };
 

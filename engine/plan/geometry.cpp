@@ -15,6 +15,11 @@ constexpr std::size_t few_for_sweeps = 2000;
 /// more memory than the primitives themselves.
 double most_blocks(std::size_t primitives) { return 1e6 + 8 * static_cast<double>(primitives); }
 
+template <class Kind>
+bool can_be_swept(std::size_t count) {
+  return Kind::has_light_sweep && count > few_for_sweeps;
+}
+
 /// Of a bounded kind.
 template <class Kind>
 FinderRow choose_structures(std::size_t count, double blocks, const SoftLightSearch& search,
@@ -27,11 +32,10 @@ FinderRow choose_structures(std::size_t count, double blocks, const SoftLightSea
   set(RayKind::from_eye, blocks <= most_blocks(count) ? Finder::screen_bins : Finder::tree);
   set(RayKind::to_distant_light, are_few ? Finder::one_by_one : Finder::light_grid);
   const double listed = static_cast<double>(count) * static_cast<double>(search.directions);
-  set(RayKind::to_soft_light, are_few ? Finder::one_by_one
-                              : search.sweeps && Kind::has_light_sweep && count > few_for_sweeps
-                                  ? Finder::light_sweep
-                              : listed <= search.most_entries ? Finder::light_grid
-                                                              : Finder::tree);
+  set(RayKind::to_soft_light, are_few                                      ? Finder::one_by_one
+                              : search.sweeps && can_be_swept<Kind>(count) ? Finder::light_sweep
+                              : listed <= search.most_entries              ? Finder::light_grid
+                                                                           : Finder::tree);
   set(RayKind::to_point_light, are_few                                      ? Finder::one_by_one
                                : is_sought_from_points<Kind>(count, pixels) ? Finder::tree
                                                                             : Finder::point_grid);
@@ -82,6 +86,15 @@ Choice<Kernel> choose_kernel(const Features& features, const SceneStatistics& st
   return {Kernel::single_rays,
           because("the eye is on or inside a surface, which only the reference models: one ray at "
                   "a time, in double, several times slower")};
+}
+
+bool has_enough_for_sweeps(const Features& features) {
+  bool has_enough = false;
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    if constexpr (Kind::search == Search::bounded)
+      has_enough = has_enough || can_be_swept<Kind>(features.primitives[kind_index<Kind>]);
+  });
+  return has_enough;
 }
 
 FinderTable choose_finders(const Features& features, const SceneStatistics& statistics,

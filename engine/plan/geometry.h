@@ -35,6 +35,9 @@ struct SoftLightSearch {
   double most_entries = 0;     ///< that grids of all directions may have: primitives times these
 };
 
+/// Whether some kind has so many primitives that sweeps take less time than grids.
+bool has_enough_for_sweeps(const Features& features);
+
 FinderTable choose_finders(const Features& features, const SceneStatistics& statistics,
                            Kernel kernel, const SoftLightSearch& search);
 

@@ -75,19 +75,18 @@ double share_along(const PackedScene& scene, const SurfacePoint& point, const Ve
   return query.share();
 }
 
-/// The places of a set.
-inline std::span<const Vec3> places_of(const SoftLight& soft, std::size_t light_set) {
-  return std::span(soft.places).subspan(light_set * soft.per_set, soft.per_set);
+inline std::span<const Vec3> places_of(const SoftLight& soft, const PlaceRange& range) {
+  return std::span(soft.places).subspan(range.first, range.count);
 }
 
 /// How much of a disc that shines reaches a point: the mean over places on it.
 template <typename Finder>
 double share_of_disc(const PackedScene& scene, const SoftLight& soft, const ArrivingLight& middle,
-                     const SurfacePoint& point, std::size_t light_set, const Finder& finder) {
+                     const SurfacePoint& point, const PlaceRange& range, const Finder& finder) {
   const bool is_parallel = soft.light.rays == LightRays::parallel;
   const OrthonormalBasis around = orthonormal_basis(middle.towards);
   double sum = 0;
-  for (const Vec3& place : places_of(soft, light_set)) {
+  for (const Vec3& place : places_of(soft, range)) {
     if (is_parallel) {
       sum += share_along(scene, point, place, infinity, finder);
       continue;
@@ -96,16 +95,16 @@ double share_of_disc(const PackedScene& scene, const SoftLight& soft, const Arri
                       soft.light.size * (place.x * around.u + place.y * around.v);
     sum += share_along(scene, point, unit(path), length(path), finder);
   }
-  return sum / static_cast<double>(soft.per_set);
+  return sum / static_cast<double>(range.count);
 }
 
 /// How much of a sky reaches a point: the mean, by the cosine, over the ends of axes above it.
 template <typename Finder>
 double share_of_sky(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,
-                    const Vec3& normal, std::size_t light_set, const Finder& finder) {
+                    const Vec3& normal, const PlaceRange& range, const Finder& finder) {
   double sum = 0;
   double weights = 0;
-  for (const Vec3& axis : places_of(soft, light_set)) {
+  for (const Vec3& axis : places_of(soft, range)) {
     const double cosine = dot(normal, axis);
     const Vec3 towards = cosine < 0 ? -axis : axis;
     weights += std::abs(cosine);
@@ -114,16 +113,31 @@ double share_of_sky(const PackedScene& scene, const SoftLight& soft, const Surfa
   return weights > 0 ? sum / weights : 0;
 }
 
-/// How much of a soft light reaches a point, by the places of a set.
+/// How much of a soft light reaches a point, by some of its places.
 template <typename Finder>
 double share_of_soft_light(const PackedScene& scene, const SoftLight& soft,
-                           const SurfacePoint& point, const Vec3& normal, std::size_t light_set,
+                           const SurfacePoint& point, const Vec3& normal, const PlaceRange& range,
                            const Finder& finder) {
   if (soft.light.shape == LightShape::sky)
-    return share_of_sky(scene, soft, point, normal, light_set, finder);
+    return share_of_sky(scene, soft, point, normal, range, finder);
   const ArrivingLight middle = arriving_light(soft.light, point);
   if (!(dot(normal, middle.towards) > 0)) return 0;
-  return share_of_disc(scene, soft, middle, point, light_set, finder);
+  return share_of_disc(scene, soft, middle, point, range, finder);
+}
+
+/// Whether a point that sees nothing of a soft light by its own set sees something of it.
+template <typename Finder>
+bool sees_any(const PackedScene& scene, const SoftLight& soft, const SurfacePoint& point,
+              const Vec3& normal, std::size_t light_set, const Finder& finder) {
+  const auto sees = [&](const PlaceRange& range) {
+    return share_of_soft_light(scene, soft, point, normal, range, finder) > 0;
+  };
+  for (std::size_t i = 0; i < soft.numbers.rim_runs(); ++i)
+    if (sees(soft.numbers.of_rim(i))) return true;
+  for (int i = 1; i < scene.sets_to_be_sure; ++i)
+    if (sees(soft.numbers.of_set((light_set + static_cast<std::size_t>(i)) % soft.numbers.sets)))
+      return true;
+  return false;
 }
 
 /// The colour that a point makes of a soft light, without the ambient part.
@@ -164,16 +178,11 @@ Rgb shade(const PackedScene& scene, const Finder& finder, const SurfacePoint& po
   }
   for (const SoftLight& soft : scene.soft_lights) {
     const Vec3& normal = shading.normal;
-    const double share = share_of_soft_light(scene, soft, point, normal, light_set, finder);
-    if (scene.shadows == Shadows::black) {
-      bool is_seen = share > 0;
-      for (int i = 1; i < scene.sets_to_be_sure && !is_seen; ++i) {
-        const std::size_t set =
-            (light_set + static_cast<std::size_t>(i)) % static_cast<std::size_t>(scene.light_sets);
-        is_seen = share_of_soft_light(scene, soft, point, normal, set, finder) > 0;
-      }
-      if (is_seen) sum += ambient;
-    }
+    const double share =
+        share_of_soft_light(scene, soft, point, normal, soft.numbers.of_set(light_set), finder);
+    if (scene.shadows == Shadows::black &&
+        (share > 0 || sees_any(scene, soft, point, normal, light_set, finder)))
+      sum += ambient;
     if (share > 0) sum += share * soft_light(soft, point, shading, view);
   }
   return sum;

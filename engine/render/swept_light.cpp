@@ -68,7 +68,7 @@ std::size_t SweptLight<T>::begin_sweeps() {
   for (std::size_t light = 0; light < scene_.soft_lights.size(); ++light) {
     const PacketSoftLight<T>& soft = scene_.soft_lights[light];
     for (std::size_t place = 0; place < soft.directions.size(); ++place)
-      directions_.push_back({{light, place}, soft.first_told + place % soft.per_set});
+      directions_.push_back({{light, place}, soft.first_told + soft.numbers.told_of(place)});
   }
   return directions_.size();
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "tests/analytic/expect_color.h"
 
@@ -125,6 +126,42 @@ TEST(SoftLight, brings_the_ambient_part_where_it_is_seen) {
   hidden["lights"][0] = distant_json({0, 0, -1}, 0.5);
   hidden["lights"][0]["angle"] = 0.5;
   expect_gray(hidden, 0);
+}
+
+/// Touches the half plane's shadow in (0, 0, 5) from the right: from there it is a cap of
+/// directions that begins where the half plane does.
+json ball_as_half_plane(double x) {
+  constexpr double radius = 1;
+  constexpr double distance = 1.2;
+  const double middle = std::atan(x / 3) + std::asin(radius / distance);
+  return sphere_json({distance * std::sin(middle), 0, 5 - distance * std::cos(middle)}, radius);
+}
+
+TEST(SoftLight, is_seen_as_soon_as_an_edge_uncovers_its_rim) {
+  json material = diffuse_material();
+  material["ka"] = 1;
+  material["kd"] = 0;
+  const json plane = plane_json({0, 0, 5}, {0, 0, -1}, material);
+  json sun = distant_json({0, 0, 1}, 0.8);
+  sun["angle"] = 2 * std::atan(1.0 / 3);  // 1 wide in the half plane
+  // So many spheres that what hides the sun is swept.
+  json crowd{{"type", "spheres"}, {"radius", 0.01}, {"centers", json::array()}};
+  for (int i = 0; i < 2100; ++i) crowd["centers"].push_back({50 + 0.1 * i, 0, 2});
+  for (const json& light : {sun, lamp_json({0, 0, -1}, 2)})
+    for (const double edge : {-0.99, -1.01}) {
+      for (const std::vector<json>& objects :
+           {std::vector{plane, half_plane(edge)}, std::vector{plane, ball_as_half_plane(edge)},
+            std::vector{plane, ball_as_half_plane(edge), crowd}}) {
+        json text = document(camera_json(1, 1, 1e-6, {-2, 0, 4}, {0, 0, 5}), objects, {light});
+        text["ambient"] = 0.25;
+        for (const json& render : {json{{"samples", 1}}, json{{"samples", 4}},
+                                   json{{"samples", 64}}, json{{"target_rmse", 0.01}}}) {
+          text["render"] = render;
+          EXPECT_EQ(only_color(text).x, edge > -1 ? 0.25 : 0)
+              << light << edge << render << objects.size() << objects[1]["type"];
+        }
+      }
+    }
 }
 
 TEST(SoftLight, shines_through_glass_by_its_transparency) {

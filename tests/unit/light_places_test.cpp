@@ -48,6 +48,49 @@ TEST(LightPlaces, every_run_of_sets_has_a_place_in_each_rectangle_of_its_share) 
       }
 }
 
+TEST(LightPlaces, each_run_on_a_rim_goes_around_it_and_all_of_them_evenly) {
+  const SoftLight soft =
+      place_samples(soft_light(LightShape::disc), {.sets = 4, .per_set = 16, .on_rim = 32});
+  const PlaceNumbers& numbers = soft.numbers;
+  ASSERT_EQ(soft.places.size(), 4U * 16U + 32U);
+  const auto widest_gap = [&](std::size_t first, std::size_t count) {
+    std::set<double> turns;
+    for (std::size_t i = first; i < first + count; ++i) {
+      const auto [square, turn] = in_square(soft.places[i]);
+      EXPECT_NEAR(square, 1, 1e-12);
+      EXPECT_TRUE(numbers.is_on_rim(i));
+      turns.insert(turn > 1 - 1e-9 ? 0 : turn);
+    }
+    EXPECT_EQ(turns.size(), count);
+    double gap = *turns.begin() + 1 - *turns.rbegin();
+    for (auto next = turns.begin(), turn = next++; next != turns.end(); turn = next++)
+      gap = std::max(gap, *next - *turn);
+    return gap;
+  };
+  ASSERT_EQ(numbers.rim_runs(), 4U);
+  for (std::size_t run = 0; run < numbers.rim_runs(); ++run)
+    EXPECT_NEAR(widest_gap(numbers.of_rim(run).first, numbers.of_rim(run).count), 1.0 / 8, 1e-9);
+  EXPECT_NEAR(widest_gap(numbers.of_rim(0).first, 32), 1.0 / 32, 1e-9);
+}
+
+TEST(LightPlaces, each_that_a_point_asks_for_is_told_at_its_own_place) {
+  const PlaceNumbers numbers{.sets = 4, .per_set = 16, .on_rim = 32};
+  for (std::size_t set = 0; set < numbers.sets; ++set) {
+    std::set<std::size_t> told;
+    const auto ask = [&](const PlaceRange& range) {
+      for (std::size_t i = 0; i < range.count; ++i) {
+        EXPECT_EQ(numbers.told_of(range.first + i), range.told + i);
+        told.insert(range.told + i);
+      }
+    };
+    ask(numbers.of_set(set));
+    EXPECT_EQ(numbers.set_of(numbers.of_set(set).first), set);
+    for (std::size_t run = 0; run < numbers.rim_runs(); ++run) ask(numbers.of_rim(run));
+    EXPECT_EQ(told.size(), numbers.told());
+    EXPECT_EQ(*told.rbegin() + 1, numbers.told());
+  }
+}
+
 TEST(LightPlaces, axes_of_a_sky_are_unit_and_all_above_it) {
   const SoftLight soft =
       place_samples(soft_light(LightShape::sky), {.sets = 16, .per_set = 16, .is_alone = false});

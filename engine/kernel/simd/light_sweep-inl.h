@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "engine/kernel/light_sweep.h"
@@ -10,12 +11,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// Finds the points that look at a place, towards the ends of the axis at it: those that may be
-/// lit. Returns how many, and in `box` what holds them.
+/// Finds the points that look at a place, those of its set or all, towards the ends of the axis at
+/// it: those that may be lit. Returns how many, and in `box` what holds them.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_NOINLINE std::size_t find_points(D d, std::span<const LightLedger<T>> ledgers,
-                                     std::size_t light_set, bool is_sky, SweptPoints<T>& points,
-                                     T (&box)[4]) {
+                                     std::optional<std::size_t> light_set, bool is_sky,
+                                     SweptPoints<T>& points, T (&box)[4]) {
   using Ledger = LightLedger<T>;
   using Points = SweptPoints<T>;
   const std::size_t lanes = hn::Lanes(d);
@@ -39,7 +40,7 @@ HWY_NOINLINE std::size_t find_points(D d, std::span<const LightLedger<T>> ledger
   std::size_t before = 0;  // packets of other ledgers
   for (const Ledger& ledger : ledgers) {
     for (std::size_t i = 0; i < ledger.packet_count(); ++i) {
-      if (ledger.light_set(i) != light_set) continue;
+      if (light_set && ledger.light_set(i) != *light_set) continue;
       const T* const packet = ledger.packet(i);
       const auto get = [&](std::size_t column)
                            HWY_ATTR { return hn::LoadU(d, packet + column * lanes); };
@@ -88,8 +89,10 @@ void sweep(const PacketScene<T>& scene, const SweptDirection& direction,
   points.axes[1] = axes[1];
   points.axes[2] = towards;
   T box[4];
-  std::size_t count = find_points(d, ledgers, direction.place / soft.per_set,
-                                  soft.shape == LightShape::sky, points, box);
+  std::optional<std::size_t> light_set;
+  if (!soft.numbers.is_on_rim(direction.place)) light_set = soft.numbers.set_of(direction.place);
+  std::size_t count =
+      find_points(d, ledgers, light_set, soft.shape == LightShape::sky, points, box);
   if (count == 0) return;
   // Beside all that passes over them, points see the light.
   T covered[4] = {box[2], box[3], box[0], box[1]};

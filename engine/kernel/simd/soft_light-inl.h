@@ -39,45 +39,58 @@ class SoftLightOnPacket {
         packet_(packet),
         between_(between) {}
 
-  /// The share of a disc that the lanes of `lit` have, by the places of a set; 0 in others.
-  HWY_INLINE V share_of_disc(const PacketSoftLight<T>& soft, std::size_t set,
-                             const ArrivingLights<V>& middle, M lit) const {
+  /// The share of a disc of directions that the lanes of `lit` have, by some of its places; 0 in
+  /// others.
+  HWY_INLINE V share_of_sun(const PacketSoftLight<T>& soft, const PlaceRange& range, M lit) const {
     V sum = hn::Zero(d_);
     const M none = hn::AndNot(lit, lit);
-    if (!soft.directions.empty()) {
-      for_each_place(soft, set, [&](std::size_t i, std::size_t in_set) HWY_ATTR {
-        sum = hn::Add(sum, share_along(soft.directions[i], nullptr, none,
-                                       broadcast(d_, soft.directions[i].place),
-                                       soft.first_told + in_set, lit));
-      });
-    } else {
-      const Shaft<T> shaft(box_, soft.light.place, soft.size);
-      const bool is_searched = Between::hides_all && scene_.shadows != Shadows::off;
-      const LightCandidates<T> candidates(scene_, shaft, is_searched);
-      const BasisPacket<V> around = basis_across(d_, middle.towards);
-      const V3<V> path = scale(middle.towards, middle.path);
-      for_each_place(soft, set, [&](std::size_t i, std::size_t) HWY_ATTR {
-        const V across = hn::Set(d_, soft.places[i].x * soft.size);
-        const V along = hn::Set(d_, soft.places[i].y * soft.size);
-        const V3<V> to = mul_add(around.u, across, mul_add(around.v, along, path));
-        const V distance = hn::Sqrt(dot(to, to));
-        const V3<V> towards = unit(d_, to);
-        if constexpr (Between::hides_all)
-          sum = hn::Add(sum, share_along(towards, distance, lit, candidates));
-        else
-          sum = hn::Add(sum, share_along(towards, distance, lit));
-      });
-    }
-    return hn::Mul(sum, hn::Set(d_, T(1) / static_cast<T>(soft.per_set)));
+    for_each_place(range, [&](std::size_t i, std::size_t told) HWY_ATTR {
+      sum = hn::Add(sum, share_along(soft.directions[i], nullptr, none,
+                                     broadcast(d_, soft.directions[i].place),
+                                     soft.first_told + told, lit));
+    });
+    return hn::Mul(sum, hn::Set(d_, T(1) / static_cast<T>(range.count)));
+  }
+
+  /// A disc around a place, and what may hide it from any of the points.
+  struct Lamp {
+    const PacketSoftLight<T>& soft;
+    LightCandidates<T> candidates;
+    V3<V> path;  ///< to its middle
+    BasisPacket<V> around;
+  };
+  HWY_INLINE Lamp lamp(const PacketSoftLight<T>& soft, const ArrivingLights<V>& middle) const {
+    const Shaft<T> shaft(box_, soft.light.place, soft.size);
+    const bool is_searched = Between::hides_all && scene_.shadows != Shadows::off;
+    return {soft, LightCandidates<T>(scene_, shaft, is_searched),
+            scale(middle.towards, middle.path), basis_across(d_, middle.towards)};
+  }
+
+  /// Likewise of a disc around a place.
+  HWY_INLINE V share_of_lamp(const Lamp& lamp, const PlaceRange& range, M lit) const {
+    V sum = hn::Zero(d_);
+    for_each_place(range, [&](std::size_t i, std::size_t) HWY_ATTR {
+      const V across = hn::Set(d_, lamp.soft.places[i].x * lamp.soft.size);
+      const V along = hn::Set(d_, lamp.soft.places[i].y * lamp.soft.size);
+      const V3<V> to = mul_add(lamp.around.u, across, mul_add(lamp.around.v, along, lamp.path));
+      const V distance = hn::Sqrt(dot(to, to));
+      const V3<V> towards = unit(d_, to);
+      if constexpr (Between::hides_all)
+        sum = hn::Add(sum, share_along(towards, distance, lit, lamp.candidates));
+      else
+        sum = hn::Add(sum, share_along(towards, distance, lit));
+    });
+    return hn::Mul(sum, hn::Set(d_, T(1) / static_cast<T>(range.count)));
   }
 
   /// Likewise of a sky: by the cosine.
-  HWY_INLINE V share_of_sky(const PacketSoftLight<T>& soft, std::size_t set, M active) const {
+  HWY_INLINE V share_of_sky(const PacketSoftLight<T>& soft, const PlaceRange& range,
+                            M active) const {
     const V zero = hn::Zero(d_);
     V sum = zero;
     V weights = zero;
     const bool is_shared = !soft.directions.empty();
-    for_each_place(soft, set, [&](std::size_t i, std::size_t in_set) HWY_ATTR {
+    for_each_place(range, [&](std::size_t i, std::size_t told) HWY_ATTR {
       const V3<V> axis = broadcast(d_, is_shared ? soft.directions[i].place : soft.places[i]);
       const V cosine = dot(surface_.normal, axis);
       const M opposite = hn::Lt(cosine, zero);
@@ -86,7 +99,7 @@ class SoftLightOnPacket {
       V share;
       if (is_shared) {
         share = share_along(soft.directions[i], &soft.opposites[i], opposite, axis,
-                            soft.first_told + in_set, active);
+                            soft.first_told + told, active);
       } else {
         const V3<V> towards = select(opposite, negate(axis), axis);
         share = share_along(towards, hn::Set(d_, soft.size), active);
@@ -97,25 +110,26 @@ class SoftLightOnPacket {
   }
 
   /// Lanes of `lit` that see something of a light, of which they have the share `had` by their own
-  /// set: where that is nothing, others are asked, too. share_of(set, lanes) is what lanes have.
+  /// set: where that is nothing, its rim and other sets are asked, too. share_of(range, lanes) is
+  /// what lanes have.
   template <class ShareOf>
-  HWY_INLINE M sees_any(V had, M lit, const ShareOf& share_of) const {
+  HWY_INLINE M sees_any(const PlaceNumbers& numbers, V had, M lit, const ShareOf& share_of) const {
     M dark = hn::AndNot(hn::Gt(had, hn::Zero(d_)), lit);
-    for (int i = 1; i < scene_.sets_to_be_sure && !hn::AllFalse(d_, dark); ++i) {
-      const std::size_t set = (light_set_.index + static_cast<std::size_t>(i)) %
-                              static_cast<std::size_t>(scene_.light_sets);
-      dark = hn::AndNot(hn::Gt(share_of(set, dark), hn::Zero(d_)), dark);
-    }
+    const auto look = [&](const PlaceRange& range) HWY_ATTR {
+      dark = hn::AndNot(hn::Gt(share_of(range, dark), hn::Zero(d_)), dark);
+    };
+    for (std::size_t i = 0; i < numbers.rim_runs() && !hn::AllFalse(d_, dark); ++i)
+      look(numbers.of_rim(i));
+    for (int i = 1; i < scene_.sets_to_be_sure && !hn::AllFalse(d_, dark); ++i)
+      look(numbers.of_set((light_set_.index + static_cast<std::size_t>(i)) % numbers.sets));
     return hn::AndNot(dark, lit);
   }
 
  private:
-  /// Calls visit(place, its number in the set) for those of a set.
+  /// Calls visit(place, its number among those that a ledger tells of).
   template <class Visit>
-  HWY_INLINE void for_each_place(const PacketSoftLight<T>& soft, std::size_t set,
-                                 const Visit& visit) const {
-    const std::size_t first = set * soft.per_set;
-    for (std::size_t i = 0; i < soft.per_set; ++i) visit(first + i, i);
+  HWY_INLINE void for_each_place(const PlaceRange& range, const Visit& visit) const {
+    for (std::size_t i = 0; i < range.count; ++i) visit(range.first + i, range.told + i);
   }
 
   /// From a direction that rays share, or in the lanes of `opposites` from its opposite; its place
@@ -191,17 +205,28 @@ HWY_NOINLINE V3<V> soft_light(D d, const PacketScene<T>& scene, const Surface<D>
       lit = hn::And(active, hn::Gt(incidence, zero));
       if (hn::AllFalse(d, lit)) continue;
     }
-    const auto share_of = [&](std::size_t set, M lanes) HWY_ATTR {
-      return is_sky ? light.share_of_sky(soft, set, lanes)
-                    : light.share_of_disc(soft, set, middle, lanes);
+    const auto add_light = [&](const auto& share_of) HWY_ATTR {
+      const V had = hn::IfThenElseZero(lit, share_of(soft.numbers.of_set(light_set.index), lit));
+      const V reflected =
+          is_sky ? material.diffuse() : material.share(d, middle.towards, incidence);
+      const V share = hn::IfThenElseZero(hn::Gt(had, zero), hn::Mul(had, reflected));
+      V shown = zero;
+      if (has_ambient)
+        shown = hn::IfThenElseZero(light.sees_any(soft.numbers, had, lit, share_of), ambient);
+      const V3<V> emission = is_sky ? broadcast(d, soft.light.emission) : middle.emission;
+      sum = add(sum, mul_add(emission, share, V3<V>{shown, shown, shown}));
     };
-    const V had = hn::IfThenElseZero(lit, share_of(light_set.index, lit));
-    const V reflected = is_sky ? material.diffuse() : material.share(d, middle.towards, incidence);
-    const V share = hn::IfThenElseZero(hn::Gt(had, zero), hn::Mul(had, reflected));
-    V shown = zero;
-    if (has_ambient) shown = hn::IfThenElseZero(light.sees_any(had, lit, share_of), ambient);
-    const V3<V> emission = is_sky ? broadcast(d, soft.light.emission) : middle.emission;
-    sum = add(sum, mul_add(emission, share, V3<V>{shown, shown, shown}));
+    if (is_sky) {
+      add_light([&](const PlaceRange& range, M lanes)
+                    HWY_ATTR { return light.share_of_sky(soft, range, lanes); });
+    } else if (!soft.directions.empty()) {
+      add_light([&](const PlaceRange& range, M lanes)
+                    HWY_ATTR { return light.share_of_sun(soft, range, lanes); });
+    } else {
+      const auto lamp = light.lamp(soft, middle);
+      add_light([&](const PlaceRange& range, M lanes)
+                    HWY_ATTR { return light.share_of_lamp(lamp, range, lanes); });
+    }
   }
   return sum;
 }
