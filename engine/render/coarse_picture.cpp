@@ -11,9 +11,8 @@ namespace raytracer {
 namespace {
 
 /// Of the blocks that are traced however short the budget is: how far they are from one another at
-/// most, in blocks, and how many they are at least, if the image has them.
+/// most, in blocks.
 constexpr int coarsest = 8;
-constexpr std::size_t least_blocks = 64;
 /// Blocks that a thread traces between two looks at the clock, at most.
 constexpr int blocks_at_once = 16;
 
@@ -101,7 +100,7 @@ int first_step(const Image& image) {
     return along(image.width) * along(image.height);
   };
   int step = coarsest;
-  while (step > 1 && blocks(step) < least_blocks) step /= 2;
+  while (step > 1 && blocks(step) < least_coarse_blocks) step /= 2;
   return step;
 }
 

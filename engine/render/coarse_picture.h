@@ -4,10 +4,11 @@
 // Blocks are traced from coarse to fine: every eighth in both directions (of small images every
 // fourth, second or each, so that there are some), then the fourths between them, and so on until
 // each has a subtile, which takes a sixteenth of the time of all pixels, or the budget is spent.
-// However short it is, the coarsest are done.
+// However short it is, the coarsest are done, and all pixels of an image of very few blocks.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -18,6 +19,9 @@
 #include "engine/render/tracing.h"
 
 namespace raytracer {
+
+/// Of how many blocks there are subtiles at least, if the image has them.
+inline constexpr std::size_t least_coarse_blocks = 64;
 
 /// With one sample per pixel, where that was traced.
 struct CoarsePicture {

@@ -44,19 +44,23 @@ std::optional<CoarsePicture> trace_first_picture(Tracing& tracing) {
   if (!picture || !picture->is_at_most(1)) return picture;
 
   const std::size_t columns = blocks_along(camera.width);
+  // So few blocks do not tell each other's errors, and take no longer than the first ones of others.
+  const bool is_small =
+      picture->coarseness.size() <= least_coarse_blocks / std::size_t{subtiles_in_block};
   std::vector<BeyondRange> beyond(tiles.size());
   std::atomic<bool> stop{false};
   tracing.pool.run(
       tiles.size(),
       [&](std::size_t i) {
         for_each_block(tiles[i], [&](Tile block) {
-          if (tracing.progress.stop || tracing.is_over_time(guess_ms)) stop = true;
+          if (tracing.progress.stop || (!is_small && tracing.is_over_time(guess_ms))) stop = true;
           if (stop) return;
           const std::size_t index = static_cast<std::size_t>(block.y_begin / block_side) * columns +
                                     static_cast<std::size_t>(block.x_begin / block_side);
           const double expected_ms =
               static_cast<double>(picture->subtile_ms[index]) * (subtiles_in_block - 1);
-          if (tracing.is_over_time(expected_ms + guess_ms)) return;  // others may not take so long
+          // Others may not take so long.
+          if (!is_small && tracing.is_over_time(expected_ms + guess_ms)) return;
           block.subtiles = other_subtiles;
           beyond[i] += trace_once(tracing, block, picture->image);
           picture->coarseness[index] = 0;

@@ -55,6 +55,15 @@ TEST(CoarsePicture, of_a_small_image_traces_a_subtile_of_each_block) {
   EXPECT_EQ(coarse.samples_per_pixel, 1.0 / 16);
 }
 
+TEST(CoarsePicture, of_a_tiny_image_traces_every_pixel_and_does_not_call_itself_exact) {
+  for (const auto& [width, height] : {std::pair{6, 6}, {16, 12}, {32, 24}}) {
+    const Rendering coarse = rendering_of(sphere_before_black(width, height), no_time_ms);
+    EXPECT_EQ(coarse.samples_per_pixel, 1);
+    EXPECT_GT(coarse.estimated_error, 0.02) << width << " x " << height;
+    EXPECT_EQ(coarse.stop, Stop::budget);
+  }
+}
+
 TEST(CoarsePicture, tells_an_error_near_its_own) {
   const Rendering exact = rendering_of(sphere_before_black(1400, 1000), {});
   const Rendering coarse = rendering_of(sphere_before_black(1400, 1000), no_time_ms);
