@@ -26,6 +26,16 @@ CLI::Option* add_override(CLI::App& command, Overrides& overrides, const std::st
   return command.add_option_function<Value>(flag, store, help)->option_text(value_name);
 }
 
+/// Refuses what is no whole number from `least` up.
+auto refuse_unless_whole(int least) {
+  return [least](const std::string& text) {
+    int value = 0;
+    const bool is_whole = CLI::detail::lexical_cast(text, value) && value >= least;
+    return is_whole ? ""
+                    : fmt::format("'{}' is not a whole number from {} to {}", text, least, most);
+  };
+}
+
 }  // namespace
 
 std::string refuse_unless_positive(const std::string& text) {
@@ -68,7 +78,7 @@ CLI::App& add_scene_command(CLI::App& app, const std::string& name, const std::s
 void add_accuracy_options(CLI::App& command, Overrides& overrides) {
   CLI::Option* const samples =
       add_override<int>(command, overrides, "--samples", "N", "Samples per pixel")
-          ->check(CLI::Range(1, most));
+          ->check(refuse_unless_whole(1));
   CLI::Option* const target = add_override<double>(command, overrides, "--target-rmse", "X",
                                                    "Refine until the estimated RMSE is at most X")
                                   ->check(refuse_unless_positive);
@@ -83,12 +93,12 @@ void add_accuracy_options(CLI::App& command, Overrides& overrides) {
 
 void add_picture_options(CLI::App& command, Overrides& overrides) {
   add_override<int>(command, overrides, "--width", "W", "Image width in pixels")
-      ->check(CLI::Range(1, most));
+      ->check(refuse_unless_whole(1));
   add_override<int>(command, overrides, "--height", "H", "Image height in pixels")
-      ->check(CLI::Range(1, most));
+      ->check(refuse_unless_whole(1));
   add_override<int>(command, overrides, "--max-depth", "N",
                     "Maximum number of reflections and refractions of a ray")
-      ->check(CLI::Range(0, most));
+      ->check(refuse_unless_whole(0));
   add_override<std::string>(command, overrides, "--transfer", "linear|srgb",
                             "Transfer function of the image")
       ->check(CLI::IsMember({"linear", "srgb"}));

@@ -29,6 +29,7 @@ void run(int argc, char** argv) {
   CLI::App app(purpose, "raytracer");
   app.footer(footer);
   app.set_help_flag("-h,--help", "Print this help");
+  app.set_version_flag("--version", "raytracer " RAYTRACER_VERSION, "Print the version");
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.get_formatter()->column_width(43);
   app.require_subcommand(0, 1);
@@ -40,7 +41,7 @@ void run(int argc, char** argv) {
   for (AddCommand* const add_command : all_commands) add_command(app, server);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& request) {  // --help
+  } catch (const CLI::Success& request) {  // --help, --version
     std::ostringstream text;
     app.exit(request, text);
     fmt::print("{}", text.str());

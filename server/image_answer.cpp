@@ -109,9 +109,9 @@ ImageFormat require_format(const httplib::Request& request, int channels) {
     best = format;
   }
   if (best) return *best;
-  const char* const of = channels == 3 ? "" : " for a picture with a transparent background";
-  refuse(406,
-         fmt::format("None of the accepted types is offered{}: {}", of, fmt::join(offered, ", ")));
+  const char* const of = channels == 3 ? "A picture" : "A picture with a transparent background";
+  refuse(406, fmt::format("{} can be had as {}: none of that is accepted", of,
+                          fmt::join(offered, ", ")));
 }
 
 bool prefers_floats(const httplib::Request& request) {

@@ -1,9 +1,12 @@
 // Who may render: a few at once, a bounded queue, then 429.
+#include "server/admission.h"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <regex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/process/patience.h"
@@ -35,6 +38,20 @@ TEST_F(FullServer, further_render_is_429_with_the_time_to_wait) {
   expect_problem(refused, 429, "--max-queue");
   static const std::regex seconds("[1-9][0-9]*");
   EXPECT_TRUE(std::regex_match(refused.get_header_value("Retry-After"), seconds));
+}
+
+TEST(Admission, foresees_by_what_renders_that_run_have_done) {
+  Admission admission(1, 1);
+  RenderProgress running;
+  const Admission::Slot slot(admission, running);
+  running.fraction = 0.02;
+  std::this_thread::sleep_for(100ms);
+  EXPECT_GE(admission.retry_after_s(), 5);
+  RenderProgress waiting;
+  const Admission::Slot next(admission, waiting);
+  EXPECT_GE(admission.retry_after_s(), 10);
+  running.fraction = 1;
+  EXPECT_LE(admission.retry_after_s(), 2);
 }
 
 TEST_F(FullServer, is_healthy_but_not_ready) {

@@ -104,7 +104,7 @@ TEST_F(Format, transparent_background_in_three_channels_is_406_with_what_can_be_
   for (const std::string_view type : {ppm_type, pfm_type}) {
     const Headers headers{{"Accept", std::string(type)}};
     for (const Answer& answer : {post("/render", transparent_scene, headers), get(job, headers)}) {
-      expect_problem(answer, 406, "transparent background: image/png");
+      expect_problem(answer, 406, "transparent background can be had as image/png:");
       EXPECT_EQ(answer.body.find("portable"), std::string::npos) << answer.body;
     }
   }
