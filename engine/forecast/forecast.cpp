@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/errors/error_model.h"
 #include "engine/forecast/rehearsal.h"
 #include "engine/plan/tiles.h"
 #include "engine/render/built_scene.h"
+#include "engine/render/coarse_picture.h"
 #include "engine/sample/refinement.h"
 #include "engine/text/pluralised.h"
 
@@ -19,7 +21,8 @@ namespace {
 struct PassModel {
   const Rehearsal& rehearsal;
   const MachineCosts& costs;
-  double bytes;    ///< of the image
+  double pixels;   ///< of the image
+  double bytes;    ///< likewise
   double threads;  ///< that find a tile to trace
 
   double pass_ms(double samples) const {
@@ -35,16 +38,43 @@ struct Expectation {
   double error = 0;
 };
 
-/// What render() would make of the contract: a pilot pass everywhere, under a budget fewer samples
-/// before it, and then more where they are needed.
+/// What render() would make of the contract before it chooses pixels: a pilot pass everywhere,
+/// under a budget fewer samples before it, as far as there is time.
+Expectation expect_pilot(std::optional<double> budget_ms, int pilot, const PassModel& model) {
+  const Rehearsal& rehearsal = model.rehearsal;
+  Expectation expected;
+  const std::array passes = budget_ms
+                                ? std::array{1, std::min(RefinementModel::first_step, pilot), pilot}
+                                : std::array{pilot, pilot, pilot};
+  for (const int samples : passes) {
+    if (samples <= expected.samples) continue;
+    const double pass_ms = model.pass_ms(samples);
+    const double left_ms = budget_ms.value_or(infinity) - expected.trace_ms;
+    if (left_ms < pass_ms) {
+      const double done = left_ms / pass_ms;
+      const double before = expected.samples;
+      const double least = std::min(least_coarse_pixels / model.pixels, 1.0);
+      expected.samples = std::max(before + done * (samples - before), least);
+      expected.error = before == 0 ? std::min(rehearsal.error_of(expected.samples), 1.0)
+                                   : std::hypot(std::sqrt(1 - done) * expected.error,
+                                                std::sqrt(done) * rehearsal.error_of(samples));
+      expected.trace_ms = *budget_ms;
+      return expected;
+    }
+    expected = {static_cast<double>(samples), expected.trace_ms + pass_ms,
+                rehearsal.error_of(samples)};
+  }
+  return expected;
+}
+
+/// The same with what comes after: more samples where they are needed.
 Expectation expect_contract(const RenderSettings& settings, std::optional<double> refined_rmse,
                             int most, int pilot, const PassModel& model) {
   const Rehearsal& rehearsal = model.rehearsal;
   const double share = std::min(ForecastModel::blind_factor * rehearsal.refined_share, 1.0);
-  double pilot_ms = model.pass_ms(pilot);
-  if (settings.budget_ms) pilot_ms += model.pass_ms(1);
-  if (settings.budget_ms && pilot > RefinementModel::first_step)
-    pilot_ms += model.pass_ms(RefinementModel::first_step);
+  const Expectation expected = expect_pilot(settings.budget_ms, pilot, model);
+  if (expected.samples < pilot) return expected;
+  const double pilot_ms = expected.trace_ms;
   const double sample_ms =
       static_cast<double>(rehearsal.tile_count) * rehearsal.refined_sample_ms / model.threads;
 
@@ -109,7 +139,7 @@ std::optional<Prediction> predict(const PreparedScene& prepared, const Limits& l
       is_one_thread ? 1 : std::min(pool.thread_count(), rehearsal.tile_count);
   const double value_bytes = needs_floats(scene) ? sizeof(float) : sizeof(unsigned char);
   const double pixels = static_cast<double>(camera.width) * camera.height;
-  const PassModel model{rehearsal, costs, pixels * channel_count(scene) * value_bytes,
+  const PassModel model{rehearsal, costs, pixels, pixels * channel_count(scene) * value_bytes,
                         static_cast<double>(threads)};
   const double fixed = scene.render.samples.value_or(1);
   const int most = most_samples(scene, limits);

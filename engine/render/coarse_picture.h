@@ -22,6 +22,8 @@ namespace raytracer {
 
 /// Of how many blocks there are subtiles at least, if the image has them.
 inline constexpr std::size_t least_coarse_blocks = 64;
+inline constexpr double least_coarse_pixels =
+    double{least_coarse_blocks} * subtile_side * subtile_side;
 
 /// With one sample per pixel, where that was traced.
 struct CoarsePicture {

@@ -118,6 +118,30 @@ TEST(Forecast, contracts_are_foreseen_to_be_kept) {
   EXPECT_GT(timely.samples, accurate.samples / 64) << "200 ms are long for so few pixels";
 }
 
+TEST(Forecast, budgets_that_are_too_short_for_all_pixels_are_foreseen) {
+  Scene scene = row_of_spheres(5);
+  scene.camera.width = 1600;
+  scene.camera.height = 1200;
+  scene.render.samples = 1;
+  const Prediction once = foresee(scene);
+  scene.render.samples.reset();
+  Prediction before;
+  before.samples = 0;
+  before.error = infinity;
+  for (const double share : {1e-6, 0.1, 2.0, 20.0}) {
+    scene.render.budget_ms = share * once.trace_ms;
+    const Prediction prediction = foresee(scene);
+    EXPECT_LE(prediction.trace_ms, *scene.render.budget_ms);
+    EXPECT_GT(prediction.samples, before.samples) << share;
+    EXPECT_LT(prediction.error, before.error) << share;
+    if (share < 0.5) {
+      EXPECT_LT(prediction.samples, 1);
+    }
+    before = prediction;
+  }
+  EXPECT_GT(before.samples, 1);
+}
+
 TEST(Forecast, smallest_image_is_foreseen) {
   Scene scene = row_of_spheres(5);
   scene.camera.width = 1;
