@@ -1,6 +1,8 @@
 #include "client/formats/lighting.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <variant>
 
@@ -17,6 +19,22 @@ constexpr double key_intensity = 0.9;
 void fill_shadows(model::Scene& scene) {
   scene.ambient = 0.05;
   scene.is_shadow_black = false;
+}
+
+/// A unit vector. Where `up` is along the line of sight, the axis that is least along it stands in
+/// for it, as scenes have it.
+Triple right_of(const Triple& ahead, const Triple& up) {
+  constexpr double none = 1e-12;
+  Triple right = cross(ahead, unit(up));
+  if (!(dot(right, right) >= none * none)) {
+    Triple axis{};
+    std::size_t least = 0;
+    for (const std::size_t i : {std::size_t{2}, std::size_t{1}})
+      if (std::abs(ahead[i]) < std::abs(ahead[least])) least = i;
+    axis[least] = 1;
+    right = cross(ahead, axis);
+  }
+  return unit(right);
 }
 
 /// What a light's intensity is multiplied with at what a view looks at. A lamp that falls off
@@ -42,7 +60,7 @@ struct ShareAt {
 void light_studio(model::Scene& scene) {
   const model::View& view = scene.view;
   const Triple ahead = unit(difference(view.at, view.from));
-  const Triple right = unit(cross(ahead, view.up));
+  const Triple right = right_of(ahead, view.up);
   const Triple above = cross(right, ahead);
   const auto direction = [&](double to_right, double upward, double forward) {
     return sum(sum(scaled(right, to_right), scaled(above, upward)), scaled(ahead, forward));

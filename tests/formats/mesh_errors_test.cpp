@@ -174,6 +174,34 @@ TEST(MeshErrors, ply_says_line_and_what_is_wrong) {
                     {"property float x\nend_header\n", 4, "a property of no element"},
                     {ply_vertices, 7, "the file ends in its header"},
                 });
+  const std::string camera = "element camera 1\nproperty float focus\n";
+  expect_errors(".ply", ply_begin,
+                {
+                    {camera + ply_vertices + "end_header\n1\n0 0 0\n1 0 0\n0 1 0\n", 4,
+                     "the element camera stands before the vertices"},
+                    {ply_vertices + "element tristrips 1\nproperty list int int vertex_indices\n"
+                                    "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+                     8, "strips of triangles cannot be read"},
+                });
+}
+
+/// Assimp keeps places in single precision.
+TEST(MeshErrors, places_that_are_rounded_are_told) {
+  const auto read = [](const std::string& text) {
+    return read_text(*client::format_of(".obj"), text).at(0);
+  };
+  EXPECT_TRUE(read("v 1000 0 0\nv 1001 0 0\nv 1001 1 0\nf 1 2 3\n").omissions.empty());
+  const client::Reading far =
+      read("v 500000.1 4649776.1 0\nv 500000.4 4649776.1 0\nv 500000.4 4649777 0\nf 1 2 3\n");
+  ASSERT_EQ(far.omissions.size(), 1U);
+  EXPECT_NE(far.omissions[0].one.find("rounds by up to 0.28"), std::string::npos)
+      << far.omissions[0].one;
+  try {
+    read("v 1e9 0 0\nv 1000000001 0 0\nv 1000000001 1 0\nf 1 2 3\n");
+    FAIL() << "it was read";
+  } catch (const client::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("single precision"), std::string::npos);
+  }
 }
 
 TEST(MeshErrors, ply_that_is_legal_is_read) {

@@ -170,6 +170,46 @@ TEST(Mmcif, any_column_of_the_sites_gives_colours) {
             8U);
 }
 
+TEST(Mmcif, column_of_words_gives_a_colour_each_and_gaps_are_gray) {
+  const std::string text =
+      "\xEF\xBB\xBF"
+      "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+      "_atom_site.Cartn_z\n_atom_site.group_PDB\n_atom_site.q\n"
+      "C 0 0 0 ATOM 1\nC 5(2) 0 0 HETATM .\nC 9 0 0 ATOM 2\n";
+  const auto read = [&](const char* column) {
+    return read_text(*client::format_of(".cif"), text,
+                     wishes_for(column, client::AtomStyle::spacefill))
+        .at(0);
+  };
+  const client::Reading words = read("group_PDB");
+  EXPECT_EQ(words.scene.materials.size(), 2U);
+  EXPECT_TRUE(words.omissions.empty());
+  const client::Reading numbers = read("q");
+  EXPECT_EQ(numbers.scene.materials.size(), 3U);
+  ASSERT_EQ(numbers.omissions.size(), 1U);
+  EXPECT_NE(numbers.omissions[0].one.find("gray"), std::string::npos);
+}
+
+/// Four copies by P 21/c, of which operators leave three in other cells.
+TEST(Mmcif, every_copy_is_brought_back_into_the_cell) {
+  const json scene = document(
+      ".cif",
+      "data_x\n_cell_length_a 10\n_cell_length_b 10\n_cell_length_c 10\n"
+      "_cell_angle_alpha 90\n_cell_angle_beta 90\n_cell_angle_gamma 90\n"
+      "_symmetry_space_group_name_H-M 'P 21/c'\nloop_\n_atom_site_label\n_atom_site_fract_x\n"
+      "_atom_site_fract_y\n_atom_site_fract_z\nC1 0.1 0.2 0.3\nC2 0.1 0.2 0.45\n");
+  const json centers = scene.at("objects")[0].at("centers");
+  EXPECT_EQ(centers.size(), 8U);
+  for (const json& center : centers) {
+    EXPECT_LT(center[0], 0);  // a scene's x is the file's with its sign changed
+    EXPECT_GT(center[0], -10);
+    for (const std::size_t axis : {1U, 2U}) {
+      EXPECT_GT(center[axis], 0);
+      EXPECT_LT(center[axis], 10);
+    }
+  }
+}
+
 TEST(Mmcif, cell_of_a_small_structure_is_filled) {
   const json scene = document(
       ".cif",

@@ -58,6 +58,9 @@ TEST(NffElements, what_has_no_light_has_a_key_light_and_a_sky) {
   ASSERT_EQ(lights.size(), 2U);
   EXPECT_EQ(lights[0].at("type"), "distant");
   EXPECT_EQ(lights[1].at("type"), "sky");
+  // Upward along the line of sight is no direction, and another stands in for it.
+  const json along = nff_document("v from 0 0 5 at 0 0 0 up 0 0 2 angle 90 resolution 9 9");
+  for (const json& part : along.at("lights")[0].at("direction")) EXPECT_TRUE(part.is_number());
 }
 
 TEST(NffElements, what_has_no_viewpoint_is_all_in_view_as_is_wished) {

@@ -10,13 +10,14 @@
 #include "client/formats/meshes/line_words.h"
 #include "client/formats/meshes/ply_bodies.h"
 #include "client/formats/meshes/ply_header.h"
+#include "client/formats/printable.h"
 
 namespace raytracer::client {
 namespace {
 
 /// Whether assimp makes something of elements of that name.
 bool is_shown(const PlyElement& element) {
-  static constexpr std::array<std::string_view, 4> shown{"vertex", "face", "tristrips", "material"};
+  static constexpr std::array<std::string_view, 3> shown{"vertex", "face", "material"};
   for (const std::string_view name : shown)
     if (element.name == name) return true;
   return false;
@@ -46,6 +47,19 @@ void tell_of(const PlyElement& element, Reading& reading) {
     add(reading, {"colour of a face left out", "colours of faces left out", count, color->line});
 }
 
+/// It takes the first element for vertices, and of strips the last triangle.
+void require_what_assimp_reads(const PlyHeader& header) {
+  for (const PlyElement& element : header.elements) {
+    if (element.count == 0) continue;
+    if (element.name == "vertex") break;
+    throw LineError{element.line, "the element " + printable(element.name) +
+                                      " stands before the vertices, which are to come first"};
+  }
+  for (const PlyElement& element : header.elements)
+    if (element.name == "tristrips" && element.count > 0)
+      throw LineError{element.line, "strips of triangles cannot be read: write faces"};
+}
+
 }  // namespace
 
 void check_ply(std::string_view bytes, Reading& reading) {
@@ -53,6 +67,7 @@ void check_ply(std::string_view bytes, Reading& reading) {
   if (words.next() != "ply") return;
   try {
     const PlyHeader header = read_ply_header(words);
+    require_what_assimp_reads(header);
     for (const PlyElement& element : header.elements) tell_of(element, reading);
     if (header.body == PlyBody::text)
       check_ply_text(header, words, reading);

@@ -1,14 +1,20 @@
 #include "client/formats/meshes/import_meshes.h"
 
 #include <assimp/DefaultIOSystem.h>
+#include <assimp/GltfMaterial.h>
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 #include "client/failure.h"
 #include "client/formats/meshes/join_vertices.h"
@@ -25,6 +31,20 @@ namespace {
 
 constexpr std::array<const char*, 5> endings{"ply", "obj", "stl", "gltf", "glb"};
 
+/// Of a URI, as RFC 3986 writes its octets (section 2.1).
+std::string without_percents(std::string_view uri) {
+  std::string plain;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    unsigned char octet = 0;
+    const char* const digits = uri.data() + i + 1;
+    const bool is_octet = uri[i] == '%' && i + 2 < uri.size() &&
+                          std::from_chars(digits, digits + 2, octet, 16).ptr == digits + 2;
+    plain += is_octet ? static_cast<char>(octet) : uri[i];
+    if (is_octet) i += 2;
+  }
+  return plain;
+}
+
 /// The file that is read, which is in memory, and those beside it that it names.
 class MeshFiles : public Assimp::DefaultIOSystem {
  public:
@@ -40,7 +60,10 @@ class MeshFiles : public Assimp::DefaultIOSystem {
     if (path == name_)
       return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes_.data()),
                                         bytes_.size());
-    Assimp::IOStream* const file = has_folder_ ? DefaultIOSystem::Open(path, mode) : nullptr;
+    Assimp::IOStream* file = has_folder_ ? DefaultIOSystem::Open(path, mode) : nullptr;
+    // glTF writes URIs, in which a blank is %20.
+    const std::string plain = without_percents(path);
+    if (!file && has_folder_ && plain != path) file = DefaultIOSystem::Open(plain.c_str(), mode);
     if (!file) ++missing_;
     return file;
   }
@@ -88,10 +111,21 @@ class MeshImport {
   }
 
   void read() {
-    for (unsigned i = 0; i < scene_.mNumMaterials; ++i) add_material(*scene_.mMaterials[i]);
+    std::vector<bool> is_used(scene_.mNumMaterials);
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i)
+      if (const unsigned used = scene_.mMeshes[i]->mMaterialIndex; used < is_used.size())
+        is_used[used] = true;
+    for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
+      add_material(*scene_.mMaterials[i]);
+      if (is_used[i]) tell_of(*scene_.mMaterials[i]);
+    }
     if (scene_.mNumMaterials == 0) reading_.scene.materials.push_back(plain());
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) add(*scene_.mMeshes[i]);
-    if (reading_.scene.objects.empty()) throw InputError("has no triangles and no points");
+    if (reading_.scene.objects.empty())
+      throw InputError(
+          has_flat_ ? "has no triangles with an area, in single precision, as meshes are read"
+                    : "has no triangles and no points");
+    tell_of_rounding();
   }
 
  private:
@@ -112,11 +146,37 @@ class MeshImport {
     return material;
   }
 
+  bool is_gltf() const { return format_ == MeshFormat::gltf || format_ == MeshFormat::glb; }
+
+  /// Assimp keeps places in single precision, which is coarse far from the origin.
+  void tell_of_rounding() {
+    constexpr float visible = 1e-4F;  // of the mesh's size
+    float largest = 0;
+    aiVector3D low(std::numeric_limits<float>::max());
+    aiVector3D high(std::numeric_limits<float>::lowest());
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i)
+      for (unsigned k = 0; k < scene_.mMeshes[i]->mNumVertices; ++k)
+        for (unsigned axis = 0; axis < 3; ++axis) {
+          const float place = scene_.mMeshes[i]->mVertices[k][axis];
+          largest = std::max(largest, std::abs(place));
+          low[axis] = std::min(low[axis], place);
+          high[axis] = std::max(high[axis], place);
+        }
+    const float size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+    const float rounding = largest * std::numeric_limits<float>::epsilon() / 2;
+    if (!(rounding > visible * size)) return;
+    reading_.omit(0,
+                  fmt::format("file far from the origin, whose places single precision rounds by "
+                              "up to {:.2g}, as meshes are read",
+                              rounding),
+                  "");
+  }
+
   /// glTF counts light, the others what screens show.
   model::Rgb light(const aiColor4D& color) const {
     const auto share = [](float value) { return value >= 0 ? std::min(value, 1.0F) : 0; };
     const model::Rgb rgb{share(color.r), share(color.g), share(color.b)};
-    return format_ == MeshFormat::gltf || format_ == MeshFormat::glb ? rgb : linear(rgb);
+    return is_gltf() ? rgb : linear(rgb);
   }
 
   void add_material(const aiMaterial& file) {
@@ -130,20 +190,40 @@ class MeshImport {
       const model::Rgb rgb = light(color);
       material.color = {rgb[0], rgb[1], rgb[2]};
     }
-    float opacity = 1;
-    if (file.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS && opacity >= 0 && opacity < 1)
-      material.transparency = 1 - static_cast<double>(opacity);
+    material.transparency = 1 - opacity_of(file);
     set_highlight(file, material);
+    reading_.scene.materials.push_back(material);
+  }
+
+  /// In [0, 1]. A glTF's material says whether its colour's alpha counts (section 3.9.4).
+  double opacity_of(const aiMaterial& file) const {
+    float opacity = 1;
+    if (file.Get(AI_MATKEY_OPACITY, opacity) != aiReturn_SUCCESS || !(opacity >= 0)) return 1;
+    aiString mode;
+    if (is_gltf() && file.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS) {
+      float cutoff = 0.5F;
+      file.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
+      if (mode == aiString("MASK")) return opacity < cutoff ? 0 : 1;
+      if (mode == aiString("OPAQUE")) return 1;
+    }
+    return static_cast<double>(std::min(opacity, 1.0F));
+  }
+
+  /// What of a material that something has is not shown.
+  void tell_of(const aiMaterial& file) {
+    aiColor4D color;
     float metal = 0;
     if (file.Get(AI_MATKEY_METALLIC_FACTOR, metal) == aiReturn_SUCCESS && metal > 0)
       omit(1, "metal shown as if it were painted", "metals shown as if they were painted");
     if (file.Get(AI_MATKEY_COLOR_EMISSIVE, color) == aiReturn_SUCCESS &&
         color.r + color.g + color.b > 0)
       omit(1, "material that glows shown without that", "materials that glow shown without that");
-    for (int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; ++type)
+    for (int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; ++type) {
+      // Of glTF assimp has it among the diffuse ones, too.
+      if (type == aiTextureType_BASE_COLOR && is_gltf()) continue;
       omit(file.GetTextureCount(static_cast<aiTextureType>(type)), "texture left out",
            "textures left out");
-    reading_.scene.materials.push_back(material);
+    }
   }
 
   /// OBJ's Ks and Ns are those of Blinn and Phong; of what it does not say assimp says 0.
@@ -170,11 +250,21 @@ class MeshImport {
       add_points(mesh, material);
   }
 
-  std::vector<model::Rgb> colors_of(const aiMesh& mesh) const {
+  /// A glTF's are multiplied with its material's (section 3.9.2), others stand in its place.
+  model::Rgb vertex_color(const aiMesh& mesh, unsigned vertex, std::size_t material) const {
+    model::Rgb color = light(mesh.mColors[0][vertex]);
+    if (is_gltf())
+      for (std::size_t i = 0; i < 3; ++i)
+        color[i] *= static_cast<float>(reading_.scene.materials[material].color[i]);
+    return color;
+  }
+
+  std::vector<model::Rgb> colors_of(const aiMesh& mesh, std::size_t material) const {
     std::vector<model::Rgb> colors;
     if (!mesh.HasVertexColors(0)) return colors;
     colors.reserve(mesh.mNumVertices);
-    for (unsigned i = 0; i < mesh.mNumVertices; ++i) colors.push_back(light(mesh.mColors[0][i]));
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i)
+      colors.push_back(vertex_color(mesh, i, material));
     return colors;
   }
 
@@ -203,21 +293,28 @@ class MeshImport {
       mesh.vertices.push_back(triple(file.mVertices[i]));
     }
     mesh.normals = normals_of(file);
-    mesh.colors = colors_of(file);
+    mesh.colors = colors_of(file, material);
     for (unsigned i = 0; i < file.mNumFaces; ++i) {
       const aiFace& face = file.mFaces[i];
       if (face.mNumIndices != 3) continue;
-      const std::array<std::uint32_t, 3> corners{face.mIndices[0], face.mIndices[1],
-                                                 face.mIndices[2]};
+      std::array<std::uint32_t, 3> corners{face.mIndices[0], face.mIndices[1], face.mIndices[2]};
       if (std::any_of(corners.begin(), corners.end(),
                       [&](std::uint32_t corner) { return corner >= file.mNumVertices; }))
         throw InputError("has a triangle with a corner that is none of its vertices");
       const aiVector3D a = file.mVertices[corners[1]] - file.mVertices[corners[0]];
       const aiVector3D b = file.mVertices[corners[2]] - file.mVertices[corners[0]];
-      if (a == aiVector3D() || b == aiVector3D() || a == b)
+      if (a == aiVector3D() || b == aiVector3D() || a == b) {
+        has_flat_ = true;
         omit(1, "triangle without area left out", "triangles without area left out");
-      else
-        mesh.triangles.push_back(corners);
+        continue;
+      }
+      // A node that mirrors turns corners round but not normals, which tell the outside.
+      const aiVector3D outward = a ^ b;
+      if (!mesh.normals.empty() &&
+          std::all_of(corners.begin(), corners.end(),
+                      [&](std::uint32_t corner) { return outward * file.mNormals[corner] < 0; }))
+        std::swap(corners[1], corners[2]);
+      mesh.triangles.push_back(corners);
     }
     if (mesh.triangles.empty()) return;
     join_vertices(mesh);
@@ -231,7 +328,7 @@ class MeshImport {
         omit(1, "point without a place left out", "points without a place left out");
         continue;
       }
-      if (file.HasVertexColors(0)) points.colors.push_back(light(file.mColors[0][i]));
+      if (file.HasVertexColors(0)) points.colors.push_back(vertex_color(file, i, material));
       points.centers.push_back(triple(file.mVertices[i]));
     }
     if (points.centers.empty()) return;
@@ -242,6 +339,7 @@ class MeshImport {
   MeshFormat format_;
   const aiScene& scene_;
   Reading& reading_;
+  bool has_flat_ = false;  ///< triangles without area
 };
 
 }  // namespace

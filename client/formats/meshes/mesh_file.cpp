@@ -12,10 +12,12 @@
 #include "client/formats/meshes/check_obj.h"
 #include "client/formats/meshes/check_ply.h"
 #include "client/formats/meshes/check_stl.h"
+#include "client/formats/meshes/gltf_extensions.h"
 #include "client/formats/meshes/gltf_stage.h"
 #include "client/formats/meshes/import_meshes.h"
 #include "client/formats/meshes/own_process.h"
 #include "client/formats/meshes/reading_bytes.h"
+#include "client/formats/words.h"
 
 namespace raytracer::client {
 namespace {
@@ -89,6 +91,9 @@ class MeshFile : public SceneFile {
 
  private:
   void import(std::string_view bytes, Reading& reading) const {
+    if (format_ == MeshFormat::gltf) bytes = without_byte_order_mark(bytes);
+    if (format_ == MeshFormat::gltf) require_known_extensions(bytes);
+    if (format_ == MeshFormat::glb) require_known_extensions(text_of_glb(bytes));
     importer()(format_, input_.path, bytes, reading);
     if (format_ == MeshFormat::gltf) read_gltf_stage(bytes, reading);
     if (format_ == MeshFormat::glb) read_gltf_stage(text_of_glb(bytes), reading);

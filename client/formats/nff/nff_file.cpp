@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "client/formats/nff/read_nff.h"
+#include "client/formats/words.h"
 
 namespace raytracer::client {
 namespace {
@@ -15,7 +16,7 @@ class NffFile : public SceneFile {
   std::optional<Reading> next_frame() override {
     if (!source_) return std::nullopt;
     const auto source = std::exchange(source_, nullptr);
-    return read_nff(read_all(*source), wishes_);
+    return read_nff(without_byte_order_mark(read_all(*source)), wishes_);
   }
 
   bool has_more() const override { return source_ != nullptr; }

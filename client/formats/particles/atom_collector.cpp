@@ -1,5 +1,6 @@
 #include "client/formats/particles/atom_collector.h"
 
+#include <cmath>
 #include <gemmi/resinfo.hpp>
 #include <utility>
 
@@ -57,11 +58,16 @@ std::optional<std::uint32_t> AtomCollector::add(int line, const Atom& atom, floa
   const auto index = static_cast<std::uint32_t>(among.places.size());
   among.places.push_back(atom.place);
   among.elements.push_back(atom.element);
-  if (color_column_)
+  if (is_colored_by_words_)
+    among.groups.push_back(groups_.number_of(atom.color_word));
+  else if (color_column_)
     among.values.push_back(color_value);
   else if (wishes_.color != "element")
     among.groups.push_back(groups_.number_of(wishes_.color == "chain" ? atom.chain : atom.residue));
   if (is_left_out) return std::nullopt;
+  if (color_column_ && !is_colored_by_words_ && std::isnan(color_value))
+    omit(line, "atom is gray: its colour's number is missing",
+         "atoms are gray: their colour's numbers are missing");
   return index;
 }
 

@@ -16,10 +16,11 @@ struct Atom {
   model::Triple place;
   std::uint8_t element;
   std::string_view chain;
-  std::string_view residue;    ///< its name: "GLY", "HOH"
-  std::string_view number;     ///< of the residue, with an insertion code
-  std::string_view name;       ///< of the atom within the residue: "CA"
-  std::string_view alternate;  ///< empty, or which of several places this is
+  std::string_view residue;       ///< its name: "GLY", "HOH"
+  std::string_view number;        ///< of the residue, with an insertion code
+  std::string_view name;          ///< of the atom within the residue: "CA"
+  std::string_view alternate;     ///< empty, or which of several places this is
+  std::string_view color_word{};  ///< what it has in the column that gives the colours
 };
 
 class AtomCollector {
@@ -29,8 +30,12 @@ class AtomCollector {
   /// What is to give the colours by its numbers; nothing if that is element, chain or residue.
   const std::optional<std::string>& color_column() const { return color_column_; }
 
+  /// That column has words, each of which has a colour.
+  void color_by_words() { is_colored_by_words_ = true; }
+  bool is_colored_by_words() const { return is_colored_by_words_; }
+
   /// Its place among the particles; nothing if it is left out, as water is beside anything else.
-  /// `color_value`: what it has in the column that gives the colours.
+  /// `color_value`: its number in the column that gives the colours; NaN: none.
   std::optional<std::uint32_t> add(int line, const Atom& atom, float color_value);
 
   /// Ends the model, which is its water if there is nothing else. Throws LineError if it has no
@@ -43,6 +48,7 @@ class AtomCollector {
 
   Wishes wishes_;
   std::optional<std::string> color_column_;
+  bool is_colored_by_words_ = false;
   Particles particles_;
   Particles water_;                           ///< until there is something else
   GroupNames groups_;                         ///< of all models

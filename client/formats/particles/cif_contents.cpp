@@ -1,6 +1,7 @@
 #include "client/formats/particles/cif_contents.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <gemmi/cif.hpp>
@@ -67,14 +68,55 @@ void use_operators(cif::Block& block, gemmi::UnitCell& cell) {
   }
 }
 
+/// A copy of all sites by a symmetry, as a whole in the cell: its middle is.
+class SiteCopy {
+ public:
+  SiteCopy(const std::vector<gemmi::SmallStructure::Site>& sites, const gemmi::FTransform& symmetry)
+      : symmetry_(symmetry) {
+    gemmi::Vec3 sum(0, 0, 0);
+    for (const gemmi::SmallStructure::Site& site : sites) sum += symmetry.apply(site.fract);
+    const gemmi::Vec3 middle = sum / static_cast<double>(std::max<std::size_t>(sites.size(), 1));
+    cell_ = gemmi::Fractional(std::floor(middle.x), std::floor(middle.y), std::floor(middle.z));
+  }
+
+  gemmi::Fractional operator()(const gemmi::Fractional& site) const {
+    return symmetry_.apply(site) - cell_;
+  }
+
+ private:
+  gemmi::FTransform symmetry_;
+  gemmi::Fractional cell_;
+};
+
+/// What is there: of a site on a symmetry several copies are one.
+bool is_among(const gemmi::Fractional& place, const std::vector<gemmi::Fractional>& others,
+              const gemmi::UnitCell& cell) {
+  constexpr double same = 0.4;  // in Angstrom
+  return std::any_of(others.begin(), others.end(), [&](const gemmi::Fractional& other) {
+    return cell.distance_sq(place, other) < same * same;
+  });
+}
+
 std::vector<CifSite> sites_of_cell(cif::Block& block) {
+  if (!block.find_value("_cell_length_a"))
+    throw CifError{1, "the places are in a cell, and there is no _cell_length_a"};
   std::vector<CifSite> sites;
   try {
     gemmi::SmallStructure structure = gemmi::make_small_structure_from_block(block);
     use_operators(block, structure.cell);
-    for (const gemmi::SmallStructure::Site& site : structure.get_all_unit_cell_sites()) {
-      const gemmi::Position place = structure.cell.orthogonalize(site.fract);
-      sites.push_back({place.x, place.y, place.z, site.element.name(), site.label});
+    std::vector<SiteCopy> copies{{structure.sites, gemmi::FTransform(gemmi::Transform())}};
+    for (const gemmi::FTransform& image : structure.cell.images)
+      copies.emplace_back(structure.sites, image);
+    for (const gemmi::SmallStructure::Site& site : structure.sites) {
+      std::vector<gemmi::Fractional> places;
+      for (const SiteCopy& copy : copies)
+        if (const gemmi::Fractional place = copy(site.fract);
+            !is_among(place, places, structure.cell))
+          places.push_back(place);
+      for (const gemmi::Fractional& fract : places) {
+        const gemmi::Position place = structure.cell.orthogonalize(fract);
+        sites.push_back({place.x, place.y, place.z, site.element.name(), site.label});
+      }
     }
   } catch (const std::exception& error) {
     throw CifError{1, error.what()};

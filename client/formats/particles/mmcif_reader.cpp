@@ -16,6 +16,13 @@ namespace {
 
 const std::string site_prefix = "_atom_site.";
 
+/// "1.234(5)" is 1.234, of which the last digit is uncertain by 5.
+std::string_view without_uncertainty(std::string_view number) {
+  const std::size_t begin = number.find('(');
+  return number.ends_with(')') && begin != number.npos && begin > 0 ? number.substr(0, begin)
+                                                                    : number;
+}
+
 CifContents read_contents(const std::string& text) {
   try {
     return read_cif(text);
@@ -27,7 +34,9 @@ CifContents read_contents(const std::string& text) {
 }  // namespace
 
 MmcifReader::MmcifReader(std::unique_ptr<TextSource> source, const Wishes& wishes)
-    : atoms_(wishes), text_(read_all(*source)), contents_(read_contents(text_)) {
+    : atoms_(wishes),
+      text_(without_byte_order_mark(read_all(*source))),
+      contents_(read_contents(text_)) {
   row_count_ = 1;  // one frame
   if (!contents_.sites) return;
   row_count_ = contents_.sites->row_count();
@@ -57,11 +66,19 @@ void MmcifReader::find_columns() {
   const auto& wished = atoms_.color_column();
   if (!wished) return;
   color_ = find(*wished == "bfactor" ? "B_iso_or_equiv" : *wished);
-  if (color_ >= 0) return;
+  if (color_ >= 0) return find_color_words();
   std::vector<std::string> names{"element", "chain", "residue"};
   for (const std::string& tag : sites.tags)
     names.push_back(tag.starts_with(site_prefix) ? tag.substr(site_prefix.size()) : tag);
   throw LineError{sites.line, no_such_column(*wished, names)};
+}
+
+/// Words are groups, numbers have an order.
+void MmcifReader::find_color_words() {
+  for (std::size_t row = 0; row < row_count_; ++row) {
+    const std::string text = value(row, color_);
+    if (!text.empty() && !number_of(text)) return atoms_.color_by_words();
+  }
 }
 
 std::string MmcifReader::value(std::size_t row, int column) const {
@@ -71,7 +88,7 @@ std::string MmcifReader::value(std::size_t row, int column) const {
 double MmcifReader::number(std::size_t row, int column) const {
   const CifTable& sites = *contents_.sites;
   const std::string text = value(row, column);
-  const auto number = number_of(text);
+  const auto number = number_of(without_uncertainty(text));
   const auto place = static_cast<std::size_t>(column);
   if (!number || !is_moderate(*number))
     throw LineError{line_of_value(text_, sites, row * sites.tags.size() + place),
@@ -89,14 +106,15 @@ void MmcifReader::read_row(std::size_t row) {
   const std::string alternate = value(row, alternate_);
   std::uint8_t element = element_of(value(row, element_));
   if (element_ < 0) element = element_of(atom.substr(0, 1));
-  float color_value = 0;
-  if (color_ >= 0)
+  const std::string color_word = value(row, color_);
+  float color_value = std::numeric_limits<float>::quiet_NaN();
+  if (color_ >= 0 && !color_word.empty() && !atoms_.is_colored_by_words())
     color_value = static_cast<float>(
         std::clamp(number(row, color_), -static_cast<double>(std::numeric_limits<float>::max()),
                    static_cast<double>(std::numeric_limits<float>::max())));
-  const auto index =
-      atoms_.add(contents_.sites->line,
-                 {place, element, chain, residue, number_in_chain, atom, alternate}, color_value);
+  const auto index = atoms_.add(
+      contents_.sites->line,
+      {place, element, chain, residue, number_in_chain, atom, alternate, color_word}, color_value);
   if (bonds_) bonds_->add_site(row, index);
 }
 

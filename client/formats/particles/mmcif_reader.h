@@ -24,6 +24,7 @@ class MmcifReader : public ParticleReader {
 
  private:
   void find_columns();
+  void find_color_words();
   void read_row(std::size_t row);
   std::string value(std::size_t row, int column) const;
   double number(std::size_t row, int column) const;
