@@ -295,6 +295,24 @@ model::View view_through(const model::Camera& camera, const model::Scene& scene,
   return view;
 }
 
+bool is_all_in_view(const model::Scene& scene) {
+  const model::View& view = scene.view;
+  const Triple ahead = unit(difference(view.at, view.from));
+  const Triple right = unit(cross(ahead, view.up));
+  const Triple above = cross(right, ahead);
+  const double tangent_right = std::tan(view.fov / 2);
+  const double tangent_up = tangent_right * view.height_px / view.width_px;
+  bool is_in_view = true;
+  each_ball(scene, [&](const Triple& center, double) {
+    const Triple place = difference(center, view.from);
+    const double depth = dot(place, ahead);
+    if (!(std::abs(dot(place, right)) <= depth * tangent_right &&
+          std::abs(dot(place, above)) <= depth * tangent_up))
+      is_in_view = false;
+  });
+  return is_in_view;
+}
+
 void arrange(model::Scene& scene, const Wishes& wishes, const model::View& view) {
   scene.view = view;
   scene.background = wishes.background;

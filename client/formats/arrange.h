@@ -26,6 +26,9 @@ model::View view_of_all(const model::Scene& scene, const Wishes& wishes, Upright
 model::View view_through(const model::Camera& camera, const model::Scene& scene,
                          const Wishes& wishes);
 
+/// Whether the scene's own view shows the middle of everything, of meshes the vertices.
+bool is_all_in_view(const model::Scene& scene);
+
 /// Sets the view, the lights, which are those of a studio if the file has none, the background and
 /// how exact the picture is to be. `view`: what the frames before had.
 void arrange(model::Scene& scene, const Wishes& wishes, const model::View& view);

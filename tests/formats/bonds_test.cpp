@@ -51,10 +51,12 @@ TEST(Pdb, bonds_of_atoms_that_the_file_lacks_are_counted_once) {
 }
 /// Some programs number the atoms of all models through.
 TEST(Pdb, bonds_of_another_models_atoms_are_not_counted) {
-  const std::string text = "MODEL        1\n" + pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C") +
-                           "ENDMDL\nMODEL        2\n" + pdb_atom(2, " CA ", "GLY", 'A', 1, 0, "C") +
-                           pdb_atom(3, " CB ", "GLY", 'A', 1, 4, "C") +
-                           "ENDMDL\nCONECT    2    3\n";
+  const auto model = [](const char* begin, int first) {
+    return begin + pdb_atom(first, " CA ", "GLY", 'A', 1, 0, "C") +
+           pdb_atom(first + 1, " CB ", "GLY", 'A', 1, 4, "C") + "ENDMDL\n";
+  };
+  const std::string text =
+      model("MODEL        1\n", 1) + model("MODEL        2\n", 3) + "CONECT    3    4\n";
   const auto frames =
       read_text(*client::format_of(".pdb"), text, wishes_for("", client::AtomStyle::sticks));
   ASSERT_EQ(frames.size(), 2U);

@@ -234,5 +234,24 @@ TEST(Particles, line_of_more_than_a_megabyte_is_refused) {
   EXPECT_EQ(frames[0].errors[0].line, 2);
 }
 
+TEST(Particles, frames_that_leave_the_first_one_s_picture_or_range_are_told_once) {
+  const auto omissions = [](const std::string& later) {
+    std::string text;
+    for (const std::string& frame : {std::string("0 0 0 1\nC 1 0 0 2\n"), later, later})
+      text += "2\nProperties=species:S:1:pos:R:3:q:R:1\nC " + frame;
+    client::Wishes wishes;
+    wishes.color = "q";
+    std::vector<std::size_t> counts;
+    for (const client::Reading& frame : read_text(*client::format_of(".xyz"), text, wishes))
+      counts.push_back(frame.omissions.size());
+    return counts;
+  };
+  using Counts = std::vector<std::size_t>;
+  EXPECT_EQ(omissions("0 0 0 1.5\nC 1 0 0 2\n"), (Counts{0, 0, 0}));
+  EXPECT_EQ(omissions("0 0 0 1.5\nC 9 0 0 2\n"), (Counts{0, 1, 0}));
+  EXPECT_EQ(omissions("0 0 0 1.5\nC 1 0 0 3\n"), (Counts{0, 1, 0}));
+  EXPECT_EQ(omissions("0 9 0 0\nC 1 0 0 3\n"), (Counts{0, 2, 0}));
+}
+
 }  // namespace
 }  // namespace raytracer::test

@@ -52,7 +52,10 @@ std::optional<std::pair<float, float>> range_of(const std::vector<float>& values
 /// A material for each of 256 steps of the map that has a value: in a document a third as long as
 /// with a colour for each particle. Gray are those whose value is unknown.
 Paint mapped(const std::vector<float>& values, const Wishes& wishes, DrawingScale& scale) {
-  if (!scale.range) scale.range = range_of(values);
+  const auto own = range_of(values);
+  if (!scale.range) scale.range = own;
+  if (own && (own->first < scale.range->first || own->second > scale.range->second))
+    scale.is_exceeded = true;
   const auto [least, most] = scale.range.value_or(std::pair(0.0F, 0.0F));
   // Halves: the difference of two large numbers may be too large itself.
   const float width = most / 2 - least / 2;

@@ -13,6 +13,7 @@ namespace raytracer::client {
 struct DrawingScale {
   std::optional<double> radius;                  ///< of particles that have none
   std::optional<std::pair<float, float>> range;  ///< of the numbers on a colour map
+  bool is_exceeded = false;                      ///< some later number is beyond it
 };
 
 /// Adds objects and materials to the scene. Throws InputError if the style is not possible.

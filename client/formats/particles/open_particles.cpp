@@ -35,6 +35,7 @@ class ParticleScenes : public SceneFile {
       draw_particles(*std::move(particles), wishes_, scale_, reading.scene);
       if (!view_) view_ = view_of_all(reading.scene, wishes_, upright_);
       arrange(reading.scene, wishes_, *view_);
+      tell_of_first_frame(reading);
     } catch (const LineError& error) {
       reading.errors.push_back(error);
       is_broken_ = true;
@@ -45,12 +46,30 @@ class ParticleScenes : public SceneFile {
   bool has_more() const override { return !is_broken_ && (!reader_ || reader_->has_more()); }
 
  private:
+  /// What does not suit a later frame is told once.
+  void tell_of_first_frame(Reading& reading) {
+    if (!was_beyond_view_ && wishes_.zoom <= 1 && !is_all_in_view(reading.scene)) {
+      was_beyond_view_ = true;
+      reading.omit(0,
+                   "frame leaves the first one's picture, as others may; --zoom 0.5 shows twice as "
+                   "much",
+                   "");
+    }
+    if (!was_beyond_range_ && scale_.is_exceeded) {
+      was_beyond_range_ = true;
+      reading.omit(0, "frame has numbers beyond the first one's range of colours, as others may",
+                   "");
+    }
+  }
+
   MakeReader make_reader_;
   Upright upright_;
   Wishes wishes_;
   std::unique_ptr<ParticleReader> reader_;
   DrawingScale scale_;
   std::optional<model::View> view_;
+  bool was_beyond_view_ = false;
+  bool was_beyond_range_ = false;
   bool is_broken_ = false;
 };
 
