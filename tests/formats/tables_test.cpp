@@ -15,6 +15,8 @@ using nlohmann::json;
 TEST(Table, columns_have_names_and_colours_are_shares_or_bytes) {
   const json shares = document(".csv", "x,y,z,radius,r,g,b\n1,2,3,0.5,1,0,0\n4,5,6,0.5,0,1,0.5\n");
   EXPECT_EQ(shares.at("objects")[0].at("colors"), json({{1, 0, 0}, {0, 1, 0.214}}));
+  const json rounded = document(".csv", "x,y,z,r,g,b\n1,2,3,1.0000001,0,0\n4,5,6,0,1,0\n");
+  EXPECT_EQ(rounded.at("objects")[0].at("colors"), json({{1, 0, 0}, {0, 1, 0}}));
   const json bytes =
       document(".tsv", "z\ty\tx\tred\tgreen\tblue\n3\t2\t1\t255\t0\t0\n1\t1\t1\t0\t0\t0\n");
   EXPECT_EQ(bytes.at("objects")[0].at("colors"), json({{1, 0, 0}, {0, 0, 0}}));

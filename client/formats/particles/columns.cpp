@@ -184,14 +184,15 @@ void Columns::add_length(const std::vector<std::string_view>& fields, int line,
 
 void Columns::finish(Particles& particles) const {
   particles.group_names = groups_.names();
-  // Bytes, if one of them is more than the whole share.
+  // Bytes, if one of them is more than the whole share, and not by rounding.
+  constexpr float more_than_rounded = 1.5F;
   const bool are_bytes =
       std::any_of(particles.colors.begin(), particles.colors.end(), [](const model::Rgb& color) {
-        return std::any_of(color.begin(), color.end(), [](float share) { return share > 1; });
+        return std::any_of(color.begin(), color.end(),
+                           [](float share) { return share > more_than_rounded; });
       });
-  if (!are_bytes) return;
   for (model::Rgb& color : particles.colors)
-    for (float& share : color) share /= 255;
+    for (float& share : color) share = are_bytes ? share / 255 : std::min(share, 1.0F);
 }
 
 }  // namespace raytracer::client
