@@ -113,7 +113,8 @@ struct Api::Connection {
     const std::string detail = text_of(json::parse(result->body, nullptr, false), "detail");
     if (result->status == 401)
       throw InputError(fmt::format("{}: {}: give --token or RAYTRACER_TOKEN", server, detail));
-    if (result->status == 406) throw InputError("--output: another kind of file is needed: " + detail);
+    if (result->status == 406)
+      throw InputError("--output: another kind of file is needed. " + detail);
     if (result->has_header("Retry-After")) {
       const std::string after = result->get_header_value("Retry-After");
       throw ServerBusy(fmt::format("{}: {}; try again in {} s", server, detail, after),

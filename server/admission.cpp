@@ -137,17 +137,22 @@ long Admission::retry_after_s() const {
 long Admission::seconds_until_served() const {
   constexpr double tells_from = 0.01;  // a render's fraction, of the time that it will take
   double longest_s = mean_render_s_;
+  double longest_left_s = 0;
   double running_s = 0;
   for (const Slot* const slot : running_) {
     const std::chrono::duration<double> so_far = Clock::now() - slot->started_;
     const double fraction = slot->progress_.fraction;
-    const double whole_s = fraction < tells_from ? std::max(mean_render_s_, so_far.count())
+    // One that has been at it for longer than most, and does not tell, will take as long again.
+    const double whole_s = fraction < tells_from ? std::max(mean_render_s_, 2 * so_far.count())
                                                  : so_far.count() / std::min(fraction, 1.0);
-    running_s += whole_s - so_far.count();
+    const double left_s = whole_s - so_far.count();
+    running_s += left_s;
+    longest_left_s = std::max(longest_left_s, left_s);
     longest_s = std::max(longest_s, whole_s);
   }
   const double waiting_s = longest_s * static_cast<double>(waiting_.size());
-  const double all_s = (running_s + waiting_s) / static_cast<double>(most_running_);
+  const double all_s =
+      std::max(longest_left_s, (running_s + waiting_s) / static_cast<double>(most_running_));
   return std::lround(std::clamp(std::ceil(all_s), 1.0, 600.0));
 }
 

@@ -21,9 +21,9 @@ namespace {
 struct PassModel {
   const Rehearsal& rehearsal;
   const MachineCosts& costs;
-  double pixels;   ///< of the image
-  double bytes;    ///< likewise
-  double threads;  ///< that find a tile to trace
+  double coarsest;  ///< the share of the image's pixels that is traced in any case
+  double bytes;     ///< likewise
+  double threads;   ///< that find a tile to trace
 
   double pass_ms(double samples) const {
     const double work_ms = bytes * costs.byte_ms + rehearsal.image_ms(samples);
@@ -53,12 +53,11 @@ Expectation expect_pilot(std::optional<double> budget_ms, int pilot, const PassM
     if (left_ms < pass_ms) {
       const double done = left_ms / pass_ms;
       const double before = expected.samples;
-      const double least = std::min(least_coarse_pixels / model.pixels, 1.0);
-      expected.samples = std::max(before + done * (samples - before), least);
+      expected.samples = std::max(before + done * (samples - before), model.coarsest);
       expected.error = before == 0 ? std::min(rehearsal.error_of(expected.samples), 1.0)
                                    : std::hypot(std::sqrt(1 - done) * expected.error,
                                                 std::sqrt(done) * rehearsal.error_of(samples));
-      expected.trace_ms = *budget_ms;
+      expected.trace_ms = std::max(*budget_ms, before == 0 ? model.coarsest * pass_ms : 0);
       return expected;
     }
     expected = {static_cast<double>(samples), expected.trace_ms + pass_ms,
@@ -106,6 +105,7 @@ std::string error_basis(const Rehearsal& rehearsal, double samples) {
   std::string basis =
       fmt::format("estimated in {} from what {} samples per pixel changed against one", parts,
                   RefinementModel::second_step);
+  if (samples < 1) basis += ", and what is not traced is shown by blocks";
   if (samples > 1)
     basis += fmt::format(", where the error fell as samples^-{:.2f}", rehearsal.error_exponent);
   return basis + "; a detail that no sample met is not in it";
@@ -139,8 +139,8 @@ std::optional<Prediction> predict(const PreparedScene& prepared, const Limits& l
       is_one_thread ? 1 : std::min(pool.thread_count(), rehearsal.tile_count);
   const double value_bytes = needs_floats(scene) ? sizeof(float) : sizeof(unsigned char);
   const double pixels = static_cast<double>(camera.width) * camera.height;
-  const PassModel model{rehearsal, costs, pixels, pixels * channel_count(scene) * value_bytes,
-                        static_cast<double>(threads)};
+  const PassModel model{rehearsal, costs, coarsest_share(camera.width, camera.height),
+                        pixels * channel_count(scene) * value_bytes, static_cast<double>(threads)};
   const double fixed = scene.render.samples.value_or(1);
   const int most = most_samples(scene, limits);
   const Expectation expected =

@@ -232,6 +232,15 @@ class CoarseTracing {
 
 }  // namespace
 
+double coarsest_share(int width, int height) {
+  const std::size_t blocks = blocks_along(width) * blocks_along(height);
+  if (are_few_blocks(blocks)) return 1;
+  const double pixels = static_cast<double>(width) * height;
+  return std::min(static_cast<double>(std::min(blocks, least_coarse_blocks)) * subtile_side *
+                      subtile_side / pixels,
+                  1.0);
+}
+
 bool CoarsePicture::is_at_most(int most) const {
   return std::all_of(coarseness.begin(), coarseness.end(),
                      [most](std::uint8_t value) { return value <= most; });

@@ -22,8 +22,14 @@ namespace raytracer {
 
 /// Of how many blocks there are subtiles at least, if the image has them.
 inline constexpr std::size_t least_coarse_blocks = 64;
-inline constexpr double least_coarse_pixels =
-    double{least_coarse_blocks} * subtile_side * subtile_side;
+/// So few do not tell each other's errors, and take no longer than the first ones of others: all of
+/// their pixels are traced.
+constexpr bool are_few_blocks(std::size_t blocks) {
+  return blocks <= least_coarse_blocks / std::size_t{subtiles_in_block};
+}
+
+/// The share of an image's pixels that is traced however short the budget is.
+double coarsest_share(int width, int height);
 
 /// With one sample per pixel, where that was traced.
 struct CoarsePicture {

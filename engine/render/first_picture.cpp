@@ -44,9 +44,7 @@ std::optional<CoarsePicture> trace_first_picture(Tracing& tracing) {
   if (!picture || !picture->is_at_most(1)) return picture;
 
   const std::size_t columns = blocks_along(camera.width);
-  // So few blocks do not tell each other's errors, and take no longer than the first ones of others.
-  const bool is_small =
-      picture->coarseness.size() <= least_coarse_blocks / std::size_t{subtiles_in_block};
+  const bool is_small = are_few_blocks(picture->coarseness.size());
   std::vector<BeyondRange> beyond(tiles.size());
   std::atomic<bool> stop{false};
   tracing.pool.run(

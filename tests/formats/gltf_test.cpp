@@ -46,7 +46,7 @@ TEST(Gltf, alpha_counts_as_its_mode_says) {
   material["alphaMode"] = "BLEND";
   EXPECT_EQ(transparency_of(file), 0.75);
   material["alphaMode"] = "MASK";
-  EXPECT_EQ(transparency_of(file), 1);
+  EXPECT_THROW(read(file), client::InputError);  // nothing is left of it
   material["alphaCutoff"] = 0.2;
   EXPECT_EQ(transparency_of(file), 0);
 }
@@ -78,7 +78,9 @@ TEST(Gltf, node_that_mirrors_leaves_the_outside_outside) {
 TEST(Gltf, extensions_that_a_file_requires_are_known_or_it_is_refused) {
   json file = triangle();
   file["extensionsRequired"] = {"KHR_materials_unlit", "KHR_texture_transform"};
-  EXPECT_EQ(read(file).scene.objects.size(), 1U);
+  EXPECT_TRUE(read(file).omissions.empty());
+  file["extensionsRequired"] = {"EXT_of_somebody"};
+  EXPECT_EQ(read(file).omissions.size(), 1U);
   file["extensionsRequired"] = {"KHR_mesh_quantization", "EXT_meshopt_compression"};
   try {
     read(file);

@@ -170,12 +170,12 @@ TEST(Mmcif, any_column_of_the_sites_gives_colours) {
             8U);
 }
 
-TEST(Mmcif, column_of_words_gives_a_colour_each_and_gaps_are_gray) {
+TEST(Mmcif, column_of_words_gives_a_colour_each_and_gaps_among_numbers_are_gray) {
   const std::string text =
       "\xEF\xBB\xBF"
       "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
       "_atom_site.Cartn_z\n_atom_site.group_PDB\n_atom_site.q\n"
-      "C 0 0 0 ATOM 1\nC 5(2) 0 0 HETATM .\nC 9 0 0 ATOM 2\n";
+      "C 0 0 0 ATOM 1(2)\nC 5(2) 0 0 HETATM .\nC 9 0 0 ATOM 2\n";
   const auto read = [&](const char* column) {
     return read_text(*client::format_of(".cif"), text,
                      wishes_for(column, client::AtomStyle::spacefill))
@@ -188,6 +188,23 @@ TEST(Mmcif, column_of_words_gives_a_colour_each_and_gaps_are_gray) {
   EXPECT_EQ(numbers.scene.materials.size(), 3U);
   ASSERT_EQ(numbers.omissions.size(), 1U);
   EXPECT_NE(numbers.omissions[0].one.find("gray"), std::string::npos);
+}
+
+TEST(Mmcif, cell_without_a_length_or_a_site_without_a_place_is_an_error) {
+  const auto error_of = [](const std::string& length, const std::string& place) {
+    return read_text(*client::format_of(".cif"),
+                     "data_x\n_cell_length_a " + length +
+                         "\n_cell_length_b 5\n_cell_length_c 5\n_cell_angle_alpha 90\n"
+                         "_cell_angle_beta 90\n_cell_angle_gamma 90\nloop_\n_atom_site_label\n"
+                         "_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\n"
+                         "C1 0.1 0.2 0.3\nC9 " +
+                         place + " 0.2 0.45\n")
+        .at(0)
+        .errors.at(0)
+        .what;
+  };
+  EXPECT_NE(error_of("?", "0.1").find("_cell_length_"), std::string::npos);
+  EXPECT_NE(error_of("5", "?").find("'C9' has no place"), std::string::npos) << error_of("5", "?");
 }
 
 /// Four copies by P 21/c, of which operators leave three in other cells.
@@ -236,8 +253,10 @@ TEST(Mmcif, operators_that_the_file_lists_stand_over_the_name_of_its_group) {
   EXPECT_EQ(atoms(name), 16U);
   for (const char* const tag :
        {"_symmetry_equiv_pos_as_xyz\n", "_space_group_symop_operation_xyz\n"})
-    for (const std::string& group : {std::string(), name})
-      EXPECT_EQ(atoms(group + "loop_\n" + tag + inversion), 2U) << tag;
+    for (std::string symmetry : {std::string(), name}) {
+      symmetry.append("loop_\n").append(tag).append(inversion);
+      EXPECT_EQ(atoms(symmetry), 2U) << tag;
+    }
   EXPECT_EQ(read_text(*client::format_of(".cif"),
                       "data_x\n_symmetry_equiv_pos_as_xyz 'x,y,up'\n_atom_site_label C\n"
                       "_atom_site_fract_x 0\n")

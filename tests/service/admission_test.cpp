@@ -50,8 +50,11 @@ TEST(Admission, foresees_by_what_renders_that_run_have_done) {
   RenderProgress waiting;
   const Admission::Slot next(admission, waiting);
   EXPECT_GE(admission.retry_after_s(), 10);
+  running.fraction = 0.001;  // so little tells nothing
+  std::this_thread::sleep_for(1100ms);
+  EXPECT_GE(admission.retry_after_s(), 3);
   running.fraction = 1;
-  EXPECT_LE(admission.retry_after_s(), 2);
+  EXPECT_LE(admission.retry_after_s(), 3);
 }
 
 TEST_F(FullServer, is_healthy_but_not_ready) {

@@ -93,7 +93,7 @@ TEST_F(Format, transparent_background_gives_a_png_of_four_channels) {
       const CoveredPicture picture = decode_covered_png(answer.body);
       ASSERT_EQ(picture.rgba.size(), 12U * 8 * 4);
       EXPECT_EQ(picture.rgba[3], 0) << "nothing is in the corner";
-      const std::size_t middle = 4 * (4 * 12 + 6);
+      const std::size_t middle = std::size_t{4} * (4 * 12 + 6);
       EXPECT_EQ(picture.rgba[middle + 3], 255);
       EXPECT_GT(picture.rgba[middle], picture.rgba[middle + 1]) << "the sphere is red";
     }

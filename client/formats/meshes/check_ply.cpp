@@ -50,7 +50,7 @@ void tell_of(const PlyElement& element, Reading& reading) {
 /// It takes the first element for vertices, and of strips the last triangle.
 void require_what_assimp_reads(const PlyHeader& header) {
   for (const PlyElement& element : header.elements) {
-    if (element.count == 0) continue;
+    if (element.count == 0 || header.vertex_count() == 0) continue;
     if (element.name == "vertex") break;
     throw LineError{element.line, "the element " + printable(element.name) +
                                       " stands before the vertices, which are to come first"};

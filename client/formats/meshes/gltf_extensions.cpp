@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "client/failure.h"
-#include "client/formats/printable.h"
 
 namespace raytracer::client {
 namespace {
@@ -23,20 +22,36 @@ bool is_known(std::string_view extension) {
                      [&](std::string_view known) { return extension.starts_with(known); });
 }
 
+bool changes_geometry(std::string_view extension) {
+  static constexpr std::array<std::string_view, 6> all{"KHR_mesh_quantization",
+                                                       "KHR_draco_mesh_compression",
+                                                       "EXT_meshopt_compression",
+                                                       "EXT_mesh_gpu_instancing",
+                                                       "CESIUM_RTC",
+                                                       "KHR_node_visibility"};
+  return std::find(all.begin(), all.end(), extension) != all.end();
+}
+
 }  // namespace
 
-void require_known_extensions(std::string_view text) {
+void check_extensions(std::string_view text, Reading& reading) {
   const nlohmann::json file = nlohmann::json::parse(text, nullptr, false);
   if (!file.is_object()) return;
-  std::vector<std::string> unknown;
   const auto required = file.find("extensionsRequired");
   if (required == file.end() || !required->is_array()) return;
-  for (const nlohmann::json& extension : *required)
-    if (extension.is_string() && !is_known(extension.get_ref<const std::string&>()))
-      unknown.push_back(printable(extension.get<std::string>()));
-  if (!unknown.empty())
+  std::vector<std::string> needed;
+  for (const nlohmann::json& extension : *required) {
+    if (!extension.is_string()) continue;
+    const auto& name = extension.get_ref<const std::string&>();
+    if (changes_geometry(name))
+      needed.push_back(name);
+    else if (!is_known(name))
+      reading.omit(0, "extension that the file requires left out",
+                   "extensions that the file requires left out");
+  }
+  if (!needed.empty())
     throw InputError(fmt::format("cannot be read: it requires {}; export it without",
-                                 fmt::join(unknown, " and ")));
+                                 fmt::join(needed, " and ")));
 }
 
 }  // namespace raytracer::client

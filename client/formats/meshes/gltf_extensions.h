@@ -3,10 +3,13 @@
 
 #include <string_view>
 
+#include "client/formats/reading.h"
+
 namespace raytracer::client {
 
 /// Throws InputError if the file requires extensions without which its geometry means something
-/// else (glTF 2.0, section 3.12): quantized or compressed. What is not JSON is passed over.
-void require_known_extensions(std::string_view text);
+/// else (glTF 2.0, section 3.12), such as quantized or compressed places. Others that it requires
+/// and that are not known are told. What is not JSON is passed over.
+void check_extensions(std::string_view text, Reading& reading);
 
 }  // namespace raytracer::client

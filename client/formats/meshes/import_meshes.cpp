@@ -38,7 +38,8 @@ std::string without_percents(std::string_view uri) {
     unsigned char octet = 0;
     const char* const digits = uri.data() + i + 1;
     const bool is_octet = uri[i] == '%' && i + 2 < uri.size() &&
-                          std::from_chars(digits, digits + 2, octet, 16).ptr == digits + 2;
+                          std::from_chars(digits, digits + 2, octet, 16).ptr == digits + 2 &&
+                          octet != 0;
     plain += is_octet ? static_cast<char>(octet) : uri[i];
     if (is_octet) i += 2;
   }
@@ -61,14 +62,20 @@ class MeshFiles : public Assimp::DefaultIOSystem {
       return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes_.data()),
                                         bytes_.size());
     Assimp::IOStream* file = has_folder_ ? DefaultIOSystem::Open(path, mode) : nullptr;
-    // glTF writes URIs, in which a blank is %20.
-    const std::string plain = without_percents(path);
-    if (!file && has_folder_ && plain != path) file = DefaultIOSystem::Open(plain.c_str(), mode);
+    if (!file && has_folder_) file = DefaultIOSystem::Open(beside(path).c_str(), mode);
     if (!file) ++missing_;
     return file;
   }
 
  private:
+  /// What a URI of glTF, in which a blank is %20, means beside the file.
+  std::string beside(std::string_view path) const {
+    const std::size_t folder = name_.rfind('/') + 1;
+    if (!name_.ends_with(".gltf") || !path.starts_with(std::string_view(name_).substr(0, folder)))
+      return std::string(path);
+    return std::string(path.substr(0, folder)) + without_percents(path.substr(folder));
+  }
+
   std::string name_;
   std::string_view bytes_;
   bool has_folder_;
@@ -121,11 +128,12 @@ class MeshImport {
     }
     if (scene_.mNumMaterials == 0) reading_.scene.materials.push_back(plain());
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) add(*scene_.mMeshes[i]);
+    const std::string rounding = rounding_of_places();
     if (reading_.scene.objects.empty())
       throw InputError(
-          has_flat_ ? "has no triangles with an area, in single precision, as meshes are read"
-                    : "has no triangles and no points");
-    tell_of_rounding();
+          (has_flat_ ? "has no triangles with an area" : "has no triangles and no points") +
+          (rounding.empty() ? "" : ": it is a " + rounding));
+    if (!rounding.empty()) reading_.omit(0, rounding, "");
   }
 
  private:
@@ -148,28 +156,29 @@ class MeshImport {
 
   bool is_gltf() const { return format_ == MeshFormat::gltf || format_ == MeshFormat::glb; }
 
-  /// Assimp keeps places in single precision, which is coarse far from the origin.
-  void tell_of_rounding() {
-    constexpr float visible = 1e-4F;  // of the mesh's size
+  /// Assimp keeps places in single precision, which is coarse far from the origin. Empty if that is
+  /// not seen.
+  std::string rounding_of_places() const {
+    constexpr float visible = 2e-4F;  // of the size of all
     float largest = 0;
     aiVector3D low(std::numeric_limits<float>::max());
     aiVector3D high(std::numeric_limits<float>::lowest());
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i)
-      for (unsigned k = 0; k < scene_.mMeshes[i]->mNumVertices; ++k)
+      for (unsigned k = 0; k < scene_.mMeshes[i]->mNumVertices; ++k) {
+        const aiVector3D& place = scene_.mMeshes[i]->mVertices[k];
+        if (!is_place(place)) continue;
         for (unsigned axis = 0; axis < 3; ++axis) {
-          const float place = scene_.mMeshes[i]->mVertices[k][axis];
-          largest = std::max(largest, std::abs(place));
-          low[axis] = std::min(low[axis], place);
-          high[axis] = std::max(high[axis], place);
+          largest = std::max(largest, std::abs(place[axis]));
+          low[axis] = std::min(low[axis], place[axis]);
+          high[axis] = std::max(high[axis], place[axis]);
         }
+      }
     const float size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-    const float rounding = largest * std::numeric_limits<float>::epsilon() / 2;
-    if (!(rounding > visible * size)) return;
-    reading_.omit(0,
-                  fmt::format("file far from the origin, whose places single precision rounds by "
-                              "up to {:.2g}, as meshes are read",
-                              rounding),
-                  "");
+    const float step = largest * std::numeric_limits<float>::epsilon();
+    if (!(size >= 0 && step > visible * size) || (size == 0 && !has_flat_)) return "";
+    return fmt::format(
+        "file far from the origin, whose places are kept in single precision: steps of {:.2g}",
+        step);
   }
 
   /// glTF counts light, the others what screens show.
@@ -242,6 +251,10 @@ class MeshImport {
   void add(const aiMesh& mesh) {
     const std::size_t material =
         std::min<std::size_t>(mesh.mMaterialIndex, reading_.scene.materials.size() - 1);
+    // A mask that leaves nothing.
+    if (is_gltf() && reading_.scene.materials[material].transparency == 1)
+      return omit(1, "mesh of which nothing is to be seen left out",
+                  "meshes of which nothing is to be seen left out");
     if ((mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0)
       add_triangles(mesh, material);
     else if ((mesh.mPrimitiveTypes & aiPrimitiveType_LINE) != 0)
@@ -308,7 +321,8 @@ class MeshImport {
         omit(1, "triangle without area left out", "triangles without area left out");
         continue;
       }
-      // A node that mirrors turns corners round but not normals, which tell the outside.
+      // The normals tell the outside: a glTF's node that mirrors leaves the corners' order, and
+      // writers of other formats care for one of both.
       const aiVector3D outward = a ^ b;
       if (!mesh.normals.empty() &&
           std::all_of(corners.begin(), corners.end(),

@@ -92,8 +92,8 @@ class MeshFile : public SceneFile {
  private:
   void import(std::string_view bytes, Reading& reading) const {
     if (format_ == MeshFormat::gltf) bytes = without_byte_order_mark(bytes);
-    if (format_ == MeshFormat::gltf) require_known_extensions(bytes);
-    if (format_ == MeshFormat::glb) require_known_extensions(text_of_glb(bytes));
+    if (format_ == MeshFormat::gltf) check_extensions(bytes, reading);
+    if (format_ == MeshFormat::glb) check_extensions(text_of_glb(bytes), reading);
     importer()(format_, input_.path, bytes, reading);
     if (format_ == MeshFormat::gltf) read_gltf_stage(bytes, reading);
     if (format_ == MeshFormat::glb) read_gltf_stage(text_of_glb(bytes), reading);

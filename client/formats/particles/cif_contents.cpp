@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <exception>
 #include <gemmi/cif.hpp>
+#include <gemmi/numb.hpp>
 #include <gemmi/smcif.hpp>
 #include <gemmi/util.hpp>
 #include <optional>
@@ -74,8 +75,17 @@ class SiteCopy {
   SiteCopy(const std::vector<gemmi::SmallStructure::Site>& sites, const gemmi::FTransform& symmetry)
       : symmetry_(symmetry) {
     gemmi::Vec3 sum(0, 0, 0);
-    for (const gemmi::SmallStructure::Site& site : sites) sum += symmetry.apply(site.fract);
-    const gemmi::Vec3 middle = sum / static_cast<double>(std::max<std::size_t>(sites.size(), 1));
+    double count = 0;
+    for (const gemmi::SmallStructure::Site& site : sites) {
+      const gemmi::Fractional place = symmetry.apply(site.fract);
+      if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z)) continue;
+      sum += place;
+      ++count;
+    }
+    // Thirds are written with few digits.
+    constexpr double rounding = 1e-3;
+    const gemmi::Vec3 middle =
+        sum / std::max(count, 1.0) + gemmi::Vec3(rounding, rounding, rounding);
     cell_ = gemmi::Fractional(std::floor(middle.x), std::floor(middle.y), std::floor(middle.z));
   }
 
@@ -98,8 +108,11 @@ bool is_among(const gemmi::Fractional& place, const std::vector<gemmi::Fractiona
 }
 
 std::vector<CifSite> sites_of_cell(cif::Block& block) {
-  if (!block.find_value("_cell_length_a"))
-    throw CifError{1, "the places are in a cell, and there is no _cell_length_a"};
+  for (const char* const tag : {"_cell_length_a", "_cell_length_b", "_cell_length_c"}) {
+    const std::string* const length = block.find_value(tag);
+    if (!length || !(cif::as_number(*length) > 0))
+      throw CifError{1, std::string("the places are in a cell, of which there is no ") + tag};
+  }
   std::vector<CifSite> sites;
   try {
     gemmi::SmallStructure structure = gemmi::make_small_structure_from_block(block);

@@ -192,7 +192,7 @@ void Columns::finish(Particles& particles) const {
                            [](float share) { return share > more_than_rounded; });
       });
   for (model::Rgb& color : particles.colors)
-    for (float& share : color) share = are_bytes ? share / 255 : std::min(share, 1.0F);
+    for (float& share : color) share = std::min(are_bytes ? share / 255 : share, 1.0F);
 }
 
 }  // namespace raytracer::client

@@ -73,11 +73,13 @@ void MmcifReader::find_columns() {
   throw LineError{sites.line, no_such_column(*wished, names)};
 }
 
-/// Words are groups, numbers have an order.
+/// Words are groups, numbers have an order: by the first that there is.
 void MmcifReader::find_color_words() {
   for (std::size_t row = 0; row < row_count_; ++row) {
     const std::string text = value(row, color_);
-    if (!text.empty() && !number_of(text)) return atoms_.color_by_words();
+    if (text.empty()) continue;
+    if (!number_of(without_uncertainty(text))) atoms_.color_by_words();
+    return;
   }
 }
 

@@ -1,5 +1,7 @@
 #include "client/formats/particles/open_particles.h"
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <utility>
 
@@ -51,8 +53,9 @@ class ParticleScenes : public SceneFile {
     if (!was_beyond_view_ && wishes_.zoom <= 1 && !is_all_in_view(reading.scene)) {
       was_beyond_view_ = true;
       reading.omit(0,
-                   "frame leaves the first one's picture, as others may; --zoom 0.5 shows twice as "
-                   "much",
+                   fmt::format("frame leaves the first one's picture, as others may; --zoom {:.3g} "
+                               "shows twice as much",
+                               wishes_.zoom / 2),
                    "");
     }
     if (!was_beyond_range_ && scale_.is_exceeded) {
