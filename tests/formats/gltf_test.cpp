@@ -51,6 +51,21 @@ TEST(Gltf, alpha_counts_as_its_mode_says) {
   EXPECT_EQ(transparency_of(file), 0);
 }
 
+TEST(Gltf, glass_bends_light_where_it_has_a_volume) {
+  json file = triangle();
+  file["extensionsUsed"] = {"KHR_materials_transmission", "KHR_materials_volume",
+                            "KHR_materials_ior"};
+  json& extensions = file["materials"][0]["extensions"];
+  extensions["KHR_materials_transmission"]["transmissionFactor"] = 0.75;
+  EXPECT_EQ(transparency_of(file), 0.75);
+  EXPECT_EQ(read(file).scene.materials.at(0).ior, 1);
+  extensions["KHR_materials_volume"]["thicknessFactor"] = 0.1;
+  extensions["KHR_materials_ior"]["ior"] = 1.25;
+  EXPECT_EQ(read(file).scene.materials.at(0).ior, 1.25);
+  extensions["KHR_materials_transmission"]["transmissionFactor"] = 1;
+  EXPECT_EQ(transparency_of(file), 1);
+}
+
 TEST(Gltf, colours_of_vertices_are_multiplied_with_their_material_s) {
   json file = triangle();
   file["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 1;

@@ -199,9 +199,30 @@ class MeshImport {
       const model::Rgb rgb = light(color);
       material.color = {rgb[0], rgb[1], rgb[2]};
     }
-    material.transparency = 1 - opacity_of(file);
+    const double opacity = opacity_of(file);
+    material.transparency = 1 - opacity;
+    if (is_gltf()) set_transmission(file, opacity, material);
     set_highlight(file, material);
     reading_.scene.materials.push_back(material);
+    is_seen_.push_back(opacity > 0);
+  }
+
+  /// What lets light through (KHR_materials_transmission) is thin, and bends nothing, unless it has
+  /// a volume (KHR_materials_volume, KHR_materials_ior).
+  static void set_transmission(const aiMaterial& file, double opacity, model::Material& material) {
+    float transmission = 0;
+    if (file.Get(AI_MATKEY_TRANSMISSION_FACTOR, transmission) != aiReturn_SUCCESS ||
+        !(transmission > 0))
+      return;
+    material.transparency = 1 - opacity * (1 - static_cast<double>(std::min(transmission, 1.0F)));
+    float thickness = 0;
+    if (file.Get(AI_MATKEY_VOLUME_THICKNESS_FACTOR, thickness) != aiReturn_SUCCESS ||
+        !(thickness > 0))
+      return;
+    float index = 1.5F;
+    file.Get(AI_MATKEY_REFRACTI, index);
+    constexpr float most = 4;  // germanium's
+    if (index >= 1) material.ior = static_cast<double>(std::min(index, most));
   }
 
   /// In [0, 1]. A glTF's material says whether its colour's alpha counts (section 3.9.4).
@@ -251,8 +272,7 @@ class MeshImport {
   void add(const aiMesh& mesh) {
     const std::size_t material =
         std::min<std::size_t>(mesh.mMaterialIndex, reading_.scene.materials.size() - 1);
-    // A mask that leaves nothing.
-    if (is_gltf() && reading_.scene.materials[material].transparency == 1)
+    if (material < is_seen_.size() && !is_seen_[material])
       return omit(1, "mesh of which nothing is to be seen left out",
                   "meshes of which nothing is to be seen left out");
     if ((mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0)
@@ -353,7 +373,8 @@ class MeshImport {
   MeshFormat format_;
   const aiScene& scene_;
   Reading& reading_;
-  bool has_flat_ = false;  ///< triangles without area
+  std::vector<bool> is_seen_;  ///< of the file's materials: a mask may leave nothing
+  bool has_flat_ = false;      ///< triangles without area
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <gemmi/resinfo.hpp>
 #include <set>
@@ -69,6 +70,21 @@ bool is_polymer(std::string_view residue) {
   return info.is_amino_acid() || info.is_nucleic_acid();
 }
 
+/// CHARMM's names of ions, which are their residues' too; 0 of others.
+std::uint8_t element_of_ion(std::string_view residue, std::string_view name) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> ions{
+      {{"SOD", "NA"},
+       {"POT", "K"},
+       {"CLA", "CL"},
+       {"CAL", "CA"},
+       {"CES", "CS"},
+       {"LIT", "LI"},
+       {"RUB", "RB"}}};
+  for (const auto& [known, symbol] : ions)
+    if (residue == known && name == known) return element_of(symbol);
+  return 0;
+}
+
 /// From columns 77 and 78, which old files use otherwise, else from the atom's name, where elements
 /// of one letter stand in its second column. Not all files hold to that: CA in a protein is carbon.
 std::uint8_t element_of_atom(std::string_view line) {
@@ -76,6 +92,7 @@ std::uint8_t element_of_atom(std::string_view line) {
   if (!symbol.empty() && is_latin(symbol[0]))
     if (const std::uint8_t element = element_of(symbol)) return element;
   const std::string_view name = line.substr(12, 4);
+  if (const std::uint8_t ion = element_of_ion(field(line, 18, 20), field(line, 13, 16))) return ion;
   constexpr std::uint8_t hydrogen = 1;
   // Names of four letters that begin with H are hydrogens': mercury's and helium's are shorter.
   if (name[0] == 'H' && name[3] != ' ') return hydrogen;
