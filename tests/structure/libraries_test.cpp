@@ -96,9 +96,11 @@ TEST(Libraries, command_lines_are_read_in_one_place_of_the_server_and_by_each_co
   });
 }
 
-TEST(Libraries, meshes_are_read_in_one_file) {
+TEST(Libraries, meshes_are_read_in_a_library_of_its_own) {
   expect_users("assimp/", [](const std::string& path) {
-    return path == "client/formats/meshes/import_meshes.cpp";
+    return path == "client/formats/meshes/import_meshes.cpp" ||
+           path.starts_with("client/formats/meshes/assimp_files.") ||
+           path.starts_with("client/formats/meshes/mesh_material.");
   });
 }
 

@@ -1,9 +1,5 @@
 #include "client/formats/meshes/import_meshes.h"
 
-#include <assimp/DefaultIOSystem.h>
-#include <assimp/GltfMaterial.h>
-#include <assimp/MemoryIOWrapper.h>
-#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -11,18 +7,18 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "client/failure.h"
+#include "client/formats/meshes/assimp_files.h"
 #include "client/formats/meshes/join_vertices.h"
+#include "client/formats/meshes/mesh_material.h"
 #include "client/formats/meshes/obj_text.h"
 #include "client/formats/meshes/ply_as_assimp_knows_it.h"
 #include "client/formats/particles/columns.h"
 #include "client/formats/particles/neighbors.h"
-#include "client/formats/particles/screen_color.h"
 #include "client/formats/printable.h"
 #include "client/formats/text_source.h"
 
@@ -30,57 +26,6 @@ namespace raytracer::client {
 namespace {
 
 constexpr std::array<const char*, 5> endings{"ply", "obj", "stl", "gltf", "glb"};
-
-/// Of a URI, as RFC 3986 writes its octets (section 2.1).
-std::string without_percents(std::string_view uri) {
-  std::string plain;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    unsigned char octet = 0;
-    const char* const digits = uri.data() + i + 1;
-    const bool is_octet = uri[i] == '%' && i + 2 < uri.size() &&
-                          std::from_chars(digits, digits + 2, octet, 16).ptr == digits + 2 &&
-                          octet != 0;
-    plain += is_octet ? static_cast<char>(octet) : uri[i];
-    if (is_octet) i += 2;
-  }
-  return plain;
-}
-
-/// The file that is read, which is in memory, and those beside it that it names.
-class MeshFiles : public Assimp::DefaultIOSystem {
- public:
-  /// `missing` outlives this: it counts the files that cannot be opened.
-  MeshFiles(std::string name, std::string_view bytes, bool has_folder, unsigned& missing)
-      : name_(std::move(name)), bytes_(bytes), has_folder_(has_folder), missing_(missing) {}
-
-  bool Exists(const char* path) const override {
-    return path == name_ || (has_folder_ && DefaultIOSystem::Exists(path));
-  }
-
-  Assimp::IOStream* Open(const char* path, const char* mode) override {
-    if (path == name_)
-      return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes_.data()),
-                                        bytes_.size());
-    Assimp::IOStream* file = has_folder_ ? DefaultIOSystem::Open(path, mode) : nullptr;
-    if (!file && has_folder_) file = DefaultIOSystem::Open(beside(path).c_str(), mode);
-    if (!file) ++missing_;
-    return file;
-  }
-
- private:
-  /// What a URI of glTF, in which a blank is %20, means beside the file.
-  std::string beside(std::string_view path) const {
-    const std::size_t folder = name_.rfind('/') + 1;
-    if (!name_.ends_with(".gltf") || !path.starts_with(std::string_view(name_).substr(0, folder)))
-      return std::string(path);
-    return std::string(path.substr(0, folder)) + without_percents(path.substr(folder));
-  }
-
-  std::string name_;
-  std::string_view bytes_;
-  bool has_folder_;
-  unsigned& missing_;
-};
 
 model::Triple triple(const aiVector3D& vector) {
   return {static_cast<double>(vector.x), static_cast<double>(vector.y),
@@ -123,10 +68,12 @@ class MeshImport {
       if (const unsigned used = scene_.mMeshes[i]->mMaterialIndex; used < is_used.size())
         is_used[used] = true;
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
-      add_material(*scene_.mMaterials[i]);
-      if (is_used[i]) tell_of(*scene_.mMaterials[i]);
+      const auto [material, is_seen] = material_of(format_, *scene_.mMaterials[i]);
+      reading_.scene.materials.push_back(material);
+      is_seen_.push_back(is_seen);
+      if (is_used[i]) tell_of(format_, *scene_.mMaterials[i], reading_);
     }
-    if (scene_.mNumMaterials == 0) reading_.scene.materials.push_back(plain());
+    if (scene_.mNumMaterials == 0) reading_.scene.materials.push_back(plain_material());
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) add(*scene_.mMeshes[i]);
     const std::string rounding = rounding_of_places();
     if (reading_.scene.objects.empty())
@@ -143,18 +90,6 @@ class MeshImport {
   void omit(unsigned count, std::string_view one, std::string_view many) {
     for (; count > 0; --count) reading_.omit(0, one, many);
   }
-
-  static model::Material plain() {
-    model::Material material{};
-    material.color = {0.6, 0.6, 0.6};
-    material.kd = 0.7;
-    material.ks = 0.25;
-    material.shininess = 30;
-    material.ior = 1;
-    return material;
-  }
-
-  bool is_gltf() const { return format_ == MeshFormat::gltf || format_ == MeshFormat::glb; }
 
   /// Assimp keeps places in single precision, which is coarse far from the origin. Empty if that is
   /// not seen.
@@ -181,94 +116,6 @@ class MeshImport {
         step);
   }
 
-  /// glTF counts light, the others what screens show.
-  model::Rgb light(const aiColor4D& color) const {
-    const auto share = [](float value) { return value >= 0 ? std::min(value, 1.0F) : 0; };
-    const model::Rgb rgb{share(color.r), share(color.g), share(color.b)};
-    return is_gltf() ? rgb : linear(rgb);
-  }
-
-  void add_material(const aiMaterial& file) {
-    model::Material material = plain();
-    aiColor4D color;
-    // STL has none: assimp says white, which would leave no outline before a white background.
-    const bool has_color = format_ != MeshFormat::stl &&
-                           (file.Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS ||
-                            file.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS);
-    if (has_color) {
-      const model::Rgb rgb = light(color);
-      material.color = {rgb[0], rgb[1], rgb[2]};
-    }
-    const double opacity = opacity_of(file);
-    material.transparency = 1 - opacity;
-    if (is_gltf()) set_transmission(file, opacity, material);
-    set_highlight(file, material);
-    reading_.scene.materials.push_back(material);
-    is_seen_.push_back(opacity > 0);
-  }
-
-  /// What lets light through (KHR_materials_transmission) is thin, and bends nothing, unless it has
-  /// a volume (KHR_materials_volume, KHR_materials_ior).
-  static void set_transmission(const aiMaterial& file, double opacity, model::Material& material) {
-    float transmission = 0;
-    if (file.Get(AI_MATKEY_TRANSMISSION_FACTOR, transmission) != aiReturn_SUCCESS ||
-        !(transmission > 0))
-      return;
-    material.transparency = 1 - opacity * (1 - static_cast<double>(std::min(transmission, 1.0F)));
-    float thickness = 0;
-    if (file.Get(AI_MATKEY_VOLUME_THICKNESS_FACTOR, thickness) != aiReturn_SUCCESS ||
-        !(thickness > 0))
-      return;
-    float index = 1.5F;
-    file.Get(AI_MATKEY_REFRACTI, index);
-    constexpr float most = 4;  // germanium's
-    if (index >= 1) material.ior = static_cast<double>(std::min(index, most));
-  }
-
-  /// In [0, 1]. A glTF's material says whether its colour's alpha counts (section 3.9.4).
-  double opacity_of(const aiMaterial& file) const {
-    float opacity = 1;
-    if (file.Get(AI_MATKEY_OPACITY, opacity) != aiReturn_SUCCESS || !(opacity >= 0)) return 1;
-    aiString mode;
-    if (is_gltf() && file.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS) {
-      float cutoff = 0.5F;
-      file.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
-      if (mode == aiString("MASK")) return opacity < cutoff ? 0 : 1;
-      if (mode == aiString("OPAQUE")) return 1;
-    }
-    return static_cast<double>(std::min(opacity, 1.0F));
-  }
-
-  /// What of a material that something has is not shown.
-  void tell_of(const aiMaterial& file) {
-    aiColor4D color;
-    float metal = 0;
-    if (file.Get(AI_MATKEY_METALLIC_FACTOR, metal) == aiReturn_SUCCESS && metal > 0)
-      omit(1, "metal shown as if it were painted", "metals shown as if they were painted");
-    if (file.Get(AI_MATKEY_COLOR_EMISSIVE, color) == aiReturn_SUCCESS &&
-        color.r + color.g + color.b > 0)
-      omit(1, "material that glows shown without that", "materials that glow shown without that");
-    for (int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; ++type) {
-      // Of glTF assimp has it among the diffuse ones, too.
-      if (type == aiTextureType_BASE_COLOR && is_gltf()) continue;
-      omit(file.GetTextureCount(static_cast<aiTextureType>(type)), "texture left out",
-           "textures left out");
-    }
-  }
-
-  /// OBJ's Ks and Ns are those of Blinn and Phong; of what it does not say assimp says 0.
-  void set_highlight(const aiMaterial& file, model::Material& material) const {
-    aiColor4D color;
-    if (format_ != MeshFormat::obj || file.Get(AI_MATKEY_COLOR_SPECULAR, color) != aiReturn_SUCCESS)
-      return;
-    const float strength = (color.r + color.g + color.b) / 3;
-    if (strength > 0) material.ks = static_cast<double>(std::min(strength, 1.0F));
-    float exponent = 0;
-    if (file.Get(AI_MATKEY_SHININESS, exponent) == aiReturn_SUCCESS && exponent > 0 &&
-        is_moderate(static_cast<double>(exponent)))
-      material.shininess = static_cast<double>(exponent);
-  }
-
   void add(const aiMesh& mesh) {
     const std::size_t material =
         std::min<std::size_t>(mesh.mMaterialIndex, reading_.scene.materials.size() - 1);
@@ -285,8 +132,8 @@ class MeshImport {
 
   /// A glTF's are multiplied with its material's (section 3.9.2), others stand in its place.
   model::Rgb vertex_color(const aiMesh& mesh, unsigned vertex, std::size_t material) const {
-    model::Rgb color = light(mesh.mColors[0][vertex]);
-    if (is_gltf())
+    model::Rgb color = light(format_, mesh.mColors[0][vertex]);
+    if (is_gltf(format_))
       for (std::size_t i = 0; i < 3; ++i)
         color[i] *= static_cast<float>(reading_.scene.materials[material].color[i]);
     return color;
@@ -373,7 +220,7 @@ class MeshImport {
   MeshFormat format_;
   const aiScene& scene_;
   Reading& reading_;
-  std::vector<bool> is_seen_;  ///< of the file's materials: a mask may leave nothing
+  std::vector<bool> is_seen_;  ///< of the file's materials
   bool has_flat_ = false;      ///< triangles without area
 };
 
@@ -391,7 +238,7 @@ void raytracer_import_meshes(MeshFormat format, const std::string& path, std::st
   const std::string name = path.empty()
                                ? std::string("mesh.") + endings[static_cast<std::size_t>(format)]
                                : std::string(without_compression(path));
-  importer.SetIOHandler(new MeshFiles(name, bytes, !path.empty(), missing_files));  // takes it
+  importer.SetIOHandler(new AssimpFiles(name, bytes, !path.empty(), missing_files));  // takes it
   const aiScene* const scene =
       importer.ReadFile(name, aiProcess_Triangulate | aiProcess_SortByPType);
   const auto refuse = [&] {
