@@ -54,8 +54,11 @@ constexpr double left_out_share = 0.5;
 constexpr int least_on_rim = 32;
 constexpr int most_on_rim = 256;
 constexpr double error_of_one_on_rim = 0.02;
-// Of each set where directions are swept, which is all that a point can ask: with those on the rim
-// as many as scenes are promised. A sky has none.
+// Where directions are swept, along all of them for every point: half as many on the rim, and of
+// each set, which is all that a point can ask. 20,000 spheres under a sun took 0.92 to 0.97 of the
+// time that they took with 64 places and none on the rim, of a single sample 1.11 to 1.17; with 32
+// on it 1.2 to 1.25.
+constexpr int swept_on_rim = least_on_rim / 2;
 constexpr int least_swept = 32;
 // Times the sets that a target needs. Chosen: pixels of many samples then have some for each.
 constexpr int spare_sets = 2;
@@ -120,7 +123,8 @@ LightSampling for_samples(int samples, const SoftScene& soft) {
     sampling.per_set =
         std::max(sampling.per_set,
                  std::min(power_of_two_from(bias_growth * std::sqrt(samples)), most_by_bias));
-  if (soft.asks_for_any && soft.has_disc) sampling.on_rim = least_on_rim;
+  if (soft.asks_for_any && soft.has_disc)
+    sampling.on_rim = soft.is_swept ? swept_on_rim : least_on_rim;
   if (soft.asks_for_any && soft.is_swept)
     sampling.per_set = std::max(sampling.per_set, soft.has_sky ? least_places : least_swept);
   // As many as a single set of all of a pixel's places would have are there in any case.
