@@ -29,24 +29,25 @@ TEST(Pdb, number_of_a_line_is_no_element) {
   EXPECT_EQ(document(".pdb", line).at("objects")[0].at("material"), "C");
 }
 
+/// Whether the atoms are of these elements, each of another.
+void expect_elements(const std::string& atoms, const std::vector<std::string>& elements) {
+  const json materials = document(".pdb", atoms).at("materials");
+  EXPECT_EQ(materials.size(), elements.size());
+  for (const std::string& element : elements) EXPECT_TRUE(materials.contains(element)) << element;
+}
+
 TEST(Pdb, ions_have_charmm_s_names_where_no_column_says_their_element) {
-  const json scene = document(".pdb", pdb_atom(1, " SOD", "SOD", 'A', 1, 0, "") +
-                                          pdb_atom(2, " POT", "POT", 'A', 2, 5, "") +
-                                          pdb_atom(3, "CLA ", "CLA", 'A', 3, 9, "") +
-                                          pdb_atom(4, "CAL ", "CAL", 'A', 4, 12, ""));
-  EXPECT_EQ(scene.at("materials").size(), 4U);
-  for (const char* const element : {"Na", "K", "Cl", "Ca"})
-    EXPECT_TRUE(scene.at("materials").contains(element)) << element;
+  expect_elements(
+      pdb_atom(1, " SOD", "SOD", 'A', 1, 0, "") + pdb_atom(2, " POT", "POT", 'A', 2, 5, "") +
+          pdb_atom(3, "CLA ", "CLA", 'A', 3, 9, "") + pdb_atom(4, "CAL ", "CAL", 'A', 4, 12, ""),
+      {"Na", "K", "Cl", "Ca"});
 }
 
 TEST(Pdb, names_of_proteins_may_begin_a_column_early) {
-  const json scene = document(".pdb", pdb_atom(1, "CA  ", "GLY", 'A', 1, 0, "") +
-                                          pdb_atom(2, "HG  ", "SER", 'A', 2, 5, "") +
-                                          pdb_atom(3, "CD2 ", "HIE", 'A', 3, 9, "") +
-                                          pdb_atom(4, "SE  ", "MSE", 'A', 4, 12, ""));
-  EXPECT_EQ(scene.at("materials").size(), 3U);
-  for (const char* const element : {"C", "H", "Se"})
-    EXPECT_TRUE(scene.at("materials").contains(element)) << element;
+  expect_elements(
+      pdb_atom(1, "CA  ", "GLY", 'A', 1, 0, "") + pdb_atom(2, "HG  ", "SER", 'A', 2, 5, "") +
+          pdb_atom(3, "CD2 ", "HIE", 'A', 3, 9, "") + pdb_atom(4, "SE  ", "MSE", 'A', 4, 12, ""),
+      {"C", "H", "Se"});
 }
 
 TEST(Pdb, water_and_alternate_locations_are_left_out_and_counted) {

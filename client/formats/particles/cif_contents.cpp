@@ -69,42 +69,28 @@ void use_operators(cif::Block& block, gemmi::UnitCell& cell) {
   }
 }
 
-/// A copy of all sites by a symmetry, as a whole in the cell: its middle is.
-class SiteCopy {
- public:
-  SiteCopy(const std::vector<gemmi::SmallStructure::Site>& sites, const gemmi::FTransform& symmetry)
-      : symmetry_(symmetry) {
-    gemmi::Vec3 sum(0, 0, 0);
-    double count = 0;
-    for (const gemmi::SmallStructure::Site& site : sites) {
-      const gemmi::Fractional place = symmetry.apply(site.fract);
-      if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z)) continue;
-      sum += place;
-      ++count;
-    }
-    // Thirds are written with few digits.
-    constexpr double rounding = 1e-3;
-    const gemmi::Vec3 middle =
-        sum / std::max(count, 1.0) + gemmi::Vec3(rounding, rounding, rounding);
-    cell_ = gemmi::Fractional(std::floor(middle.x), std::floor(middle.y), std::floor(middle.z));
+/// Moves every copy of the sites as a whole so that its middle is in the cell.
+void bring_into_cell(gemmi::SmallStructure& structure) {
+  gemmi::Vec3 sum(0, 0, 0);
+  double count = 0;
+  for (const gemmi::SmallStructure::Site& site : structure.sites) {
+    const gemmi::Fractional& place = site.fract;
+    if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z)) continue;
+    sum += place;
+    ++count;
   }
-
-  gemmi::Fractional operator()(const gemmi::Fractional& site) const {
-    return symmetry_.apply(site) - cell_;
-  }
-
- private:
-  gemmi::FTransform symmetry_;
-  gemmi::Fractional cell_;
-};
-
-/// What is there: of a site on a symmetry several copies are one.
-bool is_among(const gemmi::Fractional& place, const std::vector<gemmi::Fractional>& others,
-              const gemmi::UnitCell& cell) {
-  constexpr double same = 0.4;  // in Angstrom
-  return std::any_of(others.begin(), others.end(), [&](const gemmi::Fractional& other) {
-    return cell.distance_sq(place, other) < same * same;
-  });
+  const auto cell_of = [](const gemmi::Vec3& place) {
+    constexpr double rounding = 1e-3;  // thirds are written with few digits
+    return gemmi::Vec3(std::floor(place.x + rounding), std::floor(place.y + rounding),
+                       std::floor(place.z + rounding));
+  };
+  gemmi::Vec3 middle = sum / std::max(count, 1.0);
+  const gemmi::Vec3 first = cell_of(middle);
+  middle -= first;
+  for (gemmi::SmallStructure::Site& site : structure.sites)
+    site.fract = site.fract - gemmi::Fractional(first);
+  for (gemmi::FTransform& image : structure.cell.images)
+    image.vec -= cell_of(image.apply(gemmi::Fractional(middle)));
 }
 
 std::vector<CifSite> sites_of_cell(cif::Block& block) {
@@ -117,19 +103,10 @@ std::vector<CifSite> sites_of_cell(cif::Block& block) {
   try {
     gemmi::SmallStructure structure = gemmi::make_small_structure_from_block(block);
     use_operators(block, structure.cell);
-    std::vector<SiteCopy> copies{{structure.sites, gemmi::FTransform(gemmi::Transform())}};
-    for (const gemmi::FTransform& image : structure.cell.images)
-      copies.emplace_back(structure.sites, image);
-    for (const gemmi::SmallStructure::Site& site : structure.sites) {
-      std::vector<gemmi::Fractional> places;
-      for (const SiteCopy& copy : copies)
-        if (const gemmi::Fractional place = copy(site.fract);
-            !is_among(place, places, structure.cell))
-          places.push_back(place);
-      for (const gemmi::Fractional& fract : places) {
-        const gemmi::Position place = structure.cell.orthogonalize(fract);
-        sites.push_back({place.x, place.y, place.z, site.element.name(), site.label});
-      }
+    bring_into_cell(structure);
+    for (const gemmi::SmallStructure::Site& site : structure.get_all_unit_cell_sites()) {
+      const gemmi::Position place = structure.cell.orthogonalize(site.fract);
+      sites.push_back({place.x, place.y, place.z, site.element.name(), site.label});
     }
   } catch (const std::exception& error) {
     throw CifError{1, error.what()};
