@@ -66,8 +66,8 @@ class Admission {
   /// Throws the 503 of a closed queue: for a look before a body is read.
   void require_open() const;
 
-  /// When those who run and wait now will have been served, in seconds from now, if those who run go
-  /// on as they did and those who wait take as long: what clients that are refused are told.
+  /// When those who run and wait now will have been served, in seconds from now, if those who run
+  /// go on as they did and those who wait take as long: what clients that are refused are told.
   long retry_after_s() const;
 
   /// close() comes soon: readiness ends, all else goes on.

@@ -44,7 +44,7 @@ template <typename T>
 struct PacketSoftLight {
   PacketLight<T> light;  ///< its middle; of a sky only the emission counts
   LightShape shape;
-  T size;                  ///< as PackedLight has it
+  T size;  ///< as PackedLight has it
   PlaceNumbers numbers;
   std::size_t first_told;  ///< of those that ledgers tell of
   /// Its places as SoftLight has them; where rays share directions, these.

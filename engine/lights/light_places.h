@@ -22,10 +22,10 @@ struct LightSampling {
   /// How many sets a point looks at before it counts as seeing nothing of a light that would bring
   /// the ambient part.
   int sets_to_be_sure = 1;
-  /// How many places on a disc's rim it looks at after its own set and before the others, a multiple
-  /// of 8: what goes out of sight behind an edge goes out of sight there last, where places of equal
-  /// areas are few. A segment between n places of the rim is as narrow as one over their square, one
-  /// without any of n of equal areas only as one over their power of 2/3.
+  /// How many places on a disc's rim it looks at after its own set and before the others, a
+  /// multiple of 8: what goes out of sight behind an edge goes out of sight there last, where
+  /// places of equal areas are few. A segment between n places of the rim is as narrow as one over
+  /// their square, one without any of n of equal areas only as one over their power of 2/3.
   int on_rim = 0;
 };
 
@@ -33,7 +33,7 @@ struct LightSampling {
 struct PlaceRange {
   std::size_t first;
   std::size_t count;
-  std::size_t told;   ///< of the first, its place among those that a ledger tells of
+  std::size_t told;  ///< of the first, its place among those that a ledger tells of
 };
 
 /// The places of a soft light by their numbers: set after set, then those on its rim.

@@ -45,9 +45,9 @@ class SoftLightOnPacket {
     V sum = hn::Zero(d_);
     const M none = hn::AndNot(lit, lit);
     for_each_place(range, [&](std::size_t i, std::size_t told) HWY_ATTR {
-      sum = hn::Add(sum, share_along(soft.directions[i], nullptr, none,
-                                     broadcast(d_, soft.directions[i].place),
-                                     soft.first_told + told, lit));
+      sum = hn::Add(
+          sum, share_along(soft.directions[i], nullptr, none,
+                           broadcast(d_, soft.directions[i].place), soft.first_told + told, lit));
     });
     return hn::Mul(sum, hn::Set(d_, T(1) / static_cast<T>(range.count)));
   }
