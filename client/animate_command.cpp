@@ -13,6 +13,7 @@
 #include "client/commands.h"
 #include "client/failure.h"
 #include "client/film.h"
+#include "client/notice.h"
 #include "client/shooting.h"
 #include "client/turntable.h"
 #include "client/with_server.h"
@@ -65,7 +66,7 @@ void animate(AnimateArguments& arguments, const ServerChoice& server) {
       shoot(api, next, *film, progress);
     });
   }
-  fmt::print(stderr, "{}\n", film->finish(/*is_whole=*/true));
+  notice(film->finish(/*is_whole=*/true));
 }
 
 /// A rate as a ratio of integers: 23.976 is 2997/125.

@@ -112,7 +112,8 @@ struct Api::Connection {
 
     const std::string detail = text_of(json::parse(result->body, nullptr, false), "detail");
     if (result->status == 401)
-      throw InputError(fmt::format("{}: {}: give --token or RAYTRACER_TOKEN", server, detail));
+      throw InputError(fmt::format("{}: wants {} token: give --token or RAYTRACER_TOKEN", server,
+                                   token.empty() ? "a" : "another"));
     if (result->status == 406)
       throw InputError("--output: another kind of file is needed. " + detail);
     if (result->has_header("Retry-After")) {

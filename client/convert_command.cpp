@@ -13,6 +13,7 @@
 #include "client/failure.h"
 #include "client/formats/format.h"
 #include "client/formats/printable.h"
+#include "client/notice.h"
 #include "client/with_server.h"
 
 namespace raytracer::client {
@@ -51,7 +52,7 @@ void convert(const ConvertArguments& arguments, const ServerChoice& server) {
   const SceneText scene = read_scene(arguments.scene, server);
   if (!arguments.output) return write_to_standard_output(scene.text);
   arguments.output->write(scene.text);
-  fmt::print(stderr, "{}: the scene of {}\n", arguments.output->path.string(), scene.label);
+  notice(fmt::format("{}: the scene of {}", arguments.output->path.string(), scene.label));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "client/image_format.h"
+#include "client/notice.h"
 #include "client/terminal.h"
 #include "client/terminal_picture.h"
 
@@ -71,7 +72,7 @@ void Delivery::operator()(const RenderedImage& image, const std::string& label) 
   } else {
     write_to_standard_output(image.bytes);
   }
-  fmt::print(stderr, "{}\n", summary(file_ ? file_->path.string() : label, image));
+  notice(summary(file_ ? file_->path.string() : label, image));
 }
 
 }  // namespace raytracer::client

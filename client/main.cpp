@@ -1,6 +1,8 @@
 // raytracer: the command line of the service. It speaks HTTP to a raytracer-server and knows
 // nothing of rendering.
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -11,6 +13,7 @@
 #include "client/command_line.h"
 #include "client/commands.h"
 #include "client/failure.h"
+#include "client/notice.h"
 
 namespace {
 
@@ -23,6 +26,14 @@ constexpr const char* footer =
     "\n"
     "Exit status: 0 success; 1 invalid scene or arguments; 2 server unreachable or\n"
     "failed; 128 + N interrupted by signal N.";
+
+/// Standard streams that are closed: the next file or socket would take their numbers, and with
+/// them what is said there. What uses them fails as before.
+void hold_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) == -1)
+      ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
 
 /// Reads the command line and does what it says.
 void run(int argc, char** argv) {
@@ -56,18 +67,19 @@ void run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  hold_closed_streams();
   std::signal(SIGPIPE, SIG_IGN);  // a server or a reader that leaves is an error with a message
   try {
     run(argc, argv);
     if (std::fflush(stdout) != 0) throw InputError("standard output: cannot be written");
     return 0;
   } catch (const InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    notice(error.what());
     return 1;
   } catch (const Interrupted& interrupted) {
     return 128 + interrupted.signal_number();
   } catch (const std::exception& error) {
-    fmt::print(stderr, "raytracer: {}\n", error.what());
+    notice(fmt::format("raytracer: {}", error.what()));
     return 2;
   }
 }

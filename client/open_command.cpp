@@ -13,6 +13,7 @@
 #include "client/command_line.h"
 #include "client/commands.h"
 #include "client/environment.h"
+#include "client/notice.h"
 #include "client/with_server.h"
 
 namespace raytracer::client {
@@ -51,7 +52,7 @@ void open_page(const SceneChoice& choice, const ServerChoice& server) {
     std::fflush(stdout);
     show(address);
     if (server.url) return;
-    fmt::print(stderr, "The page stays until Ctrl-C.\n");
+    notice("The page stays until Ctrl-C.");
     for (;;) api.pause(std::chrono::hours(1));
   });
 }

@@ -52,7 +52,7 @@ void OutputFile::write(std::string_view bytes) const {
   const fs::path target = target_of(path);
   const std::string part = fmt::format("{}.{}.part", target.string(), ::getpid());
   std::FILE* const file = std::fopen(part.c_str(), "wbx");
-  if (!file) throw failed(part, "created");
+  if (!file) throw failed(path.string(), "written");
   const bool is_written = write_all(file, bytes);
   if (std::fclose(file) == 0 && is_written && std::rename(part.c_str(), target.c_str()) == 0)
     return;

@@ -83,9 +83,10 @@ void add_prediction(Columns& columns, const Json& prediction) {
     const double value = prediction.value(key, 0.0);
     return value < 1000 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
   };
-  columns.add("predicted time",
-              fmt::format("{} ms to build, {} ms to trace on {} threads", number("build_ms"),
-                          number("trace_ms"), number("threads")));
+  columns.add(
+      "predicted time",
+      fmt::format("{} ms to build, {} ms to trace on {} thread{}", number("build_ms"),
+                  number("trace_ms"), number("threads"), number("threads") == "1" ? "" : "s"));
   columns.add("", prediction.value("time_reason", ""));
   columns.add("predicted error",
               fmt::format("{} with {} samples per pixel", number("error"), number("samples")));

@@ -40,7 +40,8 @@ void ProgressBar::show(const std::string& what, double fraction) {
   if (!on_terminal_ || elapsed.count() < 0.3) return;
   shown_ = true;
   const int columns = terminal_size(STDERR_FILENO).columns - 1;  // the last one may wrap
-  fmt::print(stderr, "\r{}\033[K", progress_line(what, fraction, elapsed.count(), columns));
+  const std::string line = progress_line(what, fraction, elapsed.count(), columns);
+  std::fputs(fmt::format("\r{}\033[K", line).c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -17,6 +17,7 @@
 #include "client/delivery.h"
 #include "client/failure.h"
 #include "client/image_format.h"
+#include "client/notice.h"
 #include "client/owned_job.h"
 #include "client/with_server.h"
 
@@ -66,7 +67,7 @@ void watch(const RenderArguments& arguments, const ServerChoice& server, const D
           deliver(render_scene(*scene, arguments.overrides, deliver.media_type(), api),
                   scene->label);
       } catch (const InputError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        notice(error.what());
       }
       wait_for_change(file, seen, api);
     }

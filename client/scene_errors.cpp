@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <vector>
 
 #include "client/formats/printable.h"
@@ -19,6 +20,15 @@ std::string overriding_option(const std::string& pointer, const Overrides& overr
   if (!in_place || !overrides.contains(name)) return {};
   std::replace(name.begin(), name.end(), '_', '-');
   return "--" + name;
+}
+
+/// What is wrong with the whole text, behind its line if it is not JSON: ":2: not JSON: line 2,
+/// ...".
+std::string at_line(const std::string& detail) {
+  static const std::regex place(R"(not JSON: line (\d+),)");
+  std::smatch part;
+  return fmt::format("{}: {}", std::regex_search(detail, part, place) ? ":" + part.str(1) : "",
+                     detail);
 }
 
 }  // namespace
@@ -37,16 +47,17 @@ std::string explain(const std::string& problem, const SceneText& scene,
   if (scene.editable) lines = lines_of(pointers, scene.text);
   const auto place_of = [&](std::string pointer) {
     if (std::string option = overriding_option(pointer, overrides); !option.empty()) return option;
-    if (pointer.empty()) return scene.label;
     while (!pointer.empty() && !lines.contains(pointer)) pointer.erase(pointer.rfind('/'));
     const auto line = lines.find(pointer);
     return line == lines.end() ? scene.label : fmt::format("{}:{}", scene.label, line->second);
   };
   std::vector<std::string> text;
-  for (std::size_t i = 0; i < errors.size(); ++i)
-    text.push_back(fmt::format("{}: {}{}{}", place_of(pointers[i]), printable(pointers[i]),
-                               pointers[i].empty() ? "" : ": ",
-                               printable(errors[i].value("detail", ""))));
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const std::string detail = printable(errors[i].value("detail", ""));
+    text.push_back(pointers[i].empty() ? scene.label + at_line(detail)
+                                       : fmt::format("{}: {}: {}", place_of(pointers[i]),
+                                                     printable(pointers[i]), detail));
+  }
   return fmt::format("{}", fmt::join(text, "\n"));
 }
 

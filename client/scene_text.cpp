@@ -14,6 +14,7 @@
 #include "client/formats/format.h"
 #include "client/formats/text_source.h"
 #include "client/formats/words.h"
+#include "client/notice.h"
 
 namespace raytracer::client {
 namespace {
@@ -65,7 +66,7 @@ SceneText document_of(const Reading& reading, const std::string& label) {
   for (const Omission& kind : reading.omissions) {
     const std::string place =
         kind.first_line > 0 ? fmt::format("{}:{}", label, kind.first_line) : label;
-    fmt::print(stderr, "{}: {} {}\n", place, kind.count, kind.count == 1 ? kind.one : kind.many);
+    notice(fmt::format("{}: {} {}", place, kind.count, kind.count == 1 ? kind.one : kind.many));
   }
   return {label, model::to_document(reading.scene), false};
 }
@@ -115,7 +116,7 @@ std::optional<SceneText> read_scene_file(const SceneChoice& choice, const Overri
   const Reading reading = naming(scene, [&] { return file->next_frame().value(); });
   SceneText document = document_of(reading, scene);
   if (file->has_more())
-    fmt::print(stderr, "{}: the first frame; animate --frames all shows all\n", scene);
+    notice(fmt::format("{}: the first frame; animate --frames all shows all", scene));
   return document;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "client/failure.h"
+#include "client/notice.h"
 #include "client/owned_job.h"
 
 namespace raytracer::client {
@@ -172,7 +173,7 @@ void shoot(Api& api, const NextRequest& next, Film& film, FilmProgress& progress
   }
   while (!under_way.empty()) under_way.take_oldest();
   if (!end) return;
-  if (under_way.added() > 0) fmt::print(stderr, "{}\n", film.finish(/*is_whole=*/false));
+  if (under_way.added() > 0) notice(film.finish(/*is_whole=*/false));
   std::rethrow_exception(end);
 }
 

@@ -10,6 +10,7 @@
 #include "client/command_line.h"
 #include "client/commands.h"
 #include "client/curve.h"
+#include "client/notice.h"
 #include "client/owned_job.h"
 #include "client/with_server.h"
 
@@ -45,8 +46,8 @@ void tradeoff(const TradeoffArguments& arguments, const ServerChoice& server) {
     return;
   }
   arguments.output->write(file_of(json, arguments.output->ending(), scene.label));
-  fmt::print(stderr, "{}: {} settings of {}\n", arguments.output->path.string(),
-             curve.points.size(), scene.label);
+  notice(fmt::format("{}: {} settings of {}", arguments.output->path.string(), curve.points.size(),
+                     scene.label));
 }
 
 }  // namespace

@@ -40,9 +40,9 @@ const ShippedScene& Catalog::at(std::string_view name) const {
     if (scene.name == name) return scene;
     names.push_back(scene.name);
   }
-  refuse(404, fmt::format("There is no scene \"{}\"; did you mean \"{}\"? GET /scenes "
-                          "lists them",
-                          name, nearest_key(name, names)));
+  const std::string slip = did_you_mean(name, names);
+  refuse(404, fmt::format("There is no scene \"{}\"{} GET /scenes lists them", name,
+                          slip.empty() ? ":" : slip));
 }
 
 }  // namespace raytracer

@@ -112,6 +112,15 @@ class CommandLine {
         });
   }
 
+  /// Of its variable, 1 or true sets it, 0 or false does not.
+  void add_flag(const Source& source, std::string_view help, const std::function<void(bool)>& set) {
+    app_.add_flag_function(
+            source.flag, [set](std::int64_t count) { set(count > 0); },
+            fmt::format("{} (or {}=1)", help, source.variable))
+        ->envname(source.variable)
+        ->check(CLI::IsMember({"1", "0", "true", "false"}));
+  }
+
   void add_cluster(ClusterConfig& cluster);
 
   template <typename Integer>
@@ -131,7 +140,8 @@ CommandLine::CommandLine(Config& config) {
   app_.formatter(std::make_shared<HelpFormatter>());
   app_.set_version_flag("--version",
                         fmt::format("raytracer-server {} (build {})", version, build_id));
-  app_.add_flag("--quiet", config.quiet, "Do not log requests to standard error");
+  add_flag({"--quiet", "RAYTRACER_QUIET"}, "Do not log requests to standard error",
+           [&config](bool is_quiet) { config.quiet = is_quiet; });
   add({"--host", "RAYTRACER_HOST"}, "ADDRESS",
       "Address to listen on; beyond loopback --token is required", config.host,
       [&config](const std::string& text, const Source& source) {
@@ -200,11 +210,12 @@ void CommandLine::add_cluster(ClusterConfig& cluster) {
         if (text.empty()) source.refuse("a URL, such as nats://127.0.0.1:4222");
         cluster.nats_url = text;
       });
-  app_.add_flag("--worker", cluster.is_worker,
-                "With --nats: take tasks and nothing else; of HTTP only /healthz, /readyz,\n"
-                "/metrics and /version");
-  app_.add_flag_callback(
-      "--no-work", [&cluster] { cluster.works = false; }, "With --nats: take no tasks");
+  add_flag({"--worker", "RAYTRACER_WORKER"},
+           "With --nats: take tasks and nothing else; of HTTP only /healthz, /readyz,\n"
+           "/metrics and /version",
+           [&cluster](bool is_worker) { cluster.is_worker = is_worker; });
+  add_flag({"--no-work", "RAYTRACER_NO_WORK"}, "With --nats: take no tasks",
+           [&cluster](bool is_idle) { cluster.works = !is_idle; });
   add_number({"--share-from", "RAYTRACER_SHARE_FROM"}, "MS",
              "Share renders that are predicted to trace for so many milliseconds",
              cluster.share_from_ms, 0, 1e9);

@@ -1,4 +1,7 @@
 // raytracer-server: configuration, services, routes, listen.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -15,6 +18,14 @@
 namespace {
 
 using namespace raytracer;
+
+/// Standard streams that are closed: the next file or socket would take their numbers, and with
+/// them what is said there. What uses them fails as before.
+void hold_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) == -1)
+      ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
 
 int serve(const Config& config) {
   block_signals();
@@ -33,6 +44,7 @@ int serve(const Config& config) {
 }  // namespace
 
 int main(int argc, char** argv) try {
+  hold_closed_streams();
   const auto outcome = read_config(argc, argv);
   if (const auto* printout = std::get_if<std::string>(&outcome)) {
     std::fputs(printout->c_str(), stdout);

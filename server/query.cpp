@@ -86,8 +86,8 @@ constexpr std::array<Row, 13> rows{{
 const Row& row_of(std::string_view name) {
   for (const Row& row : rows)
     if (row.name == name) return row;
-  refuse(400, fmt::format("Unknown query parameter \"{}\"; did you mean \"{}\"?", name,
-                          nearest_key(name, query_names())));
+  refuse(400,
+         fmt::format("Unknown query parameter \"{}\"{}", name, did_you_mean(name, query_names())));
 }
 
 }  // namespace

@@ -50,8 +50,11 @@ bool carries_token(std::string_view authorization, const std::string& token) {
 }
 
 void require_token(const httplib::Request& request, const std::string& token) {
-  if (token.empty() || carries_token(request.get_header_value("Authorization"), token)) return;
-  refuse(401, "This server wants a token: send Authorization: Bearer TOKEN",
+  const std::string authorization = request.get_header_value("Authorization");
+  if (token.empty() || carries_token(authorization, token)) return;
+  refuse(401,
+         authorization.empty() ? "This server wants a token: send Authorization: Bearer TOKEN"
+                               : "This Authorization does not carry the server's token",
          {{"WWW-Authenticate", "Bearer realm=\"raytracer\""}});
 }
 

@@ -200,8 +200,8 @@ std::optional<std::size_t> read_choice(const Field& field,
   const auto found = std::find(words.begin(), words.end(), *word);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   field.refuse([&] {
-    return fmt::format("\"{}\" is not one of \"{}\"; did you mean \"{}\"?", *word,
-                       fmt::join(words, "\", \""), nearest_key(*word, words));
+    return fmt::format("\"{}\" is not one of \"{}\"{}", *word, fmt::join(words, "\", \""),
+                       did_you_mean(*word, words));
   });
   return {};
 }

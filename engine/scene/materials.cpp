@@ -1,7 +1,10 @@
 #include "engine/scene/materials.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
+#include <string>
 
 #include "engine/scene/nearest_key.h"
 
@@ -26,19 +29,24 @@ std::optional<MaterialIndex> MaterialReader::read_use(const Field& field) {
   }
   const auto found = named_.find(name);
   if (found == named_.end()) {
-    field.refuse([&] {
-      if (names_.empty())
-        return fmt::format("there is no material \"{}\": \"materials\" has none", name);
-      constexpr std::size_t most_compared = 256;  // a document may have a thousand wrong names
-      const std::span<const std::string_view> names(names_);
-      return fmt::format("there is no material \"{}\"; did you mean \"{}\"?", name,
-                         nearest_key(name, names.first(std::min(names.size(), most_compared))));
-    });
+    field.refuse([&] { return fmt::format("there is no material \"{}\"{}", name, others(name)); });
     return {};
   }
   Named& named = found->second;
   if (!named.index) named.index = use(named.material);
   return named.index;
+}
+
+std::string MaterialReader::others(std::string_view name) const {
+  if (names_.empty()) return ": \"materials\" has none";
+  constexpr std::size_t most_compared = 256;  // a document may have a thousand wrong names
+  constexpr std::size_t most_listed = 8;
+  const std::span<const std::string_view> names(names_);
+  const std::string slip = did_you_mean(name, names.first(std::min(names.size(), most_compared)));
+  if (!slip.empty()) return slip;
+  return fmt::format(": \"materials\" has \"{}\"{}",
+                     fmt::join(names.first(std::min(names.size(), most_listed)), "\", \""),
+                     names.size() > most_listed ? " and more" : "");
 }
 
 MaterialIndex MaterialReader::use(const Material& material) {

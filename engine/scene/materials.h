@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -34,6 +35,8 @@ class MaterialReader {
   };
 
   MaterialIndex use(const Material& material);
+  /// Behind "there is no material NAME": what was meant, or what there is.
+  std::string others(std::string_view name) const;
 
   std::unordered_map<std::string_view, Named> named_;
   std::vector<std::string_view> names_;

@@ -1,5 +1,7 @@
 #include "engine/scene/nearest_key.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -36,20 +38,33 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return of[a.size()][b.size()];
 }
 
+struct Nearest {
+  std::string_view word;
+  std::size_t distance = std::numeric_limits<std::size_t>::max();
+};
+
+Nearest nearest(std::string_view word, std::span<const std::string_view> known) {
+  const std::string start = start_of(word);
+  Nearest nearest;
+  for (const std::string_view candidate : known)
+    if (const std::size_t distance = edit_distance(start, start_of(candidate));
+        distance < nearest.distance)
+      nearest = {candidate, distance};
+  return nearest;
+}
+
 }  // namespace
 
 std::string_view nearest_key(std::string_view word, std::span<const std::string_view> known) {
-  const std::string start = start_of(word);
-  std::string_view nearest;
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (const std::string_view candidate : known) {
-    const std::size_t distance = edit_distance(start, start_of(candidate));
-    if (distance < least) {
-      least = distance;
-      nearest = candidate;
-    }
-  }
-  return nearest;
+  return nearest(word, known).word;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known) {
+  const Nearest key = nearest(word, known);
+  const std::size_t longer = std::min(std::max(word.size(), key.word.size()), longest);
+  constexpr std::size_t one_in = 3;
+  if (key.distance > (longer + one_in - 1) / one_in) return {};
+  return fmt::format("; did you mean \"{}\"?", key.word);
 }
 
 }  // namespace raytracer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace raytracer {
@@ -10,5 +11,8 @@ namespace raytracer {
 /// deletions, substitutions, swaps of neighbours) to `word`, the first of equals, whatever the
 /// distance; empty if `known` is.
 std::string_view nearest_key(std::string_view word, std::span<const std::string_view> known);
+
+/// `; did you mean "NEAREST"?`, or nothing if more than a third of the letters would have slipped.
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace raytracer

@@ -30,11 +30,25 @@ Error not_json(std::string_view text, std::size_t byte, std::string_view reason)
           fmt::format("not JSON: {}: {}", describe_position(text, byte), reason)};
 }
 
-/// nlohmann's words behind "syntax error", without its own position and numbers.
-std::string_view reason_of(const json::parse_error& error) {
+constexpr std::string_view white_space = " \t\n\r";  // RFC 8259, section 2
+
+/// Whether `byte` closes an object or array behind a comma.
+bool follows_comma(std::string_view text, std::size_t byte) {
+  if (byte >= text.size() || (text[byte] != '}' && text[byte] != ']')) return false;
+  const auto before = text.substr(0, byte).find_last_not_of(white_space);
+  return before != std::string_view::npos && text[before] == ',';
+}
+
+/// Why the text stops being JSON at `byte`: nlohmann's words, without its own position and numbers
+/// and its parser's state, but for two mistakes that it does not name.
+std::string_view reason_of(const json::parse_error& error, std::string_view text,
+                           std::size_t byte) {
+  if (text.find_first_not_of(white_space) == std::string_view::npos) return "nothing is there";
+  if (follows_comma(text, byte)) return "a comma too many before the closing bracket";
   const std::string_view what = error.what();
-  const auto start = what.find("syntax error ");
-  return start == std::string_view::npos ? what : what.substr(start);
+  constexpr std::string_view before_reason = " - ";
+  const auto start = what.find(before_reason);
+  return start == std::string_view::npos ? what : what.substr(start + before_reason.size());
 }
 
 /// nlohmann's callback: throws an Error at what is nested too deep, and lets nothing be kept but
@@ -58,7 +72,8 @@ std::optional<Error> find_syntax_error(std::string_view text) {
   try {
     const json nothing = json::parse(text, watch_depth);
   } catch (const json::parse_error& error) {
-    return not_json(text, error.byte - 1, reason_of(error));
+    const std::size_t byte = error.byte - 1;
+    return not_json(text, byte, reason_of(error, text, byte));
   }
   // The parser takes a zero byte for the text's end.
   const std::size_t zero = text.find('\0');

@@ -1,11 +1,14 @@
 // The command line: what is understood, and that everything else ends with status 1 and a reason.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tests/cli/client.h"
+#include "tests/process/program.h"
+#include "tests/process/temporary_folder.h"
 
 namespace raytracer::test {
 namespace {
@@ -27,6 +30,21 @@ TEST(Arguments, help_of_render_names_every_option) {
   for (const char* const option : {"--output", "--samples", "--target-rmse", "--budget-ms",
                                    "--width", "--height", "--precision"})
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
+}
+
+TEST(Arguments, message_that_nobody_can_read_is_no_failure) {
+  const auto status_of = [](const std::string& redirected, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(),
+                     {"-c", "exec \"$0\" \"$@\" " + redirected, RAYTRACER_CLIENT_PATH});
+    return Process({"/bin/sh", std::move(arguments), ""}).wait(std::chrono::seconds(20));
+  };
+  const TemporaryFolder folder;
+  const std::string picture = folder / "picture.png";
+  EXPECT_EQ(
+      status_of("2>&-", {"render", "glass", "--width", "16", "--height", "12", "-o", picture}), 0);
+  EXPECT_EQ(read_file(picture).substr(1, 3), "PNG");
+  EXPECT_EQ(status_of("2>&-", {"render", "no such scene"}), 1);
+  EXPECT_EQ(status_of(">&-", {"scenes"}), 1);
 }
 
 TEST(Arguments, wrong_ones_end_with_status_1_and_say_why) {

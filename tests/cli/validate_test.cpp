@@ -56,6 +56,7 @@ TEST_F(Validate, text_that_is_not_json_is_said_with_its_line) {
   const Outcome outcome = run_with_server({"validate", "-"}, "{\n  \"camera\": ,\n}");
   expect_input_error(outcome, "line 2");
   EXPECT_EQ(count_lines(outcome.err), 1) << outcome.err;
+  expect_input_error(outcome, "standard input:2: not JSON");
   expect_input_error(run_with_server({"validate", "-"}, ""), "line 1");
 }
 

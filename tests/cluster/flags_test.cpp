@@ -11,6 +11,22 @@
 namespace raytracer::test {
 namespace {
 
+TEST(ClusterFlags, have_variables) {
+  const auto said_with = [](const std::string& variable, const std::string& value) {
+    Process process({RAYTRACER_SERVER_PATH,
+                     {"--host", "0.0.0.0", "--port", "0"},
+                     "",
+                     {{variable, value}, {"RAYTRACER_TOKEN", "s3cret"}}});
+    EXPECT_EQ(process.wait(std::chrono::seconds(5)), 1) << variable << ' ' << process.err();
+    return process.err();
+  };
+  EXPECT_NE(said_with("RAYTRACER_WORKER", "1").find("--worker goes with --nats"),
+            std::string::npos);
+  EXPECT_NE(said_with("RAYTRACER_NO_WORK", "true").find("--no-work goes with --nats"),
+            std::string::npos);
+  EXPECT_NE(said_with("RAYTRACER_WORKER", "maybe").find("--worker"), std::string::npos);
+}
+
 TEST(ClusterFlags, wrong_ones_are_refused_with_their_names) {
   const std::string url = "nats://127.0.0.1:1";
   struct Wrong {

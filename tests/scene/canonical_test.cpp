@@ -177,6 +177,9 @@ TEST(NearestKey, is_that_of_the_least_edit_distance_and_the_first_of_equals) {
   constexpr std::array<std::string_view, 2> equals{"ab", "cb"};
   EXPECT_EQ(nearest_key("xb", equals), "ab");
   EXPECT_EQ(nearest_key("word", std::span<const std::string_view>{}), "");
+  EXPECT_EQ(did_you_mean("raduis", words), "; did you mean \"radius\"?");
+  EXPECT_EQ(did_you_mean("torus", words), "");
+  EXPECT_EQ(did_you_mean("word", std::span<const std::string_view>{}), "");
 }
 
 TEST(NearestKey, to_a_very_long_word_is_found_at_once) {

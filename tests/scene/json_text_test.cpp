@@ -45,8 +45,8 @@ double seconds_for(const std::string& text) {
 }
 
 TEST(JsonText, that_is_empty_is_a_syntax_error) {
-  expect_syntax_error("", "line 1, column 1");
-  expect_syntax_error("   \n  ");
+  expect_syntax_error("", "line 1, column 1: nothing is there");
+  expect_syntax_error("   \n  ", "nothing is there");
 }
 
 TEST(JsonText, that_ends_early_is_a_syntax_error_at_any_length) {
@@ -74,7 +74,9 @@ TEST(JsonText, syntax_errors_say_line_and_column) {
   expect_syntax_error(std::string("{\n}\0 and more", 13), "line 2, column 2");
   expect_syntax_error(std::string("{}\0", 3), "line 1, column 3");
   expect_syntax_error(std::string("\0", 1), "line 1, column 1");
-  expect_syntax_error("{\"a\": 1,\n\n}", "line 3, column 1");
+  expect_syntax_error("{\"a\": 1,\n\n}", "line 3, column 1: a comma too many");
+  expect_syntax_error("[1, ]", "line 1, column 5: a comma too many");
+  expect_syntax_error("{\"a\": }", "line 1, column 7: unexpected '}'");
   expect_syntax_error("{}\nx", "line 2, column 1");
 }
 
