@@ -58,17 +58,19 @@ Scenes::Scenes(const Catalog& catalog, const Limits& limits, std::size_t most_ke
       kept_(most_kept),
       read_(most_read) {}
 
-SceneView Scenes::read(const DocumentText& document, const Overrides& overrides) {
-  if (document.view().size() < least_cached) return parse(document, overrides);
+SceneView Scenes::read(const DocumentText& document, const Overrides& overrides,
+                       const Limits& limits) {
+  if (document.view().size() < least_cached) return parse(document, overrides, limits);
   const std::string text_digest = sha256_hex(document.view());
-  if (auto known = read_.find(text_digest)) return view(std::move(known), overrides);
-  SceneView read = parse(document, overrides);
+  if (auto known = read_.find(text_digest)) return view(std::move(known), overrides, limits);
+  SceneView read = parse(document, overrides, limits);
   read_.keep(text_digest, read.known, bytes_of(*read.known) + text_digest.size());
   return read;
 }
 
-SceneView Scenes::parse(const DocumentText& document, const Overrides& overrides) const {
-  Result<ViewedScene> read = read_viewed_scene(document, limits_, overrides);
+SceneView Scenes::parse(const DocumentText& document, const Overrides& overrides,
+                        const Limits& limits) {
+  Result<ViewedScene> read = read_viewed_scene(document, limits, overrides);
   if (!read.ok()) throw HttpError(scene_problem(read.errors()));
   auto known = std::make_shared<KnownScene>();
   known->scene = read.value().scene;
@@ -76,8 +78,9 @@ SceneView Scenes::parse(const DocumentText& document, const Overrides& overrides
   return {std::move(known), read.value().view};
 }
 
-SceneView Scenes::view(std::shared_ptr<const KnownScene> known, const Overrides& overrides) const {
-  Result<Scene> view = view_scene(known->scene, limits_, overrides);
+SceneView Scenes::view(std::shared_ptr<const KnownScene> known, const Overrides& overrides,
+                       const Limits& limits) {
+  Result<Scene> view = view_scene(known->scene, limits, overrides);
   if (!view.ok()) throw HttpError(scene_problem(view.errors()));
   return {std::move(known), view.value()};
 }
@@ -99,7 +102,7 @@ std::shared_ptr<const KeptScene> Scenes::kept_at(std::string_view id) {
   if (auto scene = kept_.find(id)) return scene;
   if (elsewhere_)
     if (std::optional<std::string> document = elsewhere_(std::string(id))) {
-      auto known = parse(*document, {}).known;
+      auto known = parse(*document, {}, limits_).known;
       return keep(std::move(known), *std::move(document));
     }
   refuse(404, fmt::format("There is no scene \"{}\": it was never posted, or was forgotten "
@@ -108,7 +111,7 @@ std::shared_ptr<const KeptScene> Scenes::kept_at(std::string_view id) {
 }
 
 SceneView Scenes::at(std::string_view name, const Overrides& overrides) {
-  if (is_scene_id(name)) return view(kept_at(name)->known, overrides);
+  if (is_scene_id(name)) return view(kept_at(name)->known, overrides, limits_);
   return read(catalog_.at(name).document, overrides);
 }
 

@@ -57,7 +57,11 @@ class Scenes {
          Elsewhere elsewhere = {});
 
   /// A view of the document's scene. Throws HttpError with all errors of both.
-  SceneView read(const DocumentText& document, const Overrides& overrides);
+  SceneView read(const DocumentText& document, const Overrides& overrides) {
+    return read(document, overrides, limits_);
+  }
+  /// The same within limits that another server has admitted it by.
+  SceneView read(const DocumentText& document, const Overrides& overrides, const Limits& limits);
 
   /// A view of the shipped scene of that name or the posted one with that id. Throws HttpError:
   /// 404, or with the view's errors.
@@ -71,14 +75,16 @@ class Scenes {
   std::shared_ptr<const std::string> document(std::string_view name);
 
   /// A view of a known scene. Throws HttpError with the view's errors.
-  SceneView view(std::shared_ptr<const KnownScene> known, const Overrides& overrides) const;
+  static SceneView view(std::shared_ptr<const KnownScene> known, const Overrides& overrides,
+                        const Limits& limits);
 
   LruCounts kept() const { return kept_.counts(); }
   LruCounts read_lately() const { return read_.counts(); }
 
  private:
   std::shared_ptr<const KeptScene> kept_at(std::string_view id);
-  SceneView parse(const DocumentText& document, const Overrides& overrides) const;
+  static SceneView parse(const DocumentText& document, const Overrides& overrides,
+                         const Limits& limits);
 
   const Catalog& catalog_;
   const Limits limits_;

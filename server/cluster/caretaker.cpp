@@ -31,7 +31,9 @@ std::vector<int> missing_tasks(int count, const std::set<int>& done) {
 }  // namespace
 
 Caretaker::Caretaker(Parts parts)
-    : parts_(std::move(parts)), thread_([this](const std::stop_token& end) { go_round(end); }) {}
+    : parts_(std::move(parts)),
+      attendance_(parts_.store.limits().task_timeout),
+      thread_([this](const std::stop_token& end) { go_round(end); }) {}
 
 Caretaker::~Caretaker() = default;  // the thread is told to end, and waited for
 
@@ -40,11 +42,24 @@ void Caretaker::remove_soon(const std::string& id) {
   refused_.insert(id);
 }
 
+std::map<JobStatus, std::size_t> Caretaker::counts() const {
+  const std::scoped_lock lock(mutex_);
+  std::map<JobStatus, std::size_t> counts;
+  for (const auto& [id, status] : statuses_) ++counts[status];
+  return counts;
+}
+
+void Caretaker::note(const std::string& id, JobStatus status) {
+  const std::scoped_lock lock(mutex_);
+  statuses_[id] = status;
+}
+
 void Caretaker::go_round(const std::stop_token& end) {
   while (!end.stop_requested()) {
     try {
       look_at_all();
-    } catch (const NatsUnavailable&) {  // NOLINT: it comes back
+    } catch (const NatsUnavailable&) {  // it comes back
+      attendance_.interrupt();
     } catch (const std::exception& error) {
       parts_.log.note(fmt::format("jobs cannot be looked after: {}", error.what()));
     }
@@ -61,14 +76,20 @@ void Caretaker::look_at_all() {
   remove_leftovers(open, ids);
   std::erase_if(ended_, [&](const std::string& id) { return !ids.contains(id); });
   std::erase_if(lacking_, [&](const auto& entry) { return !ids.contains(entry.first); });
+  {
+    const std::scoped_lock lock(mutex_);
+    std::erase_if(statuses_, [&](const auto& entry) { return !ids.contains(entry.first); });
+  }
+  for (const std::string& id : ids)
+    if (parts_.is_in_work(id)) note(id, JobStatus::running);
   std::vector<std::string> in_question;
   std::copy_if(ids.begin(), ids.end(), std::back_inserter(in_question),
                [&](const auto& id) { return !ended_.contains(id) && !parts_.is_in_work(id); });
   if (in_question.empty()) return;
-  const std::vector<Member> members = parts_.store.members();
+  attendance_.look(parts_.store.members());
   for (const std::string& id : in_question) {
     try {
-      look_at(id, members, open);
+      look_at(id, open);
     } catch (const UnreadableRecord& error) {
       parts_.log.note(fmt::format("job {} is left to others: {}", id, error.what()));
       ended_.insert(id);
@@ -93,19 +114,23 @@ void Caretaker::remove_leftovers(const std::vector<OpenJob>& open,
   }
 }
 
-void Caretaker::look_at(const std::string& id, const std::vector<Member>& members,
-                        const std::vector<OpenJob>& open) {
+void Caretaker::look_at(const std::string& id, const std::vector<OpenJob>& open) {
   const auto record = parts_.store.job(id);
   if (!record) return;
   const bool is_of_this = record->front == parts_.front;
-  const bool front_lives = is_of_this || lives(members, record->front, parts_.store.limits());
+  const bool front_lives = is_of_this || !attendance_.is_silent(record->front);
   if (record->has_client && !(is_of_this ? parts_.is_awaited(id) : front_lives))
     return parts_.store.remove_job(id);
-  const auto has_ended = [&] {
-    if (!record->has_client) ended_.insert(id);
-    lacking_.erase(id);
+  const auto is = [&](JobStatus status) {
+    if (record->has_client) return;
+    note(id, status);
+    if (has_ended(status)) ended_.insert(id);
   };
-  if (!record->failure.empty()) return has_ended();
+  if (!record->failure.empty()) {
+    lacking_.erase(id);
+    return is(JobStatus::failed);
+  }
+  is(record->task_count == 0 ? JobStatus::queued : JobStatus::running);
   if (record->task_count == 0) {
     // Its front has it in work, but for what it was told was not stored when NATS went away.
     if ((is_of_this || !front_lives) && !parts_.is_in_work(id)) parts_.take_over(*record);
@@ -115,7 +140,8 @@ void Caretaker::look_at(const std::string& id, const std::vector<Member>& member
   const std::vector<int> missing = missing_tasks(record->task_count, done);
   if (missing.empty()) {
     parts_.store.close_job(*record);
-    return has_ended();
+    lacking_.erase(id);
+    return is(JobStatus::done);
   }
   if (!lost_tasks(id, queued_tasks(open, id), missing.size())) return;
   parts_.log.note(fmt::format("job {}: {} tasks are queued again", id, missing.size()));

@@ -17,6 +17,7 @@
 #include "server/cluster/members.h"
 #include "server/cluster/record.h"
 #include "server/cluster/store.h"
+#include "server/job.h"
 #include "server/request_log.h"
 
 namespace raytracer {
@@ -38,26 +39,32 @@ class Caretaker {
   Caretaker(const Caretaker&) = delete;
   Caretaker& operator=(const Caretaker&) = delete;
 
+  /// How many jobs of the cluster have each status, as of the last look at each.
+  std::map<JobStatus, std::size_t> counts() const;
+
   /// Removes a job at the next round, if it is stored: its client was told that it is not.
   void remove_soon(const std::string& id);
 
  private:
   void go_round(const std::stop_token& end);
   void look_at_all();
-  void look_at(const std::string& id, const std::vector<Member>& members,
-               const std::vector<OpenJob>& open);
+  void look_at(const std::string& id, const std::vector<OpenJob>& open);
   /// Takes away what removals that were cut off left, and jobs that were refused though stored.
   void remove_leftovers(const std::vector<OpenJob>& open, const std::set<std::string>& ids);
   /// Whether tasks of the job are missing that are not queued either, now as at the last look.
   bool lost_tasks(const std::string& id, std::uint64_t queued, std::size_t missing);
 
+  void note(const std::string& id, JobStatus status);
+
   const Parts parts_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable_any changed_;
   std::set<std::string> refused_;
+  std::map<std::string, JobStatus> statuses_;  ///< of jobs that no client waits for, by ids
   // Of its thread alone:
   std::set<std::string> ended_;                 ///< need no looking after
   std::map<std::string, std::size_t> lacking_;  ///< tasks that a job lacked at the last look
+  Attendance attendance_;
   std::jthread thread_;
 };
 

@@ -65,8 +65,7 @@ Cluster::Cluster(const Parts& parts)
                  }}),
       signs_(store_, [this] { return describe_self(); }) {
   if (parts.config.cluster.works)
-    runner_.emplace(self_, store_, news_, scenes_, task_pool(), parts.config.limits, parts.metrics,
-                    parts.log);
+    runner_.emplace(self_, store_, news_, scenes_, task_pool(), parts.metrics, parts.log);
 }
 
 Member Cluster::describe_self() const {
@@ -111,27 +110,32 @@ BasicRendering<Channel> Cluster::render(const SceneView& view, const httplib::Pa
                                         const TaskCut& cut, RenderProgress& progress,
                                         Sharing& sharing) {
   constexpr std::chrono::milliseconds longest_silence{250};
+  constexpr int most_attempts = 3;  // where NATS loses what it has stored of it
   const auto waiter = parts_.admission.add_waiter(progress);
-  const JobRecord record = jobs_.begin_render(view, query, cut, sizeof(Channel) == 1);
-  struct AtEnd {
-    SharedJobs& jobs;
-    const std::string& id;
-    ~AtEnd() { jobs.end_render(id); }
-  } const at_end{jobs_, record.id};
+  for (int attempt = 1;; ++attempt) {
+    const JobRecord record = jobs_.begin_render(view, query, cut, sizeof(Channel) == 1);
+    struct AtEnd {
+      SharedJobs& jobs;
+      const std::string& id;
+      ~AtEnd() { jobs.end_render(id); }
+    } const at_end{jobs_, record.id};
 
-  SharedJob job(record, store_, news_);
-  for (JobState state = job.state(); !has_ended(state.status); state = job.state()) {
-    if (progress.stop) {
-      BasicRendering<Channel> stopped;
-      stopped.stop = Stop::cancelled;
-      return stopped;
+    SharedJob job(record, store_, news_);
+    JobState state = job.state();
+    for (; !has_ended(state.status); state = job.state()) {
+      if (progress.stop) {
+        BasicRendering<Channel> stopped;
+        stopped.stop = Stop::cancelled;
+        return stopped;
+      }
+      progress.fraction = state.progress;
+      job.wait_for_end(longest_silence);
     }
-    progress.fraction = state.progress;
-    job.wait_for_end(longest_silence);
+    if (state.status == JobStatus::cancelled && attempt < most_attempts) continue;
+    auto rendering = std::get<BasicRendering<Channel>>(job.take_result());
+    sharing = job.sharing();
+    return rendering;
   }
-  auto rendering = std::get<BasicRendering<Channel>>(job.take_result());
-  sharing = job.sharing();
-  return rendering;
 }
 template Rendering Cluster::render(const SceneView&, const httplib::Params&, const TaskCut&,
                                    RenderProgress&, Sharing&);
@@ -139,33 +143,25 @@ template ByteRendering Cluster::render(const SceneView&, const httplib::Params&,
                                        RenderProgress&, Sharing&);
 
 void Cluster::keep_scene(const std::string& id, std::string_view document) {
-  answered([&] {
-    const std::string digest = ClusterStore::digest_of(document);
-    store_.put_document(digest, document);
-    store_.keep_scene(id, digest);
-  });
+  answered([&] { store_.keep_scene(id, document); });
 }
 
 JobScene Cluster::scene_of_job(const std::string& id) {
   return answered([&]() -> JobScene {
     const std::optional<JobRecord> record = store_.job(id);
     if (!record) refuse_unknown_job(id);
-    JobScene scene{scenes_.view_of(*record), {record->query.begin(), record->query.end()}};
-    scene.view.document = std::make_shared<const std::string>(store_.document(record->document));
-    return scene;
+    try {
+      JobScene scene{scenes_.view_of(*record), {record->query.begin(), record->query.end()}};
+      scene.view.document = std::make_shared<const std::string>(store_.document(record->document));
+      return scene;
+    } catch (const NatsRefused& error) {
+      refuse(404, fmt::format("The picture would have to be rendered again, but {}", error.what()));
+    }
   });
 }
 
 std::optional<std::string> Cluster::kept_scene(const std::string& id) {
-  return answered([&]() -> std::optional<std::string> {
-    const auto digest = store_.kept_scene(id);
-    if (!digest) return {};
-    try {
-      return store_.document(*digest);
-    } catch (const NatsRefused&) {
-      return {};  // it was dropped for others
-    }
-  });
+  return answered([&] { return store_.kept_scene(id); });
 }
 
 ClusterState Cluster::state() {

@@ -20,7 +20,7 @@ void get_cluster(Services& services, Call& call) {
                     {"instruction_set", member.instruction_set},
                     {"threads", member.threads},
                     {"tasks_done", member.tasks_done},
-                    {"last_heard_s", silence_s(member)}});
+                    {"last_heard_s", member.silence_s}});
   answer_json(call.response, 200,
               {{"workers", workers},
                {"fronts", fronts},

@@ -8,12 +8,8 @@
 
 namespace raytracer {
 
-double silence_s(const Member& member) {
-  return std::max(static_cast<double>(now_ms() - member.heard_ms) / 1000, 0.0);
-}
-
 bool is_alive(const Member& member, const StoreLimits& limits) {
-  return std::chrono::duration<double>(silence_s(member)) < limits.task_timeout;
+  return std::chrono::duration<double>(member.silence_s) < limits.task_timeout;
 }
 
 bool has_worker(const std::vector<Member>& members, const std::string& renderer,
@@ -23,10 +19,22 @@ bool has_worker(const std::vector<Member>& members, const std::string& renderer,
   });
 }
 
-bool lives(const std::vector<Member>& members, const std::string& name, const StoreLimits& limits) {
-  return std::any_of(members.begin(), members.end(), [&](const Member& member) {
-    return member.name == name && is_alive(member, limits);
-  });
+void Attendance::look(const std::vector<Member>& members) {
+  const auto now = Clock::now();
+  constexpr std::chrono::seconds between_any_looks{2};
+  if (now - looked_ > std::max<Clock::duration>(longest_silence_, between_any_looks)) interrupt();
+  looked_ = now;
+  std::map<std::string, std::int64_t> heard;
+  for (const Member& member : members) heard[member.name] = member.heard_ms;
+  for (const auto& [name, heard_ms] : heard) signs_.try_emplace(name, Sign{heard_ms, now});
+  for (auto& [name, sign] : signs_)
+    if (const std::int64_t heard_ms = heard[name]; heard_ms != sign.heard_ms)
+      sign = {heard_ms, now};
+}
+
+bool Attendance::is_silent(const std::string& name) {
+  const Sign& sign = signs_.try_emplace(name, Sign{0, looked_}).first->second;
+  return looked_ - sign.since > longest_silence_;
 }
 
 SignsOfLife::SignsOfLife(ClusterStore& store, std::function<Member()> describe)

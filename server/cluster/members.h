@@ -1,7 +1,10 @@
 // Who of a cluster lives, and the signs of life of this one.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -10,9 +13,6 @@
 
 namespace raytracer {
 
-/// How long ago it was heard of.
-double silence_s(const Member& member);
-
 /// Whether it was heard of lately.
 bool is_alive(const Member& member, const StoreLimits& limits);
 
@@ -20,8 +20,31 @@ bool is_alive(const Member& member, const StoreLimits& limits);
 bool has_worker(const std::vector<Member>& members, const std::string& renderer,
                 const StoreLimits& limits);
 
-/// Whether a server of this name was heard of lately.
-bool lives(const std::vector<Member>& members, const std::string& name, const StoreLimits& limits);
+/// Who has fallen silent while one looked on. When somebody was heard of last is not asked: after
+/// NATS was away, or this server stood still, all have to speak again first.
+class Attendance {
+ public:
+  explicit Attendance(std::chrono::milliseconds longest_silence)
+      : longest_silence_(longest_silence) {}
+
+  /// What members() says now; to be called again and again.
+  void look(const std::vector<Member>& members);
+  /// Nobody could look.
+  void interrupt() { signs_.clear(); }
+  /// Whether one of this name gave no sign for the longest silence, as of the last look.
+  bool is_silent(const std::string& name);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Sign {
+    std::int64_t heard_ms = 0;  ///< 0: none
+    Clock::time_point since{};
+  };
+
+  const std::chrono::milliseconds longest_silence_;
+  Clock::time_point looked_{};
+  std::map<std::string, Sign> signs_;  ///< by names
+};
 
 /// Says that this server lives, several times within the tasks' timeout, until it ends; then that
 /// it does not.

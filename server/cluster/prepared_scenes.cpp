@@ -29,10 +29,10 @@ std::string key_of(const JobRecord& record) {
 SceneView PreparedScenes::view_of(const JobRecord& record) {
   const std::scoped_lock lock(reading_);
   if (auto known = read_.find(record.document))
-    return scenes_.view(std::move(known), overrides_of(record));
+    return Scenes::view(std::move(known), overrides_of(record), record.limits);
   const std::string text = store_.document(record.document);
   metrics_.add("cluster_scene_bytes_total", static_cast<double>(text.size()));
-  SceneView view = scenes_.read(text, overrides_of(record));
+  SceneView view = scenes_.read(text, overrides_of(record), record.limits);
   read_.keep(record.document, view.known, memory_bytes(view.known->scene) + text.size());
   return view;
 }

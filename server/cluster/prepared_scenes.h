@@ -42,7 +42,7 @@ class PreparedScenes {
         prepared_(most_bytes) {}
 
   /// The view that the job is of. Throws NatsUnavailable, NatsRefused if its scene is gone, and
-  /// HttpError if this server's limits refuse it.
+  /// HttpError if the limits of the job's front refuse it.
   SceneView view_of(const JobRecord& record);
   std::shared_ptr<const PreparedView> prepare(const JobRecord& record);
 

@@ -18,6 +18,7 @@ std::string to_text(const JobRecord& record) {
                       {"predicted_ms", record.predicted_ms},
                       {"plan_ms", record.plan_ms},
                       {"build_ms", record.build_ms},
+                      {"task_timeout_s", record.task_timeout_s},
                       {"width", record.width},
                       {"height", record.height},
                       {"channels", record.channels},
@@ -27,6 +28,7 @@ std::string to_text(const JobRecord& record) {
                       {"task_count", record.task_count},
                       {"failure", record.failure},
                       {"lacked_room", record.lacked_room}};
+  for (const LimitRow& row : limit_table) json["limits"][row.flag] = record.limits.*row.value;
   if (record.picture_digest) json["picture_digest"] = *record.picture_digest;
   // A reason may quote bytes that are no text.
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -47,6 +49,7 @@ JobRecord read_record(std::string_view text) try {
       .predicted_ms = json.at("predicted_ms"),
       .plan_ms = json.at("plan_ms"),
       .build_ms = json.at("build_ms"),
+      .task_timeout_s = json.at("task_timeout_s"),
       .width = json.at("width"),
       .height = json.at("height"),
       .channels = json.at("channels"),
@@ -56,6 +59,7 @@ JobRecord read_record(std::string_view text) try {
       .task_count = json.at("task_count"),
       .failure = json.at("failure"),
       .lacked_room = json.at("lacked_room")};
+  for (const LimitRow& row : limit_table) record.limits.*row.value = json.at("limits").at(row.flag);
   if (json.contains("picture_digest")) record.picture_digest = json["picture_digest"];
   return record;
 } catch (const nlohmann::json::exception& error) {

@@ -1,12 +1,14 @@
 // A job of the cluster, as it is stored for all who have a part in it.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "engine/engine.h"
 #include "server/cluster/nats.h"
 #include "server/job.h"
 
@@ -23,9 +25,11 @@ struct JobRecord {
   bool is_8_bit = false;                       ///< its regions' channels are; else floats
   std::optional<std::string> picture_digest{};
   double parse_ms = 0;
-  double predicted_ms = 0;  ///< that it traces for, on the front that cut it
-  double plan_ms = 0;       ///< that it took to plan there
-  double build_ms = 0;      ///< and to build its structures
+  double predicted_ms = 0;    ///< that it traces for, on the front that cut it
+  double plan_ms = 0;         ///< that it took to plan there
+  double build_ms = 0;        ///< and to build its structures
+  Limits limits{};            ///< of that front: what it admits is made
+  double task_timeout_s = 5;  ///< from a worker's last sign of life, at that front
   int width = 0;
   int height = 0;
   int channels = 3;
@@ -37,6 +41,10 @@ struct JobRecord {
   bool lacked_room = false;      ///< it failed because the store was full
   std::uint64_t sequence = 0;    ///< of what is stored; 0: nothing yet
   std::int64_t stored_ms = 0;    ///< when it was, since 1970, of one that was read
+
+  std::chrono::milliseconds task_timeout() const {
+    return std::chrono::milliseconds(static_cast<std::int64_t>(1000 * task_timeout_s));
+  }
 };
 
 /// As another build stored it, or damaged.

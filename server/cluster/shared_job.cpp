@@ -125,7 +125,9 @@ void SharedJob::wait_for_end(std::chrono::milliseconds longest) const {
 
 JobResult SharedJob::take_result() {
   const std::scoped_lock lock(mutex_);
-  if (removed_ms_ > 0) throw std::runtime_error("the render's record was removed");
+  if (removed_ms_ > 0)
+    refuse(503, "The render was lost with what NATS had stored of it; try again",
+           {{"Retry-After", "1"}});
   if (record_.lacked_room) refuse(503, record_.failure, {{"Retry-After", full_store_retry_after}});
   if (!record_.failure.empty()) throw std::runtime_error(record_.failure);
   return std::exchange(result_, JobResult()).value();

@@ -19,13 +19,14 @@ using std::chrono::milliseconds;
 constexpr std::size_t most_watched_bytes = 512 << 20;
 constexpr milliseconds before_another_call{250};
 
-/// What it takes to watch a job: its picture.
-std::size_t bytes_of(const JobRecord& record) {
+std::size_t picture_bytes(const JobRecord& record) {
   const std::size_t value_bytes = record.is_8_bit ? sizeof(unsigned char) : sizeof(float);
-  return sizeof(SharedJob) + value_bytes * static_cast<std::size_t>(record.channels) *
-                                 static_cast<std::size_t>(record.width) *
-                                 static_cast<std::size_t>(record.height);
+  return value_bytes * static_cast<std::size_t>(record.channels) *
+         static_cast<std::size_t>(record.width) * static_cast<std::size_t>(record.height);
 }
+
+/// What it takes to watch a job: its picture.
+std::size_t bytes_of(const JobRecord& record) { return sizeof(SharedJob) + picture_bytes(record); }
 
 /// Whether the picture in 8 bits says the same of its error as one in floats: by its samples, not
 /// by its pixels.
@@ -82,29 +83,39 @@ SharedJobs::~SharedJobs() {
   threads_.shutdown();
 }
 
-void SharedJobs::require_room() {
-  if (parts_.store.open_job_count() < parts_.most_open) return;
-  refuse(429, "The queue of the cluster is full; try again later", {{"Retry-After", "2"}});
+void SharedJobs::require_room(const JobRecord& record) {
+  if (parts_.store.open_job_count() >= parts_.most_open)
+    refuse(429, "The queue of the cluster is full; try again later", {{"Retry-After", "2"}});
+  const auto most = static_cast<std::uint64_t>(parts_.store.most_result_bytes());
+  const std::uint64_t bytes = parts_.store.result_bytes();
+  if (bytes + picture_bytes(record) > most)
+    throw StreamFull(fmt::format(
+        "the cluster's store is full: {} of {} bytes of results are taken, and the picture may "
+        "take "
+        "{}: delete jobs, wait until they are forgotten (--keep), or give it more (--max-stored)",
+        bytes, most, picture_bytes(record)));
 }
 
 JobRecord SharedJobs::new_record(JobTask task, const SceneView& view,
                                  const httplib::Params& query) {
   if (!view.document) throw std::logic_error("a scene without its text cannot be shared");
-  JobRecord record{.id = random_id(),
-                   .task = task,
-                   .document = ClusterStore::digest_of(*view.document),
-                   .query = {query.begin(), query.end()},
-                   .renderer = parts_.self.renderer,
-                   .front = parts_.self.name,
-                   .picture_digest = view.picture_digest(),
-                   .parse_ms = view.parse_ms,
-                   .width = view.scene.camera.width,
-                   .height = view.scene.camera.height,
-                   .channels = channel_count(view.scene),
-                   .samples = view.scene.render.samples.value_or(1),
-                   .accepted_ms = now_ms()};
+  JobRecord record{
+      .id = random_id(),
+      .task = task,
+      .document = ClusterStore::digest_of(*view.document),
+      .query = {query.begin(), query.end()},
+      .renderer = parts_.self.renderer,
+      .front = parts_.self.name,
+      .picture_digest = view.picture_digest(),
+      .parse_ms = view.parse_ms,
+      .limits = parts_.limits,
+      .task_timeout_s = std::chrono::duration<double>(parts_.store.limits().task_timeout).count(),
+      .width = view.scene.camera.width,
+      .height = view.scene.camera.height,
+      .channels = channel_count(view.scene),
+      .samples = view.scene.render.samples.value_or(1),
+      .accepted_ms = now_ms()};
   record.query.erase("task");
-  parts_.store.put_document(record.document, *view.document);
   return record;
 }
 
@@ -112,15 +123,16 @@ std::shared_ptr<const Job> SharedJobs::accept(JobTask task, SceneView view,
                                               const httplib::Params& query, bool as_floats) {
   return answered([&] {
     const auto own = std::make_shared<Own>(parts_.admission);
-    require_room();
     JobRecord record = new_record(task, view, query);
     record.is_8_bit = task == JobTask::render && !as_floats && tells_error_in_8_bit(view);
+    require_room(record);
     {
       const std::scoped_lock lock(mutex_);
       own_.emplace(record.id, own);
     }
     try {
       parts_.store.put_job(record);
+      parts_.store.put_document(record.document, *view.document);
     } catch (...) {
       if (caretaker_) caretaker_->remove_soon(record.id);
       const std::scoped_lock lock(mutex_);
@@ -139,17 +151,18 @@ std::shared_ptr<const Job> SharedJobs::accept(JobTask task, SceneView view,
 JobRecord SharedJobs::begin_render(const SceneView& view, const httplib::Params& query,
                                    const TaskCut& cut, bool is_8_bit) {
   return answered([&] {
-    require_room();
     JobRecord record = new_record(JobTask::render, view, query);
     record.has_client = true;
     record.is_8_bit = is_8_bit;
     note_cut(record, cut);
+    require_room(record);
     {
       const std::scoped_lock lock(mutex_);
       awaited_.insert(record.id);
     }
     try {
       parts_.store.put_job(record);
+      parts_.store.put_document(record.document, *view.document);
       queue_all(record);
     } catch (...) {
       end_render(record.id);
@@ -199,15 +212,7 @@ void SharedJobs::remove(const std::string& id) {
 }
 
 std::map<JobStatus, std::size_t> SharedJobs::counts() const {
-  std::map<JobStatus, std::size_t> counts;
-  try {
-    const std::size_t open = parts_.store.open_job_count();
-    const std::size_t all = parts_.store.job_ids().size();
-    counts[JobStatus::running] = open;
-    counts[JobStatus::done] = all - std::min(open, all);
-  } catch (const std::exception&) {  // NOLINT: nobody knows
-  }
-  return counts;
+  return caretaker_ ? caretaker_->counts() : std::map<JobStatus, std::size_t>();
 }
 
 bool SharedJobs::persist(const Own& own, const std::function<bool()>& step) {

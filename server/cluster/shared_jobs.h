@@ -78,7 +78,8 @@ class SharedJobs : public Jobs {
  private:
   struct Own;
 
-  void require_room();
+  /// Throws HttpError: 429 if too much is queued, StreamFull if the picture would have no room.
+  void require_room(const JobRecord& record);
   JobRecord new_record(JobTask task, const SceneView& view, const httplib::Params& query);
   void queue_all(const JobRecord& record);
   void cut_or_render(JobRecord record, const SceneView& view, Own& own);

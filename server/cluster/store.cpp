@@ -8,6 +8,7 @@
 #include <random>
 #include <utility>
 
+#include "server/cluster/stored_text.h"
 #include "server/etag.h"
 
 namespace raytracer {
@@ -15,7 +16,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr std::size_t chunk_bytes = 512 << 10;  // NATS takes 1 MB unless it is told otherwise
 /// Above 31 MB server 2.9.10 loses acknowledged messages in a crash.
 constexpr std::size_t most_result_bytes_at_once = 4'000'000;
 constexpr std::size_t header_bytes = 1024;
@@ -46,11 +46,6 @@ std::string random_token() {
 /// In the first line of a text in chunks, how many they are.
 std::string in_parts(std::size_t count) { return fmt::format("parts {}", count); }
 
-std::string_view chunk(std::string_view text, std::size_t index) {
-  return text.substr(index * chunk_bytes, chunk_bytes);
-}
-std::size_t chunks_in(std::size_t bytes) { return (bytes + chunk_bytes - 1) / chunk_bytes; }
-
 }  // namespace
 
 void ClusterStore::ensure_streams() {
@@ -59,6 +54,10 @@ void ClusterStore::ensure_streams() {
   nats_.ensure_stream({.name = "raytracer_scenes",
                        .subjects = "raytracer.scene.>",
                        .most_bytes = all / 4,
+                       .longest_kept = kept});
+  nats_.ensure_stream({.name = "raytracer_kept",
+                       .subjects = "raytracer.kept.>",
+                       .most_bytes = all / 16,
                        .longest_kept = kept,
                        .drops_oldest = true});
   nats_.ensure_stream({.name = "raytracer_jobs",
@@ -91,49 +90,54 @@ std::string ClusterStore::digest_of(std::string_view document) {
   return sha256_hex(document).substr(0, 32);
 }
 
+StoredText ClusterStore::document_at(const std::string& digest) const {
+  return {nats_, "raytracer_scenes", "raytracer.scene", digest};
+}
+
+StoredText ClusterStore::kept_at(const std::string& id) const {
+  return {nats_, "raytracer_kept", "raytracer.kept", id};
+}
+
 void ClusterStore::put_document(const std::string& digest, std::string_view document) {
-  const std::string subject = "raytracer.scene.text." + digest;
-  const std::size_t count = chunks_in(document.size());
-  // Chunks were stored before the head, so they go before it.
-  const auto head = nats_.get("raytracer_scenes", subject);
-  if (head && 2 * (now_ms() - head->time_ms) < milliseconds(limits_.longest_kept).count() &&
-      nats_.subjects("raytracer_scenes", fmt::format("raytracer.scene.chunk.{}.*", digest))
-              .size() == count)
-    return;
-  for (std::size_t i = 0; i < count; ++i)
-    nats_.put(fmt::format("raytracer.scene.chunk.{}.{}", digest, i), chunk(document, i));
-  nats_.put(subject, in_parts(count));
+  const StoredText text = document_at(digest);
+  if (text.is_stored(document, limits_.longest_kept / 2)) return;
+  try {
+    text.put(document);
+  } catch (const StreamFull&) {
+    remove_unused_documents();
+    text.put(document);
+  }
+}
+
+void ClusterStore::remove_unused_documents() {
+  std::set<std::string> used;
+  for (const std::string& id : job_ids()) try {
+      if (const auto record = job(id); record && is_open(*record)) used.insert(record->document);
+    } catch (const UnreadableRecord&) {  // NOLINT: of another build, whose scenes go as they age
+    }
+  for (const std::string& digest : StoredText::names(nats_, "raytracer_scenes", "raytracer.scene"))
+    if (!used.contains(digest)) document_at(digest).remove();
 }
 
 std::string ClusterStore::document(const std::string& digest) {
-  const auto gone = [&] {
-    return NatsRefused(fmt::format(
-        "the scene {} is no longer stored: others needed the memory (--max-stored)", digest));
-  };
-  const auto head = nats_.get("raytracer_scenes", "raytracer.scene.text." + digest);
-  if (!head) throw gone();
-  std::size_t count = 0;
-  std::from_chars(head->data.data() + std::string_view("parts ").size(),
-                  head->data.data() + head->data.size(), count);
-  std::string text;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto part =
-        nats_.get("raytracer_scenes", fmt::format("raytracer.scene.chunk.{}.{}", digest, i));
-    if (!part) throw gone();
-    text += part->data;
-  }
-  if (digest_of(text) != digest) throw gone();
-  return text;
+  if (std::optional<std::string> text = document_at(digest).get()) return *std::move(text);
+  throw NatsRefused(fmt::format(
+      "the scene {} is no longer stored: others needed the memory (--max-stored)", digest));
 }
 
-void ClusterStore::keep_scene(const std::string& id, const std::string& digest) {
-  nats_.put("raytracer.scene.kept." + id, digest);
+void ClusterStore::keep_scene(const std::string& id, std::string_view document) {
+  const StoredText text = kept_at(id);
+  if (!text.is_stored(document, limits_.longest_kept / 2)) text.put(document);
 }
 
 std::optional<std::string> ClusterStore::kept_scene(const std::string& id) {
-  auto found = nats_.get("raytracer_scenes", "raytracer.scene.kept." + id);
-  if (!found) return {};
-  return std::move(found->data);
+  return kept_at(id).get();
+}
+
+bool ClusterStore::is_open(const JobRecord& record) {
+  if (!record.failure.empty()) return false;
+  return record.task_count == 0 ||
+         results(record.id).size() < static_cast<std::size_t>(record.task_count);
 }
 
 bool ClusterStore::put_job(JobRecord& record) {
@@ -197,7 +201,7 @@ void ClusterStore::close_job(const JobRecord& record) {
 void ClusterStore::queue_tasks(const JobRecord& record, const std::vector<int>& tasks) {
   nats_.ensure_consumer("raytracer_tasks", consumer_of(record.renderer, record.id),
                         fmt::format("raytracer.task.{}.*", record.id), record.document,
-                        limits_.task_timeout, limits_.longest_kept);
+                        record.task_timeout(), limits_.longest_kept);
   std::vector<std::string> subjects;
   subjects.reserve(tasks.size());
   for (const int task : tasks)
@@ -359,6 +363,11 @@ std::vector<Member> ClusterStore::members() {
          json.value("renderer", ""), json.value("threads", std::size_t{0}),
          json.value("tasks_done", std::uint64_t{0}), json.value("works", false), found->time_ms});
   }
+  // By one clock: those of two machines may differ. Whoever asks gives signs of life, too.
+  std::int64_t latest_ms = 0;
+  for (const Member& member : members) latest_ms = std::max(latest_ms, member.heard_ms);
+  for (Member& member : members)
+    member.silence_s = static_cast<double>(latest_ms - member.heard_ms) / 1000;
   return members;
 }
 

@@ -1,9 +1,9 @@
 // What a cluster keeps in JetStream, and under which subjects.
 //
 //   stream                  subjects                            what they hold
-//   raytracer_scenes        raytracer.scene.text.DIGEST         a scene's text: in how many chunks
-//                           raytracer.scene.chunk.DIGEST.K      each chunk; oldest out first
-//                           raytracer.scene.kept.ID             the digest of a posted scene
+//   raytracer_scenes        raytracer.scene.text.DIGEST         a job's scene: in how many chunks
+//                           raytracer.scene.chunk.DIGEST.K      each chunk
+//   raytracer_kept          raytracer.kept.text.ID, .chunk.ID.K a posted scene, oldest out first
 //   raytracer_jobs          raytracer.job.record.ID             its JobRecord
 //                           raytracer.job.progress.ID           how far a job of one task is
 //                           raytracer.job.failure.ID.TASK.K     why a task failed the K-th time
@@ -31,6 +31,7 @@
 
 #include "server/cluster/nats.h"
 #include "server/cluster/record.h"
+#include "server/cluster/stored_text.h"
 
 namespace raytracer {
 
@@ -43,7 +44,8 @@ struct Member {
   std::size_t threads = 0;
   std::uint64_t tasks_done = 0;
   bool works = false;
-  std::int64_t heard_ms = 0;  ///< when it said so, since 1970
+  std::int64_t heard_ms = 0;  ///< when it said so, by NATS's clock
+  double silence_s = 0;       ///< from then to the last sign of life of any
 };
 
 /// A task that failed, or that one who took it said nothing of any more.
@@ -79,12 +81,14 @@ class ClusterStore {
 
   /// The digest under which a text is stored.
   static std::string digest_of(std::string_view document);
-  /// Stores the text in chunks, unless it is stored and stays so for half as long as jobs do.
+  /// Stores a job's scene, unless it is stored and stays so for half as long as jobs do. Where
+  /// there is no room, those go that no open job needs; the job's record is stored before, so that
+  /// it is one of them.
   void put_document(const std::string& digest, std::string_view document);
   /// Throws NatsRefused if it is no longer there.
   std::string document(const std::string& digest);
-  void keep_scene(const std::string& id, const std::string& digest);
-  /// The digest of a posted scene's text.
+  /// Stores a posted scene.
+  void keep_scene(const std::string& id, std::string_view document);
   std::optional<std::string> kept_scene(const std::string& id);
 
   /// Stores it in place of what it was read from or stored as; false if that was changed or
@@ -147,7 +151,12 @@ class ClusterStore {
   std::shared_ptr<const void> listen_for_removals(std::function<void(const std::string& id)> heard);
 
  private:
+  StoredText document_at(const std::string& digest) const;
+  StoredText kept_at(const std::string& id) const;
   bool is_wanted(const std::string& id);
+  /// Whether something of it is still to be made.
+  bool is_open(const JobRecord& record);
+  void remove_unused_documents();
   void remove_results(const std::string& id);
 
   NatsConnection& nats_;

@@ -30,14 +30,12 @@ constexpr std::size_t most_losses = 5;
 }  // namespace
 
 TaskRunner::TaskRunner(const Identity& self, ClusterStore& store, News& news,
-                       PreparedScenes& scenes, WorkerPool& pool, const Limits& limits,
-                       Metrics& metrics, RequestLog& log)
+                       PreparedScenes& scenes, WorkerPool& pool, Metrics& metrics, RequestLog& log)
     : self_(self),
       store_(store),
       news_(news),
       scenes_(scenes),
       pool_(pool),
-      limits_(limits),
       metrics_(metrics),
       log_(log),
       removals_(store.listen_for_removals([this](const std::string& job) { stop(job); })) {
@@ -149,7 +147,8 @@ void TaskRunner::work_on(TaskMessage message) {
   std::list<Running>::iterator running;
   {
     const std::scoped_lock lock(mutex_);
-    running = running_.emplace(running_.end(), std::move(message), id);
+    running =
+        running_.emplace(running_.end(), std::move(message), id, store_.limits().task_timeout);
     if (is_handing_back_) running->progress.stop = true;
   }
   const auto settle = [&](const auto& how) {
@@ -159,6 +158,11 @@ void TaskRunner::work_on(TaskMessage message) {
   const auto acknowledge = [](TaskMessage& own) { own.acknowledge(); };
   try {
     const std::optional<JobRecord> record = store_.job(id);
+    if (record) {
+      const std::scoped_lock lock(mutex_);
+      running->timeout = record->task_timeout();
+      changed_.notify_all();
+    }
     if (!record || !record->failure.empty()) {
       settle(acknowledge);  // nobody wants it any more
     } else if (is_to_be_tried(*record, task, *running)) {
@@ -176,6 +180,7 @@ void TaskRunner::work_on(TaskMessage message) {
       } catch (const NatsUnavailable&) {
         throw;
       } catch (const StreamFull& error) {
+        log_.note(fmt::format("job {} failed: {}", id, error.what()));
         store_.fail_job(id, error.what(), true);  // so it is for others
         settle(acknowledge);
       } catch (const std::exception& error) {
@@ -255,13 +260,14 @@ TaskResult TaskRunner::make(const JobRecord& record, int task, Running& running)
     running.is_whole = true;
     const SceneView view = scenes_.view_of(record);
     CurveProgress progress{running.progress};
-    std::optional<Curve> curve = measure_curve(view.scene, limits_, most_curve_ms, pool_, progress);
+    std::optional<Curve> curve =
+        measure_curve(view.scene, record.limits, most_curve_ms, pool_, progress);
     return {self_.name, curve ? text_of(*curve) : CurveText{}};
   }
   const std::shared_ptr<const PreparedView> scene = scenes_.prepare(record);
   if (record.side_px == 0) {
     running.is_whole = true;
-    return {self_.name, render(scene->prepared, limits_, pool_, running.progress)};
+    return {self_.name, render(scene->prepared, record.limits, pool_, running.progress)};
   }
   const std::vector<Tile> regions = regions_of(record.width, record.height, record.side_px);
   const Tile& region = regions.at(static_cast<std::size_t>(task));
@@ -288,11 +294,18 @@ void TaskRunner::give_up(const JobRecord& record, int task, Running& running,
   running.message.hand_back(before_another_try);
 }
 
+milliseconds TaskRunner::shortest_timeout() const {
+  milliseconds shortest = store_.limits().task_timeout;
+  for (const Running& running : running_) shortest = std::min(shortest, running.timeout);
+  return shortest;
+}
+
 void TaskRunner::say_in_progress() {
-  const auto period = store_.limits().task_timeout / 4;
   std::unique_lock lock(mutex_);
   while (!is_handing_back_) {
-    changed_.wait_for(lock, period, [this] { return is_handing_back_.load(); });
+    const milliseconds timeout = shortest_timeout();
+    changed_.wait_for(lock, timeout / 4,
+                      [&] { return is_handing_back_ || shortest_timeout() < timeout; });
     std::vector<std::pair<std::string, double>> said;  // NATS is asked without the lock
     for (Running& running : running_) {
       const double fraction = running.progress.fraction;

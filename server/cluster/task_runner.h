@@ -39,7 +39,7 @@ class TaskRunner {
  public:
   /// All must outlive it.
   TaskRunner(const Identity& self, ClusterStore& store, News& news, PreparedScenes& scenes,
-             WorkerPool& pool, const Limits& limits, Metrics& metrics, RequestLog& log);
+             WorkerPool& pool, Metrics& metrics, RequestLog& log);
   /// Hands back what runs.
   ~TaskRunner();
   TaskRunner(const TaskRunner&) = delete;
@@ -54,11 +54,12 @@ class TaskRunner {
   using Clock = std::chrono::steady_clock;
   /// A task in work.
   struct Running {
-    Running(TaskMessage task_message, std::string job_id)
-        : message(std::move(task_message)), job(std::move(job_id)) {}
+    Running(TaskMessage task_message, std::string job_id, std::chrono::milliseconds first_timeout)
+        : message(std::move(task_message)), job(std::move(job_id)), timeout(first_timeout) {}
     std::mutex mutex;  ///< of the message
     TaskMessage message;
     const std::string job;
+    std::chrono::milliseconds timeout;  ///< of its job: others take it when nothing is said
     bool is_whole = false;
     bool is_removed = false;
     RenderProgress progress{};
@@ -79,6 +80,8 @@ class TaskRunner {
   /// Calls step() until NATS has done it; false if this worker ends first.
   bool persist(const std::function<void()>& step);
   void give_up(const JobRecord& record, int task, Running& running, const std::string& reason);
+  /// Within which something is to be said of all that runs.
+  std::chrono::milliseconds shortest_timeout() const;
   void say_in_progress();
   void stop(const std::string& job);
 
@@ -87,7 +90,6 @@ class TaskRunner {
   News& news_;
   PreparedScenes& scenes_;
   WorkerPool& pool_;
-  const Limits& limits_;
   Metrics& metrics_;
   RequestLog& log_;
 

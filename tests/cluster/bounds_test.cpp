@@ -73,6 +73,25 @@ TEST_F(ClusterBounds, full_store_is_said_and_has_room_again_when_jobs_are_delete
   EXPECT_TRUE(ends_done(front, post_job(front, query + "4")));
 }
 
+TEST_F(ClusterBounds, scenes_that_others_post_leave_those_of_jobs_where_they_are) {
+  const Flags least{"--max-stored", std::to_string(64 << 20)};  // 4 MB of it for what is posted
+  const ServerProcess& front = start_front(least);
+  ASSERT_TRUE(eventually([&] { return cluster_of(front).is_object(); }));
+  const std::string job = post_job(front, "", small_scene);
+  std::string kept;
+  for (int i = 0; i < 8; ++i) {
+    std::string scene = small_scene;
+    scene.insert(1, fmt::format(R"("description": "{}",)", std::string(1'000'000, "abcdefgh"[i])));
+    const Answer posted = post(front, "/scenes", scene);
+    ASSERT_EQ(posted.status, 201) << posted.body;
+    kept = posted.get_header_value("Location");
+  }
+  start_worker(least);
+  EXPECT_TRUE(ends_done(front, job));
+  const ServerProcess& other = start_front(least);
+  EXPECT_TRUE(eventually([&] { return get(other, kept).status == 200; })) << "the last is there";
+}
+
 TEST_F(ClusterBounds, nothing_is_left_of_old_jobs) {
   const Flags brief{"--keep", "2"};
   const ServerProcess& front = start_front(brief);
@@ -83,7 +102,9 @@ TEST_F(ClusterBounds, nothing_is_left_of_old_jobs) {
   EXPECT_EQ(get(front, "/render?scene=demo&samples=1&width=900&height=700").status, 200);
   Stored stored(nats().url());
   EXPECT_TRUE(eventually([&] {
-    return stored.of_jobs().empty() && stored.connection.subjects("raytracer_scenes", ">").empty();
+    return stored.of_jobs().empty() &&
+           stored.connection.subjects("raytracer_scenes", ">").empty() &&
+           stored.connection.subjects("raytracer_kept", ">").empty();
   })) << testing::PrintToString(stored.of_jobs());
   expect_problem(get(front, job), 404, "job");
 }

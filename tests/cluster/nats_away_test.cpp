@@ -163,5 +163,40 @@ TEST_F(NatsAway, client_that_waits_for_a_shared_render_gets_it) {
   EXPECT_TRUE(image.body == alone("/render", scene));
 }
 
+TEST_F(NatsAway, client_gets_its_render_though_another_front_hears_nothing_of_its_own) {
+  const ServerProcess& front = start_front();
+  const ServerProcess& other = start_front();
+  start_worker();
+  ASSERT_TRUE(has_workers(front, 1));
+  ASSERT_TRUE(has_workers(other, 1));
+  for (const auto away : {1s, 3s}) {
+    const std::string scene = long_scene(60 + static_cast<int>(away.count()));  // one not cached
+    Answer image;
+    std::thread client([&] { image = post(front, "/render", scene); });
+    EXPECT_TRUE(are_all_queued(front, nats().url()));
+    nats().kill();
+    std::this_thread::sleep_for(away);
+    nats().start();
+    client.join();
+    ASSERT_EQ(image.status, 200) << image.body;
+    EXPECT_TRUE(image.body == alone("/render", scene));
+  }
+}
+
+TEST_F(NatsAway, render_whose_record_is_lost_is_shared_again) {
+  const ServerProcess& front = start_front();
+  start_worker();
+  ASSERT_TRUE(has_workers(front, 1));
+  const std::string scene = long_scene(60);
+  Answer image;
+  std::thread client([&] { image = post(front, "/render", scene); });
+  EXPECT_TRUE(are_all_queued(front, nats().url()));
+  Stored stored(nats().url());
+  for (const std::string& id : stored.store.job_ids()) stored.store.remove_job(id);
+  client.join();
+  ASSERT_EQ(image.status, 200) << image.body;
+  EXPECT_TRUE(image.body == alone("/render", scene));
+}
+
 }  // namespace
 }  // namespace raytracer::test

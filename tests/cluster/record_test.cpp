@@ -25,6 +25,8 @@ JobRecord full_record() {
           .predicted_ms = 1e300,
           .plan_ms = 0.25,
           .build_ms = 1.5,
+          .limits = {.pixels = 1000, .work = 1LL << 62},
+          .task_timeout_s = 0.75,
           .width = 640,
           .height = 480,
           .channels = 4,
@@ -52,6 +54,9 @@ TEST(JobRecords, are_read_as_they_were_written) {
   EXPECT_EQ(read.predicted_ms, record.predicted_ms);
   EXPECT_EQ(read.plan_ms, record.plan_ms);
   EXPECT_EQ(read.build_ms, record.build_ms);
+  EXPECT_EQ(read.limits.pixels, record.limits.pixels);
+  EXPECT_EQ(read.limits.work, record.limits.work);
+  EXPECT_EQ(read.task_timeout_s, record.task_timeout_s);
   EXPECT_EQ(read.width, record.width);
   EXPECT_EQ(read.height, record.height);
   EXPECT_EQ(read.channels, record.channels);

@@ -26,11 +26,28 @@ TEST_F(ClusterStoreTest, scene_that_lost_some_chunks_is_stored_again) {
   const std::string digest = ClusterStore::digest_of(text);
   stored.store.put_document(digest, text);
   EXPECT_EQ(stored.store.document(digest), text);
-  const std::string other(1'900'000, 'b');
-  stored.store.put_document(ClusterStore::digest_of(other), other);
-  EXPECT_THROW(stored.store.document(digest), NatsRefused) << "there was room for both";
+  stored.connection.purge("raytracer_scenes", "raytracer.scene.chunk." + digest + ".1");
+  EXPECT_THROW(stored.store.document(digest), NatsRefused);
   stored.store.put_document(digest, text);
   EXPECT_EQ(stored.store.document(digest), text);
+}
+
+TEST_F(ClusterStoreTest, scene_that_an_open_job_needs_stays_when_room_is_wanted) {
+  StoreLimits limits;
+  limits.most_bytes = 16 << 20;  // a quarter of it for scenes
+  Stored stored(nats().url(), limits);
+  stored.store.ensure_streams();
+  const std::string text(2'500'000, 'a');
+  const std::string other(1'900'000, 'b');
+  JobRecord record = stored.new_job("one", "build", text, 16, 16, 1);
+  ASSERT_TRUE(stored.store.put_job(record));
+  const std::string other_digest = ClusterStore::digest_of(other);
+  EXPECT_THROW(stored.store.put_document(other_digest, other), StreamFull);
+  EXPECT_EQ(stored.store.document(record.document), text);
+  ASSERT_TRUE(stored.store.put_result("one", 0, "a picture"));
+  stored.store.put_document(other_digest, other);
+  EXPECT_EQ(stored.store.document(other_digest), other);
+  EXPECT_THROW(stored.store.document(record.document), NatsRefused) << "there was room for both";
 }
 
 TEST_F(ClusterStoreTest, scene_that_is_used_again_is_kept_as_long_as_its_last_job) {

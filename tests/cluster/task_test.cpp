@@ -1,10 +1,12 @@
 // Tasks that no worker may take, that fail, or that are not what they say.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "tests/cluster/cluster_test.h"
 #include "tests/cluster/stored.h"
@@ -91,28 +93,57 @@ TEST_F(Tasks, one_that_fails_is_given_up_by_a_worker_that_is_alone) {
 
 TEST_F(Tasks, one_that_failed_at_one_worker_waits_for_another_that_is_busy) {
   const ServerProcess& front = start_front();
-  const ServerProcess& one = start_worker({"--max-objects", "1"});
+  const ServerProcess& one = start_worker();
   ASSERT_TRUE(has_workers(front, 1));
-  // Two objects: too many for the first.
-  const std::string scene = R"({"camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.9,
-    "width": 16, "height": 16}, "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1},
-    {"type": "sphere", "center": [1, 0, 0], "radius": 1}]})";
+  Stored stored(nats().url());
+  const std::vector<Member> members = stored.store.members();
+  const auto named = std::find_if(members.begin(), members.end(),
+                                  [](const Member& member) { return member.works; });
+  ASSERT_NE(named, members.end());
   const ServerProcess& other = start_worker();
   ASSERT_TRUE(has_workers(front, 2));
-  Stored stored(nats().url());
   // Two tasks of eight seconds each, whatever the machine, keep the other busy, once the first does
   // not take them.
   one.signal(SIGSTOP);
   for (const char* const id : {"busy1", "busy2"}) {
-    JobRecord busy = stored.new_job(id, stored.renderer(), endless_scene(), 350, 0, 1);
+    JobRecord busy = stored.new_job(id, named->renderer, endless_scene(), 350, 0, 1);
     busy.query = {{"budget_ms", "8000"}};
     stored.queue(busy);
   }
   EXPECT_TRUE(eventually([&] { return cluster_of(front).at("tasks").at("running") == 2; }));
+  const std::string scene = R"({"camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.9,
+    "width": 16, "height": 16}, "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1}]})";
+  stored.queue(stored.new_job("picky", named->renderer, scene, 16, 16, 1));
+  auto task = stored.store.tasks_of({"picky", named->renderer, "", 0, 0}).take(5s);
+  ASSERT_TRUE(task);
+  stored.store.add_failure("picky", 0, 0, {named->name, "as a worker says it"});
+  task->hand_back(0ms);
   one.signal(SIGCONT);
-  stored.queue(stored.new_job("picky", stored.renderer(), scene, 16, 16, 1));
   EXPECT_TRUE(ends_done(front, "/jobs/picky")) << one.log() << other.log();
   EXPECT_GT(stored.store.hand_backs("picky", 0), 5U) << "the other was not busy for long enough";
+}
+
+TEST_F(Tasks, limits_are_those_of_the_front) {
+  const ServerProcess& front = start_front();
+  start_worker({"--max-pixels", "16", "--max-samples", "1", "--max-work", "16"});
+  ASSERT_TRUE(has_workers(front, 1));
+  const std::string query = "?scene=first-sphere&samples=4&width=200&height=160";
+  const std::string job = post_job(front, query);
+  ASSERT_TRUE(ends_done(front, job));
+  EXPECT_TRUE(get(front, job + "/image").body == alone("/render" + query));
+}
+
+TEST_F(Tasks, one_that_takes_long_is_said_to_be_in_progress_as_often_as_its_front_demands) {
+  const ServerProcess& front = start_front();
+  start_worker({"--task-timeout", "60"});
+  ASSERT_TRUE(has_workers(front, 1));
+  Stored stored(nats().url());
+  JobRecord record = stored.new_job("long", stored.renderer(), long_scene(100), 350, 352, 1);
+  record.samples = 400;  // as the scene has them
+  record.task_timeout_s = 0.5;
+  stored.queue(record);
+  ASSERT_TRUE(ends_done(front, "/jobs/long"));
+  EXPECT_EQ(stored.store.redelivered(), 0U);
 }
 
 }  // namespace
