@@ -2,6 +2,7 @@
 
 #include "engine/lights/packet_light.h"
 
+HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
 /// A direction that rays to a soft light share; of a sky's the lanes of a packet may look to either
@@ -15,3 +16,4 @@ struct LightAxis {
 };
 
 }  // namespace raytracer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
