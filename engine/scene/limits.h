@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stdexcept>
 
 namespace raytracer {
 
@@ -41,15 +42,17 @@ inline constexpr std::array<LimitRow, 6> limit_table{{
     // A plan looks at all objects from each point light.
     {&Limits::lights, "--max-lights", "RAYTRACER_MAX_LIGHTS", "lights in a scene", 1'000'000},
     {&Limits::samples, "--max-samples", "RAYTRACER_MAX_SAMPLES", "samples per pixel", 1 << 30},
+    // More where a surface gives back more than it receives: work_of() says how many.
     {&Limits::work, "--max-work", "RAYTRACER_MAX_WORK",
-     "rays in all: pixels x samples x (1 + reflections)", 1LL << 62},
+     "rays in all: pixels x samples x (1 + max_depth where surfaces reflect or refract)",
+     1LL << 62},
 }};
 
 /// The row of `limit`, for a message that names its flag.
 constexpr const LimitRow& row_of(std::int64_t Limits::*limit) {
   for (const LimitRow& row : limit_table)
     if (row.value == limit) return row;
-  return limit_table[0];
+  throw std::logic_error("a limit that is not in the table");
 }
 
 }  // namespace raytracer
