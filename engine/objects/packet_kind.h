@@ -89,26 +89,23 @@ concept HasSwept = requires(std::span<const Primitive> primitives, const Numberi
   swept.box;
 };
 
-template <class Kind, class Layout, typename T>
-concept HasLayout = HasItems<Layout, typename Kind::Primitive> &&
-    HasRows<Layout, typename Kind::Primitive, T> &&
-    HasLightViews<Layout, typename Kind::Primitive> &&
-    (Kind::search != Search::bounded ||
-     HasBlocks<Layout, typename Kind::Primitive>)&&(!Kind::has_light_sweep ||
-                                                    HasSwept<Layout, typename Kind::Primitive>);
+/// What trees find is in blocks.
+template <class Kind, class Layout>
+concept HasBlocksIfBounded =
+    Kind::search != Search::bounded || HasBlocks<Layout, typename Kind::Primitive>;
+
+/// What sweeps find passes over points.
+template <class Kind, class Layout>
+concept HasSweptIfSwept = !Kind::has_light_sweep || HasSwept<Layout, typename Kind::Primitive>;
+
+template <class Kind, typename T, class Layout = PacketLayout<Kind, T>>
+concept HasLayout =
+    HasItems<Layout, typename Kind::Primitive> && HasRows<Layout, typename Kind::Primitive, T> &&
+    HasLightViews<Layout, typename Kind::Primitive> && HasBlocksIfBounded<Kind, Layout> &&
+    HasSweptIfSwept<Kind, Layout>;
 
 template <class Kind>
-concept LaidOutInSingle = HasLayout < Kind,
-        PacketLayout<Kind, float>,
-float > ;
-
-template <class Kind>
-concept LaidOutInDouble = HasLayout < Kind,
-        PacketLayout<Kind, double>,
-double > ;
-
-template <class Kind>
-concept LaidOutKind = LaidOutInSingle<Kind> && LaidOutInDouble<Kind>;
+concept LaidOutKind = HasLayout<Kind, float> && HasLayout<Kind, double>;
 
 /// What a kind may have: what the eye knows beforehand of all of them; else nothing.
 template <class Layout, class Primitive>
