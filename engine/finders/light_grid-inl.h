@@ -6,15 +6,15 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
 /// Points as the light sees them: `u` and `v` across its direction, `w` towards it.
-template <class V, class M>
+template <class V>
 struct LightPlaces {
   V u;
   V v;
   V w;
 };
 
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE LightPlaces<V, M> places_on(D d, const LightPlane<T>& plane, const V3<V>& point) {
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE LightPlaces<V> places_on(D d, const LightPlane<T>& plane, const V3<V>& point) {
   return {dot(point, broadcast(d, plane.axes[0])), dot(point, broadcast(d, plane.axes[1])),
           dot(point, broadcast(d, plane.axes[2]))};
 }
@@ -26,8 +26,8 @@ HWY_INLINE V in_cells(D d, const LightPlane<T>& plane, V coordinate, T low) {
 }
 
 /// The cells that hold the points.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V cell_of(D d, const LightPlane<T>& plane, const LightPlaces<V, M>& at) {
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V cell_of(D d, const LightPlane<T>& plane, const LightPlaces<V>& at) {
   return hn::MulAdd(hn::Floor(in_cells(d, plane, at.v, plane.v_low)),
                     hn::Set(d, static_cast<T>(plane.columns)),
                     hn::Floor(in_cells(d, plane, at.u, plane.u_low)));
@@ -35,7 +35,7 @@ HWY_INLINE V cell_of(D d, const LightPlane<T>& plane, const LightPlaces<V, M>& a
 
 /// Lanes whose points are on the plane's cells: beside them nothing stands before the light.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE M is_on_plane(D d, const LightPlane<T>& plane, const LightPlaces<V, M>& at) {
+HWY_INLINE M is_on_plane(D d, const LightPlane<T>& plane, const LightPlaces<V>& at) {
   const auto is_within = [&](V place, int count) HWY_ATTR {
     return hn::And(hn::Ge(place, hn::Zero(d)), hn::Lt(place, hn::Set(d, static_cast<T>(count))));
   };
@@ -47,7 +47,7 @@ HWY_INLINE M is_on_plane(D d, const LightPlane<T>& plane, const LightPlaces<V, M
 /// occluded_in_lists() has it.
 template <class D, class Hides, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
-HWY_INLINE M occluded_by_listed(D d, const ListGrid<T>& grid, const LightPlaces<V, M>& at, M lit,
+HWY_INLINE M occluded_by_listed(D d, const ListGrid<T>& grid, const LightPlaces<V>& at, M lit,
                                 const Hides& hides) {
   const LightPlane<T>& plane = grid.plane;
   const V part =

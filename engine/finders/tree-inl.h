@@ -139,7 +139,7 @@ HWY_NOINLINE void intersect_tree_alone(D d, const PacketTree<Block>& tree,
 
 /// The packet against the tree's primitives.
 template <class D, template <class> class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
-          typename T = hn::TFromD<D>, class Block>
+          class Block>
 void intersect_tree(D d, const PacketTree<Block>& tree, const Origin<V>& from,
                     const V3<V>& direction, M active, Hit<V>& hit) {
   const TreeRays<V, Origin<V>> rays = tree_rays(d, from, direction);
@@ -171,8 +171,7 @@ HWY_NOINLINE void intersect_tree(const PacketTree<Block>& tree,
 
 /// Lanes of `lit` from which something in the tree stands nearer than `distance`. Rays to a light
 /// go together.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>,
-          class Block>
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, class Block>
 M occluded_in_tree(D d, const PacketTree<Block>& tree, const RayOrigin<V>& from,
                    const V3<V>& towards, V distance, M lit) {
   const auto rays = tree_rays(d, from, towards);

@@ -30,7 +30,7 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn:
 HWY_INLINE M intersect_plane(D d, const FlatItem<T>& plane, const RayOrigin<V>& from,
                              const V3<V>& direction, V& t) {
   return intersect_plane(d, broadcast(d, plane.normal), hn::Set(d, plane.height),
-                         hn::Set(d, static_cast<T>(plane.id)), from, direction, t);
+                         hn::Set(d, plane.id), from, direction, t);
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

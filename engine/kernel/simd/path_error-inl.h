@@ -26,7 +26,7 @@ struct PathError {
 };
 
 /// Of rays from the eye.
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+template <class D, class V = hn::Vec<D>>
 HWY_INLINE PathError<V> eye_error(D d) {
   return {hn::Zero(d), hn::Zero(d)};
 }
@@ -81,7 +81,7 @@ HWY_INLINE SurfaceError<V> surface_error(D d, const PacketScene<T>& scene,
 }
 
 /// The lanes whose points are beyond a light's reach.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE M beyond_reach(D d, const ExactScene& exact, const V3<V>& point) {
   M beyond = hn::Lt(hn::Zero(d), hn::Zero(d));
   for (const LampReach& lamp : exact.lamps) {

@@ -275,7 +275,7 @@ HWY_INLINE M occluded_by(D d, const Geometry<SphereKind, T>& spheres, const Pack
   const SphereLightView<T>& view = spheres.lights[light.index];
   const V3<V>& point = rays.from.point;
   if (light.rays == LightRays::parallel) {
-    const LightPlaces<V, M> at = places_on(d, view.discs.plane, point);
+    const LightPlaces<V> at = places_on(d, view.discs.plane, point);
     const V values[] = {at.u, at.v, at.w, rays.from.id};
     if (spheres.finder(ray_kind_of(light)) == Finder::one_by_one)
       return hn::And(lit, occluded_by_each(d, view.discs.casters, view.discs.begins[1],
@@ -302,7 +302,7 @@ HWY_INLINE M occluded_by(D d, const Geometry<SphereKind, T>& spheres, const Ligh
   // Beyond so many cells, points are tried in their own ones.
   constexpr int few_cells = 4;
   const CasterGrid<SphereDisc<T>, T>& grid = spheres.lights[axis.light.index].discs;
-  const LightPlaces<V, M> at = places_on(d, grid.plane, rays.from.point);
+  const LightPlaces<V> at = places_on(d, grid.plane, rays.from.point);
   const V one = hn::Set(d, T(1));
   const V values[] = {at.u, at.v, at.w, rays.from.id,
                       hn::IfThenElse(axis.opposite_lanes, hn::Neg(one), one)};
@@ -329,7 +329,7 @@ HWY_INLINE void prefetch_cells(D d, const Geometry<SphereKind, T>& spheres,
       light.rays != LightRays::parallel)
     return;
   const CasterGrid<SphereDisc<T>, T>& grid = spheres.lights[light.index].discs;
-  const LightPlaces<V, M> at = places_on(d, grid.plane, points);
+  const LightPlaces<V> at = places_on(d, grid.plane, points);
   fetch_cells(d, grid, grid.casters, cell_of(d, grid.plane, at),
               hn::And(lanes, is_on_plane(d, grid.plane, at)));
 }

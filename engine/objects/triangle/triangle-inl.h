@@ -157,7 +157,7 @@ HWY_INLINE V distance_noise(D d, const V3<V>& point) {
 /// are `at` these places on its plane.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE bool hides_distant_light(D d, const TriangleItem<T>& triangle,
-                                    const TriangleOutline<T>& outline, const LightPlaces<V, M>& at,
+                                    const TriangleOutline<T>& outline, const LightPlaces<V>& at,
                                     const ShadowRays<V>& rays, V noise, M lit, M& hidden) {
   const auto side = [&](std::size_t i) HWY_ATTR {
     return hn::MulAdd(
@@ -205,7 +205,7 @@ HWY_NOINLINE M occluded_by(D d, const Geometry<TriangleKind, T>& triangles,
   const TriangleLightView<T>& view = triangles.lights[light.index];
   const V noise = distance_noise(d, rays.from.point);
   if (light.rays == LightRays::parallel) {
-    const LightPlaces<V, M> at = places_on(d, view.grid.plane, rays.from.point);
+    const LightPlaces<V> at = places_on(d, view.grid.plane, rays.from.point);
     const auto hides = [&](std::size_t i, M rest, M& hidden) RAYTRACER_INLINE_ATTR {
       return hides_distant_light(d, triangles.items[i], view.outlines[i], at, rays, noise, rest,
                                  hidden);
