@@ -179,6 +179,12 @@ LightSampling for_contract(const RenderSettings& settings, int samples, double p
   return sampling;
 }
 
+/// The most directions that rays to soft lights share, all lights together: both ends of a sky's
+/// axes, or those of a disc with its rim, which has no more than its sets.
+std::size_t shared_directions(const LightSampling& sampling, const Features& features) {
+  return features.shared_lights * 2 * static_cast<std::size_t>(sampling.sets * sampling.per_set);
+}
+
 /// A choice's last words.
 std::string rim_of(const LightSampling& sampling) {
   return sampling.on_rim == 0
@@ -222,10 +228,6 @@ Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& 
                   "out at most half of the target: pixels that are refined look at more of "
                   "them{}",
                   sampling.per_set, taken, rim_of(sampling))};
-}
-
-std::size_t shared_directions(const LightSampling& sampling, const Features& features) {
-  return features.shared_lights * 2 * static_cast<std::size_t>(sampling.sets * sampling.per_set);
 }
 
 SoftLightSearch choose_soft_light_search(const RenderSettings& settings, const Features& features,

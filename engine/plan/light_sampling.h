@@ -15,11 +15,7 @@ namespace raytracer {
 Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& features,
                                             int first_samples);
 
-/// The most directions that rays to soft lights share, all lights together: both ends of a sky's
-/// axes, or those of a disc with its rim, which has no more than its sets.
-std::size_t shared_directions(const LightSampling& sampling, const Features& features);
-
-/// How what hides those is looked for.
+/// How rays to soft lights that share directions look for what is in their way.
 SoftLightSearch choose_soft_light_search(const RenderSettings& settings, const Features& features,
                                          const LightSampling& sampling);
 

@@ -27,6 +27,15 @@ double rays_per_pixel(int samples, std::size_t light_rays) {
   return samples * (1 + static_cast<double>(light_rays));
 }
 
+int tile_side_px(const Scene& scene, int samples, std::size_t thread_count) {
+  const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
+  int side = interruptible_side_px(samples, light_rays_per_sample(scene));
+  while (side > block_side &&
+         pixels / (side * side) < tiles_per_thread * static_cast<double>(thread_count))
+    side /= 2;
+  return side;
+}
+
 }  // namespace
 
 int interruptible_side_px(int samples, std::size_t light_rays) {
@@ -39,19 +48,6 @@ int interruptible_side_px(int samples, std::size_t light_rays) {
 bool is_one_tile(const Scene& scene, int samples) {
   return count_rays(scene, 1) * rays_per_pixel(samples, light_rays_per_sample(scene)) <= few_rays;
 }
-
-namespace {
-
-int tile_side_px(const Scene& scene, int samples, std::size_t thread_count) {
-  const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
-  int side = interruptible_side_px(samples, light_rays_per_sample(scene));
-  while (side > block_side &&
-         pixels / (side * side) < tiles_per_thread * static_cast<double>(thread_count))
-    side /= 2;
-  return side;
-}
-
-}  // namespace
 
 Choice<int> choose_tile_side(const Scene& scene, int samples, std::size_t thread_count) {
   const Camera& camera = scene.camera;

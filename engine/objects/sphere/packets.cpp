@@ -48,10 +48,6 @@ void fill_one_cell(std::span<const PackedSphere> spheres, const Make& make, Grid
   grid.casters.write(0, std::span<const Caster>(casters), Caster::members);
 }
 
-}  // namespace
-
-namespace {
-
 /// Every third bit of a number of seven.
 std::uint32_t spread_bits(std::uint32_t x) {
   std::uint32_t spread = 0;
