@@ -1,8 +1,6 @@
 // What a file does not say of its picture: the camera, the lights and the background.
 #pragma once
 
-#include <optional>
-
 #include "client/formats/scene_model.h"
 #include "client/formats/wishes.h"
 

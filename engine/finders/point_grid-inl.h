@@ -1,5 +1,7 @@
 // A packet's shadow rays to a point light, by the cells of the cube around the light.
 
+#include <limits>
+
 #include "engine/finders/point_grid.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,7 +1,6 @@
 #include "engine/render/refined_image.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <optional>

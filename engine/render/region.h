@@ -2,7 +2,6 @@
 // build, and put together to the same bytes.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 

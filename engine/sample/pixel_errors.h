@@ -20,7 +20,6 @@
 // (SubpixelObjects).
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,5 @@
 // All samples of a block's pixels, added up.
 
-#include <algorithm>
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();

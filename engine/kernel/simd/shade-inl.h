@@ -1,5 +1,7 @@
 // The colours of a packet of points.
 
+#include <limits>
+
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 

@@ -1,6 +1,5 @@
 // Light that comes through surfaces, and on which side of what has an inside a point is.
 
-#include <cstddef>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();

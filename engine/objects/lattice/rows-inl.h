@@ -8,6 +8,7 @@
 // All is relative to the point in which the ray crosses the plane of the centres, and mirrored so
 // that both slopes are positive.
 
+#include <limits>
 #include <utility>
 
 #include "engine/objects/lattice/walk-inl.h"
