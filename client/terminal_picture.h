@@ -10,9 +10,8 @@
 namespace raytracer::client {
 
 /// The picture of a P6 with 8 bits a channel, in its aspect; it fits the columns and rows, and
-/// takes no more of them than it has pixels. What the terminal is its environment says: TERM,
-/// TERM_PROGRAM,
-/// ... Throws ServerError if the bytes are no P6, or not whole.
+/// takes no more of them than it has pixels. The environment (TERM, TERM_PROGRAM, ...) says what
+/// the terminal is. Throws ServerError if the bytes are no P6, or not whole.
 std::string terminal_picture(std::string_view image, const TerminalSize& size);
 
 }  // namespace raytracer::client

@@ -6,7 +6,7 @@
 //
 //   135 contracts   `make tradeoff`: 27 scenes, 5 targets
 //   648 contracts   the same scenes at 6 sizes and 4 targets: an earlier measurement
-//   19 scenes       an earlier measurement still, of which only the numbers are left
+//   19 scenes       a still earlier measurement, of which only the numbers are left
 //
 // With them `make tradeoff` keeps all of its targets (commit 08076b8). On scenes that nothing was
 // calibrated on, `make contracts SEED=20261123 SCENES=300` of commit bf92630, 887 of 900 targets

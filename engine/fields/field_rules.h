@@ -1,5 +1,5 @@
-// What the value of a documented field may be: plain descriptions, which the reader checks by, the
-// JSON Schema is written from and nobody else needs.
+// What the value of a documented field may be: plain descriptions, by which the reader checks
+// values and from which the JSON Schema is written.
 #pragma once
 
 #include <array>

@@ -14,9 +14,11 @@ namespace raytracer {
 enum class RayKind : std::uint8_t {
   from_eye,
   to_distant_light,  ///< all parallel
-  to_soft_light,     ///< all parallel, to one of the directions of a disc or of a sky
+  to_soft_light,     ///< all parallel, to one of the directions of a distant disc or of a sky
   to_point_light,    ///< all end at one point
-  followed,          ///< reflected or refracted, or to a disc: they share nothing
+  /// Reflected or refracted, or to a disc around a place or a sky of limited reach: they share
+  /// nothing.
+  followed,
 };
 inline constexpr std::size_t ray_kind_count = 5;
 

@@ -12,7 +12,7 @@ template <typename T>
 struct PacketLight {
   std::size_t kind;  ///< its place in LightKinds
   LightRays rays;
-  Triple<T> place;     ///< parallel: unit, towards the light; converging: its position
+  Triple<T> place;     ///< parallel: unit, towards the light; else where it, or its centre, is
   Triple<T> emission;  ///< saturated, so that sums stay finite
   bool fades;          ///< with the distance's square
   std::size_t index;   ///< among the lights

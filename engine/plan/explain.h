@@ -9,11 +9,11 @@
 
 namespace raytracer {
 
-/// An object with `features`, `instruction_set`, `kernel`, `precision`, `geometry`, `sampling`,
-/// `tiles`, `frame` and `prediction`; choices as {"choice": ..., "reason": "..."}. `precision` also
-/// has what its rounding may do at most: `displacement_px` of edges, `levels` of colours. `health`
-/// is a list of sentences, empty for a scene that strains nothing. `plan` and `prediction` are the
-/// scene's.
+/// An object with `features`, `kernel`, `instruction_set`, `precision`, `geometry`, `sampling`,
+/// `light_samples` (only where a light is larger than a point), `tiles`, `frame` and `prediction`;
+/// choices as {"choice": ..., "reason": "..."}. `precision` also has what its rounding may do at
+/// most: `displacement_px` of edges, `levels` of colours. `health` is a list of sentences, empty
+/// for a scene that strains nothing. `plan` and `prediction` are the scene's.
 std::string explain(const Scene& scene, const Plan& plan, const Prediction& prediction);
 
 }  // namespace raytracer

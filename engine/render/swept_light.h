@@ -39,23 +39,28 @@ class SweepMemory {
   std::vector<std::unique_ptr<SweptPoints<T>>> free_;
 };
 
-/// For each tile in turn: record(), then once sweep(), then render_tile(). Different tiles, and
-/// different directions, may have different threads.
+/// At first record() for each tile, then once sweep() or, for several threads, begin_sweeps(),
+/// sweep_one() for each direction and end_sweeps(), at last render_tile() for each tile. Different
+/// tiles, and different directions, may have different threads.
 template <typename T>
 class SweptLight {
  public:
   SweptLight(const PacketScene<T>& scene, std::int64_t target, std::size_t tile_count);
 
+  /// Writes down what the samples of the i-th tile ask.
   void record(std::size_t i, const SamplePattern& pattern, const Tile& tile);
 
-  /// Makes room for what is found, of so many directions.
+  /// Makes room for the answers to all that was written down, and returns how many directions
+  /// there are to sweep.
   std::size_t begin_sweeps();
+  /// Finds out which points see nothing along one of these.
   void sweep_one(std::size_t direction, SweepMemory<T>& memory);
-  /// Has the ledgers tell it.
+  /// From now on the ledgers tell the answers.
   void end_sweeps();
-  /// All of it.
+  /// These three, one direction after another.
   void sweep();
 
+  /// Traces the i-th tile, with the pattern that was recorded.
   BeyondRange render_tile(std::size_t i, const SamplePattern& pattern, Transfer transfer,
                           const Tile& tile, const Canvas& canvas, const TileErrors& errors);
 

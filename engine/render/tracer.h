@@ -21,7 +21,7 @@ namespace raytracer {
 
 /// The reference with what finds its primitives.
 struct ReferenceTracer {
-  std::unique_ptr<const PackedScene> scene;  // the finder refers to it
+  std::unique_ptr<const PackedScene> scene;  ///< the finder refers to it
   SingleRayFinder finder;
 };
 

@@ -1,4 +1,4 @@
-// One text for all documents that mean the same picture: the basis of entity tags.
+// The same bytes for all documents that mean the same picture: the basis of entity tags.
 //
 // In two parts, because many views of one scene share all but a few numbers: what stands in the
 // scene, and how it is looked at and drawn.

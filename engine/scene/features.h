@@ -48,7 +48,7 @@ struct Features {
 
   std::size_t primitive_count() const;
   std::size_t light_count() const;
-  /// Of those to which rays share that.
+  /// Of lights whose rays share that.
   std::size_t light_count(LightRays rays) const;
 };
 

@@ -44,8 +44,8 @@ void check_view_rules(const Scene& scene, ErrorList& errors);
 void check_view_limits(const Scene& scene, const Limits& limits, ErrorList& errors);
 
 /// What Limits::work bounds, with so many samples per pixel: rays from the eye and those that
-/// follow them, where a surface splits one, by the weight of both: what is left out below 2^-14
-/// bounds how many that are. A double, because the product has no bound.
+/// follow them. Those that a surface splits one into count by their weights, because
+/// least_ray_weight bounds how many there are. A double, because the product has no bound.
 double work_of(const Scene& scene, int samples);
 
 /// Rays from the eye and those that follow them, at most.

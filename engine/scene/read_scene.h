@@ -15,7 +15,7 @@ struct ViewedScene {
   Scene view;   ///< with the overrides, within all limits
 };
 
-/// Reads a scene document, version 1.
+/// Reads a scene document, version 1.1.
 /// Errors: one ErrorKind::syntax error for text that is not JSON (the detail says line and
 /// column); otherwise every rule that the document breaks, and every limit that it exceeds with
 /// `overrides` applied, each with its JSON Pointer.

@@ -30,8 +30,8 @@ HWY_INLINE bool has_streams(const PacketScene<T>& scene) {
 /// Rays that follow are traced together of so many blocks, where some go through trees as streams.
 inline constexpr std::size_t blocks_at_once = 8;
 
-/// Packets whose rays keep together go through trees as such; the rest
-/// of the batch goes as a stream.
+/// Packets whose rays keep together go through trees as such; the rest of the batch goes as a
+/// stream.
 template <typename T>
 class BatchHits {
  public:

@@ -88,8 +88,8 @@ HWY_INLINE V3<V> shade_hit(D d, const EyeRays<D>& eye, const Hits<T>& hits, std:
   return eye.shade(d, direction, hit, is_hit, hn::Load(d, hits.pixel + at), light_set, followed);
 }
 
-/// The colours of what `count` packets have hit, each with its light sets. If
-/// `fetches`, what shading a packet will need is fetched before its turn.
+/// The colours of what `count` packets have hit, each with its light sets. If `fetches`, what
+/// shading a packet will need is fetched before its turn.
 template <class D, class Followed, typename T = hn::TFromD<D>>
 HWY_NOINLINE void shade_packets(D d, const EyeRays<D>& eye, const Hits<T>& hits, std::size_t count,
                                 const LightSets<T>& light_sets, bool fetches, Followed& followed,

@@ -36,8 +36,8 @@ class EyeRays {
     return hit;
   }
 
-  /// The colours of what they hit, not yet clamped. `pixel` has their numbers for
-  /// `followed`, which keeps the rays that follow; `light_set` is of places on soft lights.
+  /// The colours of what they hit, not yet clamped. `pixel` has their numbers for `followed`, which
+  /// keeps the rays that follow; `light_set` is of places on soft lights.
   template <class Followed>
   HWY_INLINE V3<V> shade(D d, const V3<V>& direction, const Hit<V>& hit, hn::Mask<D> active,
                          V pixel, const LightSet<T>& light_set, Followed& followed) const {

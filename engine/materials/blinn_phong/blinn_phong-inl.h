@@ -38,7 +38,7 @@ HWY_INLINE V power(D d, V versine, V shininess) {
   const V one = hn::Set(d, T(1));
   const auto faces = hn::Lt(versine, one);
   const V logarithm = hn::Log1p(d, hn::IfThenElseZero(faces, hn::Neg(versine)));
-  // Far below the least number that exp() is made for, and as dark.
+  // exp(-80) is 2e-35: black, and still a normal float.
   const V lowest = hn::Set(d, T(-80));
   const V exponent = hn::Mul(shininess, logarithm);
   const V result = hn::IfThenElseZero(hn::And(faces, hn::Gt(exponent, lowest)),

@@ -3,8 +3,9 @@
 //
 //   { "transparency": 0.9, "ior": 1.5, "fresnel": true }
 //
-// Where a ray would leave the inside at too small an angle, all of it is reflected. With `fresnel`
-// what is reflected at that angle, unpolarised, goes to the mirror and does not go on.
+// Where a ray would leave the inside beyond the critical angle, all of it is reflected. With
+// `fresnel` the share that is reflected of unpolarised light at the ray's angle goes to the mirror
+// and does not go on.
 #pragma once
 
 #include <tuple>
@@ -33,9 +34,9 @@ struct Glass {
 /// How a ray goes on.
 struct RefractedRay {
   Vec3 direction;  ///< unit
-  double reflectance =
-      0;                  ///< Fresnel's, if the material asks for it: the share that does not go on
-  bool is_total = false;  ///< none does: all of it is reflected
+  /// Fresnel's, if the material asks for it: the share that does not go on.
+  double reflectance = 0;
+  bool is_total = false;  ///< nothing goes on: all of it is reflected
 };
 
 /// Through a surface whose `surface_normal` faces the ray and which `normal` shades: a ray that
