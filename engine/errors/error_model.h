@@ -97,9 +97,9 @@ struct RefinementModel {
   /// From so many samples on, errors are planned to fall as by smooth_fall. Calibrated on 648
   /// contracts: all kept, with 0.8 to 1 of the samples; from fewer on, 4 were not.
   static constexpr int smooth_fall_samples = 16;
-  /// Of the squared error before it, to which a pass brings it that is not in vain, and how many
-  /// that are end a refinement: what all places on soft lights leave out, none mends. Chosen: one
-  /// may have found what was missed before.
+  /// A pass is in vain if it leaves more than this share of the squared error, and so many in vain
+  /// end a refinement: what all places on soft lights leave out, none mends. Chosen: one may have
+  /// found what was missed before.
   static constexpr double least_fall = 0.9;
   static constexpr int most_passes_in_vain = 2;
   /// Of the squared error sought. Chosen: a target just missed costs one more pass.
@@ -120,8 +120,7 @@ struct RefinementModel {
   static constexpr double tasks_per_pass = 64;
   static constexpr double least_task_samples = 1 << 10;
   /// How many times longer it takes to estimate errors from half buffers than from neighbours.
-  /// Measured: 1.3e-5 to 1.6e-5 ms a pixel against 4e-6 ms, on an AMD EPYC; chosen:
-  /// a little more.
+  /// Measured: 1.3e-5 to 1.6e-5 ms a pixel against 4e-6 ms, on an AMD EPYC; chosen: a little more.
   static constexpr double half_buffer_cost = 5;
 };
 
@@ -144,7 +143,7 @@ struct ForecastModel {
   static constexpr int tries = 5;
   /// Chosen: twice as long as the pool's threads look out for work.
   static constexpr int threads_sleep_us = 100;
-  /// Chosen: until threads have begun, which others may keep busy.
+  /// Until threads have begun, which others may keep busy. Chosen.
   static constexpr double longest_start_ms = 5;
   /// Side of the image by which writing is measured. Derived: 12 MiB, beyond a core's caches.
   static constexpr int memory_side_px = 1024;

@@ -34,7 +34,7 @@ std::optional<Prediction> predict(const PreparedScene& prepared, const Limits& l
                                   const RenderProgress& progress,
                                   double pass_limit_ms = ForecastModel::pass_limit_ms);
 
-/// Alike, after it has built what the render would build.
+/// The same, after it has built what the render would build.
 std::optional<Forecast> forecast(const Scene& scene, const Limits& limits,
                                  const MachineCosts& costs, WorkerPool& pool,
                                  const RenderProgress& progress);

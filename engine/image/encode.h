@@ -31,7 +31,7 @@ ByteImage to_bytes(const Image& image, WorkerPool& pool);
 /// format does not hold the image's channels.
 std::string encode(const Image& image, ImageFormat format, WorkerPool& pool);
 
-/// Alike; also if the format holds floats, which are lost.
+/// The same; std::logic_error also if the format holds floats.
 std::string encode(const ByteImage& image, ImageFormat format, WorkerPool& pool);
 
 }  // namespace raytracer

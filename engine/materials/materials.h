@@ -19,7 +19,7 @@
 
 namespace raytracer {
 
-/// Has fields, which the reader, the canonical text and the schema know; materials that are equal
+/// Has fields, which the reader, the canonical bytes and the schema know; materials that are equal
 /// in all effects are one.
 template <class Effect>
 concept MaterialEffect = HasFields<Effect> && std::three_way_comparable<Effect>;

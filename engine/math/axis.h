@@ -21,10 +21,10 @@ struct AxisSegment {
 
   Vec3 end(bool is_to) const { return foot + (is_to ? high : low) * axis; }
 
-  /// The same relative to `place`, as an eye there has it, but rounded: of one in the plane of an
-  /// end that end is exactly at the foot.
+  /// The same relative to `place`, as an eye there has it, but rounded: if that lies in the plane
+  /// of an end, the end is exactly at the foot.
   AxisSegment seen_from(const Vec3& place) const;
-  /// A difference of two values of that size, of which what may be their rounding is none.
+  /// A difference of two values of that size; 0 where it may be their rounding alone.
   static double without_noise(double difference, double size);
 };
 
