@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/errors/error_model.h"
+#include "engine/math/r2_sequence.h"
 #include "engine/measure/stopwatch.h"
 #include "engine/plan/light_sampling.h"
 #include "engine/plan/sampling.h"
@@ -29,12 +30,9 @@ struct TimedTile {
   std::optional<Tile> before;  ///< none if it is timed, too: two threads must not write one tile
 };
 
-/// `count` of the tiles, of which every first part is spread over the image: by the fractional
-/// parts of multiples of two irrational numbers, one for each direction (Roberts: "The
-/// Unreasonable Effectiveness of Quasirandom Sequences", 2018).
+/// `count` of the tiles, of which every first part is spread over the image, along R2.
 std::vector<TimedTile> spread_tiles(const std::vector<Tile>& tiles, std::size_t columns,
                                     std::size_t count) {
-  constexpr double plastic = 1.32471795724474602596;  // x^3 = x + 1
   const std::size_t rows = tiles.size() / columns;
   std::vector<std::size_t> chosen;
   std::vector<bool> is_chosen(tiles.size(), false);
@@ -43,8 +41,8 @@ std::vector<TimedTile> spread_tiles(const std::vector<Tile>& tiles, std::size_t 
       const double place = static_cast<double>(i) * step;
       return static_cast<std::size_t>((place - std::floor(place)) * static_cast<double>(cells));
     };
-    std::size_t index =
-        along(1 / (plastic * plastic), rows) * columns + along(1 / plastic, columns);
+    std::size_t index = along(1 / (plastic_number * plastic_number), rows) * columns +
+                        along(1 / plastic_number, columns);
     while (is_chosen[index]) index = (index + 1) % tiles.size();
     is_chosen[index] = true;
     chosen.push_back(index);

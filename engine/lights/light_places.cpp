@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "engine/math/r2_sequence.h"
+
 namespace raytracer {
 namespace {
 
@@ -70,15 +72,14 @@ SquarePlace place_of_sequence(std::size_t nth) {
 double fraction(double x) { return x - std::floor(x); }
 
 /// The nth of `count` of a set: Fibonacci's lattice, the most even that a set by itself can be (J.
-/// Hannay, J. Nye, Fibonacci numerical integration on a sphere, 2004), each set shifted along R2
-/// (M. Roberts, 2018). Measured before straight edges: 64 of them err by 0.013, of the sequence by
+/// Hannay, J. Nye, Fibonacci numerical integration on a sphere, 2004), each set shifted along R2.
+/// Measured before straight edges: 64 of them err by 0.013, of the sequence by
 /// 0.016; four sets of 16 of either by 0.016, 16 sets by 0.0064, of the sequence by 0.0054.
 SquarePlace place_of_lattice(std::size_t nth, std::size_t count, std::size_t set) {
-  constexpr double plastic = 1.32471795724474602596;  // x^3 = x + 1
   const auto i = static_cast<double>(nth);
   const auto shift = static_cast<double>(set);
-  return {(i + fraction(0.5 + shift / plastic)) / static_cast<double>(count),
-          fraction(i / std::numbers::phi + shift / (plastic * plastic))};
+  return {(i + fraction(0.5 + shift / plastic_number)) / static_cast<double>(count),
+          fraction(i / std::numbers::phi + shift / (plastic_number * plastic_number))};
 }
 
 /// Places of equal areas to places of equal areas.
