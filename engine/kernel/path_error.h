@@ -1,20 +1,19 @@
 // What a sample's path may make of rounding before it is traced again in double.
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <vector>
 
+#include "engine/math/tolerances.h"
 #include "engine/math/triple.h"
 
 namespace raytracer {
 
-/// What a step of a path rounds off, of the distances that it deals with. Derived: half a unit in
-/// the last place (IEEE 754). Measured: of the 350,000 pixels of Haines' balls 106 then differ from
-/// double by more than a level, most of them at edges; 44 with four times as much, 305 with a
-/// quarter, 4,464 if nothing is traced again.
+/// What a step of a path rounds off, of the distances that it deals with. Derived. Measured: of the
+/// 350,000 pixels of Haines' balls 106 then differ from double by more than a level, most of them
+/// at edges; 44 with four times as much, 305 with a quarter, 4,464 if nothing is traced again.
 template <typename T>
-inline constexpr T path_rounding = std::numeric_limits<T>::epsilon() / 2;
+inline constexpr T path_rounding = unit_roundoff<T>;
 
 /// A sample whose colour may be off by more is traced again. Derived: half a level of 255.
 inline constexpr double most_colour_error = 0.5 / 255;

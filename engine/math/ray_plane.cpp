@@ -2,22 +2,18 @@
 
 #include <cmath>
 
+#include "engine/math/tolerances.h"
+
 namespace raytracer {
-namespace {
 
-constexpr double rounding = 0x1p-53;
-
-/// Whether the ray leaves a plane that is parallel to the one with this normal.
 bool leaves_parallel(const SurfacePoint& from, const Vec3& normal) {
-  constexpr double parallel = 0x1p-50;
-  return from.side == SurfacePoint::Side::flat && max_abs(cross(from.normal, normal)) <= parallel;
+  return from.side == SurfacePoint::Side::flat &&
+         max_abs(cross(from.normal, normal)) <= sine_noise<double>;
 }
-
-}  // namespace
 
 double height_over_surface(const SurfacePoint& from, const Vec3& point) {
   const double height = dot(from.normal, point - from.flat_point);
-  const double noise = 16 * rounding * (max_abs(point) + max_abs(from.flat_point));
+  const double noise = 16 * unit_roundoff<double> * (max_abs(point) + max_abs(from.flat_point));
   return std::abs(height) <= noise ? 0 : height;
 }
 

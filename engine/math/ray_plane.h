@@ -19,6 +19,10 @@ struct PlaneHit {
 /// Where the ray meets the plane through `point` across `normal`, at t > 0.
 std::optional<PlaneHit> intersect_plane(const Ray& ray, const Vec3& point, const Vec3& normal);
 
+/// Whether a ray from there leaves a plane that is parallel to the one across `normal`, a unit
+/// vector.
+bool leaves_parallel(const SurfacePoint& from, const Vec3& normal);
+
 /// How far `point` lies on the side of the flat surface that a ray leaves to; 0 if that is less
 /// than the rounding of the coordinates.
 double height_over_surface(const SurfacePoint& from, const Vec3& point);

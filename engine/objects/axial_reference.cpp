@@ -48,8 +48,7 @@ EndPlanes planes_before(const AxialRay& r, const Ray& ray, const AxialSolid& c,
   double to_low = c.low - r.along;
   double to_high = c.high - r.along;
   // What leaves a plane, another cap's too, is told from coplanar caps by exact points.
-  if (!left.is_left && from.side == SurfacePoint::Side::flat &&
-      max_abs(cross(from.normal, c.axis)) <= 0x1p-50) {
+  if (!left.is_left && leaves_parallel(from, c.axis)) {
     const double sign = std::copysign(1.0, dot(from.normal, c.axis));
     to_low = sign * height_over_surface(from, c.end(false));
     to_high = sign * height_over_surface(from, c.end(true));

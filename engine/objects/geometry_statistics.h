@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "engine/math/block.h"
+#include "engine/math/tolerances.h"
 #include "engine/math/vec.h"
 #include "engine/math/view.h"
 
 namespace raytracer {
-
-inline constexpr double rounding_of_doubles = 0x1p-53;  ///< of a number, at most
 
 /// From where objects are looked at: the eye, or a point light. In frame coordinates.
 struct Viewpoint {
@@ -95,7 +94,7 @@ struct GeometryStatistics {
   double distance_in_radii() const { return std::isinf(least_sine) ? 0 : 1 + 1 / least_sine; }
 
   /// The largest step between the doubles of a centre, in radii.
-  double coarseness() const { return place_in_radii * rounding_of_doubles; }
+  double coarseness() const { return place_in_radii * unit_roundoff<double>; }
 };
 
 /// Curved mirrors, which magnify errors of direction.

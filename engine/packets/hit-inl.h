@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "engine/math/tolerances.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
@@ -97,11 +99,6 @@ HWY_INLINE bool sees_as_far_as(D d, float distance, const Hit<V>& hit, M active)
   const V distances = hn::Set(d, static_cast<T>(distance));
   return !hn::AllFalse(d, hn::And(active, hn::Ge(hit.t, distances)));
 }
-
-/// What a ray meets nearer than this share of a point light's distance hides the light, of kinds
-/// whose shadows are looked for from the points: one that lies in a surface is not hidden by that.
-template <typename T>
-inline constexpr T nearer_than_light = 1 - 4096 * std::numeric_limits<T>::epsilon();
 
 /// Rays from surface points to a light.
 template <class V>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/tolerances.h"
+
 namespace raytracer {
 namespace {
 
@@ -15,9 +17,8 @@ namespace {
 // pixel each: 0.003 %), and 1.1 % in the one scene whose mirrors they keep from it. What edges may
 // be displaced by is each kind's own affair.
 
-// Derived: half a unit in the last place of a number near 1 (IEEE 754).
-constexpr double single_rounding = 0x1p-24;
-constexpr double double_rounding = 0x1p-53;
+constexpr auto single_rounding = static_cast<double>(unit_roundoff<float>);
+constexpr double double_rounding = unit_roundoff<double>;
 // Roundings on the way from a coordinate to a pixel. Measured on those scenes: 3; chosen: twice
 // that, and more.
 constexpr double kappa = 8;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/math/ray.h"
+#include "engine/math/tolerances.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/reference/query.h"
 
@@ -60,17 +61,15 @@ double share_along(const PackedScene& scene, const SurfacePoint& point, const Ve
   if (!(dot(point.normal, towards) > 0)) return 0;
   if (scene.shadows == Shadows::off) return 1;
   const Ray ray{point, towards};
-  // A light that lies in a surface is not hidden by it: there t is the distance but for rounding.
-  constexpr double nearer = 1 - 0x1p-40;
   if (!scene.transmits) {
-    AnyHit query(ray, distance * nearer);
+    AnyHit query(ray, distance * nearer_than_light<double>);
     finder.visit(query);
     return query.found() ? 0 : 1;
   }
   const auto transparency_of = [&](const PrimitiveId& id) {
     return scene.material_of(id).transparency;
   };
-  Transmission query(ray, distance * nearer, transparency_of);
+  Transmission query(ray, distance * nearer_than_light<double>, transparency_of);
   finder.visit(query);
   return query.share();
 }
@@ -152,7 +151,7 @@ inline Rgb soft_light(const SoftLight& soft, const SurfacePoint& point, const Po
 /// Whether the light is on the normal's side: one that shines along a surface shines on no side of
 /// it, whatever rounding makes of the point, the normal and the direction.
 inline bool faces(const Vec3& normal, const ArrivingLight& light, const SurfacePoint& point) {
-  constexpr double noise = 0x1p-50;
+  constexpr double noise = sine_noise<double>;
   const double incidence = dot(normal, light.towards);
   return std::isinf(light.distance)
              ? incidence > noise

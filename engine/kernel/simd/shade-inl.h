@@ -1,6 +1,6 @@
 // The colours of a packet of points.
 
-#include <limits>
+#include "engine/math/tolerances.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -35,7 +35,7 @@ struct OpaqueSurfaces {
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M faces(D d, const V3<V>& point, const ArrivingLights<V>& arriving, V incidence) {
   const V size = hn::Add(hn::Abs(point.x), hn::Add(hn::Abs(point.y), hn::Abs(point.z)));
-  const V noise = hn::Set(d, 4 * std::numeric_limits<T>::epsilon());
+  const V noise = hn::Set(d, sine_noise<T>);
   return hn::Gt(hn::Mul(incidence, arriving.path), hn::Mul(noise, hn::Add(arriving.path, size)));
 }
 

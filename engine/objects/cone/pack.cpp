@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/tolerances.h"
 #include "engine/objects/cone/cone.h"
 
 namespace raytracer {
@@ -12,7 +13,7 @@ double power_of_eye(const PackedCone& c) {
   const double distance = c.cosine * length(c.foot);
   const double girth = std::abs(c.girth_at_foot);
   const double reach = distance + girth + std::abs(c.sine * c.low);
-  if (std::abs(distance - girth) <= 4 * rounding_of_doubles * reach) return 0;
+  if (std::abs(distance - girth) <= 4 * unit_roundoff<double> * reach) return 0;
   return (distance - girth) * (distance + girth);
 }
 

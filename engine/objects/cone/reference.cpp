@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/math/tolerances.h"
 #include "engine/objects/axial_reference.h"
 #include "engine/objects/cone/cone.h"
 
@@ -33,7 +34,7 @@ struct ConeRay : AxialRay {
 /// Rounding where it is less than the place is rounded by.
 AxialPower power_at(const ConeRay& r, const PackedCone&, const SurfacePoint&) {
   const double distance = length(r.f);
-  const double noise = 8 * rounding_of_doubles * r.reach;
+  const double noise = 8 * unit_roundoff<double> * r.reach;
   if (r.girth >= 0 && std::abs(distance - r.girth) <= noise) return {0, true};
   return {(distance - r.girth) * (distance + r.girth)};
 }

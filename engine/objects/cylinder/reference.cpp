@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/math/tolerances.h"
 #include "engine/objects/axial_reference.h"
 #include "engine/objects/cylinder/cylinder.h"
 
@@ -21,7 +22,7 @@ struct CylinderRay : AxialRay {
 /// |f|^2 - r^2, which is rounding where it is less than the place is rounded by.
 AxialPower power_at(const CylinderRay& r, const PackedCylinder& c, const SurfacePoint& from) {
   const double power = dot(r.f, r.f) - c.radius * c.radius;
-  if (std::abs(power) <= 8 * rounding_of_doubles * r.reach * c.radius) return {0, true};
+  if (std::abs(power) <= 8 * unit_roundoff<double> * r.reach * c.radius) return {0, true};
   // What leaves its own cap starts inside.
   return {from.is_on_surface(c.id) ? std::min(power, 0.0) : power};
 }

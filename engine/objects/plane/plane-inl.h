@@ -1,8 +1,7 @@
 // Packets against planes.
 
-#include <limits>
-
 #include "engine/lights/packet_light.h"
+#include "engine/math/tolerances.h"
 #include "engine/objects/geometry.h"
 #include "engine/objects/plane/packets.h"
 
@@ -15,7 +14,7 @@ HWY_INLINE M goes_across(D d, const V3<V>& normal, const V3<V>& direction) {
   const V parts = hn::MulAdd(hn::Abs(normal.x), hn::Abs(direction.x),
                              hn::MulAdd(hn::Abs(normal.y), hn::Abs(direction.y),
                                         hn::Mul(hn::Abs(normal.z), hn::Abs(direction.z))));
-  const V noise = hn::Mul(parts, hn::Set(d, 4 * std::numeric_limits<T>::epsilon()));
+  const V noise = hn::Mul(parts, hn::Set(d, sine_noise<T>));
   return hn::Gt(hn::Abs(dot(normal, direction)), noise);
 }
 

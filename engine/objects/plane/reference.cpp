@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "engine/math/ray_plane.h"
+#include "engine/math/tolerances.h"
 #include "engine/objects/plane/plane.h"
 
 namespace raytracer {
@@ -9,10 +10,9 @@ namespace {
 
 /// Whether it is not along the plane, but for what rounding makes of it and of the normal.
 bool goes_across(const Vec3& direction, const Vec3& normal) {
-  constexpr double rounding = 0x1p-50;
   const double parts = std::abs(normal.x * direction.x) + std::abs(normal.y * direction.y) +
                        std::abs(normal.z * direction.z);
-  return std::abs(dot(normal, direction)) > rounding * parts;
+  return std::abs(dot(normal, direction)) > sine_noise<double> * parts;
 }
 
 }  // namespace

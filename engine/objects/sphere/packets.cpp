@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include "engine/math/tolerances.h"
+#include "engine/packets/padding.h"
 
 namespace raytracer {
 namespace {
@@ -14,8 +16,8 @@ namespace {
 template <typename T>
 SphereBall<T> ball_seen_from(const Vec3& light, bool is_far, const PackedSphere& sphere,
                              std::int32_t number) {
-  constexpr double noise = 4096 * std::numeric_limits<double>::epsilon();
-  constexpr double shrink = 1 - 4096 * static_cast<double>(std::numeric_limits<T>::epsilon());
+  constexpr double noise = 1 - nearer_than_light<double>;
+  constexpr auto shrink = static_cast<double>(nearer_than_light<T>);
   const Vec3 from_light = sphere.center - light;
   const double distance = length(from_light);
   const bool is_in_surface = std::abs(distance - sphere.radius) <= noise * distance;
