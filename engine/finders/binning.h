@@ -57,9 +57,6 @@ struct BinGrid {
   }
 };
 
-/// By so many more than it holds an array of parts is longer: vectors may begin with its last.
-inline constexpr std::size_t parts_padding = 64;
-
 /// Of a bin of 4 x 4 cells the parts, which are its cells, that lie in `cells`.
 Parts parts_in(const CellRectangle& cells, int column, int row);
 

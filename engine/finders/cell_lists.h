@@ -9,6 +9,7 @@
 
 #include "engine/finders/binning.h"
 #include "engine/memory/page_allocator.h"
+#include "engine/packets/padding.h"
 
 namespace raytracer {
 
@@ -53,7 +54,7 @@ CellLists<T> list_in_cells(std::size_t item_count, int columns, int rows, Worker
       item_count, BinGrid{columns, rows, 2}, pool, place, entries_of, arrange,
       [&](std::size_t count) {
         lists.entries.resize(count);
-        lists.parts.resize(count + parts_padding);
+        lists.parts.resize(count + packet_padding);
       },
       [&](std::size_t first, std::span<const Entry> cell) {
         for (std::size_t i = 0; i < cell.size(); ++i) {

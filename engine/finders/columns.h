@@ -9,6 +9,7 @@
 #include <span>
 
 #include "engine/memory/page_allocator.h"
+#include "engine/packets/padding.h"
 
 namespace raytracer {
 
@@ -24,8 +25,7 @@ struct CellColumns {
   /// Makes room for `entry_count` entries in all, and beyond them for a packet that begins at the
   /// last one.
   void resize(std::size_t entry_count) {
-    constexpr std::size_t padding = 64;  // longer than any packet
-    values.resize(column_count * entry_count + padding);
+    values.resize(column_count * entry_count + packet_padding);
   }
 
   /// All entries of one cell, of which `first` are in the cells before it.

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "engine/finders/swept_points.h"
+#include "engine/packets/lane_bits.h"
+#include "engine/packets/padding.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -170,7 +172,7 @@ template <class D, typename T = hn::TFromD<D>>
 HWY_NOINLINE void sort_into_cells(D d, SweptPoints<T>& points) {
   using Points = SweptPoints<T>;
   constexpr std::size_t lanes = hn::MaxLanes(D());
-  constexpr std::size_t padding = 64;
+  static_assert(lanes <= most_lanes);
   auto& found = points.found;
   std::uint32_t begin = 0;
   const auto outside = static_cast<std::uint32_t>(points.cells.size() - 1);
@@ -181,9 +183,9 @@ HWY_NOINLINE void sort_into_cells(D d, SweptPoints<T>& points) {
     cell.end = begin;
     begin += size;
   }
-  if (points.lanes.size() < begin + padding) {
-    points.lanes.resize(begin + padding);
-    points.values.resize(Points::column_count * (begin + padding));
+  if (points.lanes.size() < begin + packet_padding) {
+    points.lanes.resize(begin + packet_padding);
+    points.values.resize(Points::column_count * (begin + packet_padding));
   }
   for (std::size_t i = 0; i < found.count; ++i) {
     const std::uint32_t index = found.cells[i];

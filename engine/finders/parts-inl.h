@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine/finders/binning.h"
+#include "engine/packets/padding.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -16,7 +17,7 @@ inline constexpr std::size_t entries_at_once = 64;
 HWY_INLINE std::uint64_t entries_that_touch(const Parts* parts, std::size_t count, Parts wanted) {
   const hn::CappedTag<Parts, 16> d;
   constexpr std::size_t lanes = hn::MaxLanes(decltype(d)());
-  static_assert(lanes <= parts_padding);
+  static_assert(lanes <= packet_padding);
   const auto mask = hn::Set(d, wanted);
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < count; i += lanes) {

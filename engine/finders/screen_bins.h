@@ -15,6 +15,7 @@
 #include "engine/math/projection.h"
 #include "engine/math/view.h"
 #include "engine/memory/page_allocator.h"
+#include "engine/packets/padding.h"
 #include "engine/parallel/worker_pool.h"
 
 namespace raytracer {
@@ -164,7 +165,7 @@ ScreenBins build_screen_bins(const View& view, std::span<const Primitive> primit
       primitives.size(), bins.blocks, pool, place, entries_of, &sort_by_distance,
       [&](std::size_t count) {
         bins.entries.resize(count);
-        bins.subtiles.resize(count + parts_padding);
+        bins.subtiles.resize(count + packet_padding);
       },
       [&](std::size_t first, std::span<const BinnedEntry> block) {
         for (std::size_t i = 0; i < block.size(); ++i) {

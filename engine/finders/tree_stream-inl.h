@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/memory/aligned_array.h"
+#include "engine/packets/padding.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -107,12 +108,9 @@ class StreamRays {
 class StreamLists {
  public:
   using Number = std::uint32_t;
-  /// So many more may be read and written than are meant.
-  static constexpr std::size_t beyond = 64;
-
   /// Room for so many from `begin` on.
   HWY_INLINE Number* room(std::size_t begin, std::size_t count) {
-    const std::size_t end = begin + count + beyond;
+    const std::size_t end = begin + count + packet_padding;
     if (capacity_ < end) enlarge(begin, 2 * end);
     return numbers_.get() + begin;
   }
@@ -120,7 +118,7 @@ class StreamLists {
 
   /// Of the list in hand, of so many: a bit for each box of a node that a ray enters.
   HWY_INLINE std::uint8_t* entered(std::size_t count) {
-    if (entered_.size() < count + beyond) entered_.resize(2 * (count + beyond));
+    if (entered_.size() < count + packet_padding) entered_.resize(2 * (count + packet_padding));
     return entered_.data();
   }
 
@@ -146,7 +144,7 @@ HWY_INLINE std::uint32_t pick(const StreamLists::Number* list, const std::uint8_
   const hn::ScalableTag<StreamLists::Number> d;
   const hn::Rebind<std::uint8_t, decltype(d)> bytes;
   const auto bit = hn::Set(d, 1U << child);
-  static_assert(hn::MaxLanes(decltype(d)()) <= StreamLists::beyond);
+  static_assert(hn::MaxLanes(decltype(d)()) <= packet_padding);
   for (std::uint32_t i = 0; i < count; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
     const auto enters = hn::And(hn::TestBit(hn::PromoteTo(d, hn::LoadU(bytes, entered + i)), bit),
                                 hn::FirstN(d, count - i));

@@ -104,9 +104,8 @@ template <typename T>
 SphereColumns<T> PacketLayout<SphereKind, T>::swept(std::span<const PackedSphere> spheres,
                                                     const Numbering& numbers, WorkerPool& pool) {
   using Columns = SphereColumns<T>;
-  constexpr std::size_t padding = 64;  // longer than any packet
   Columns columns;
-  for (auto& column : columns.values) column.resize(spheres.size() + padding);
+  for (auto& column : columns.values) column.resize(spheres.size() + packet_padding);
   Box box;
   for (const PackedSphere& sphere : spheres) box.include(bounds(sphere));
   columns.box = {narrowed<T>(box.low), narrowed<T>(box.high)};
