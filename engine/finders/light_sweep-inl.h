@@ -197,14 +197,14 @@ HWY_NOINLINE void sort_into_cells(D d, SweptPoints<T>& points) {
     for (std::size_t column = 0; column < Points::column_count; ++column)
       to[column * size] = found.values[column][i];
     points.lanes[cell.end++] =
-        static_cast<std::uint32_t>(found.packets[i / lanes] * 16 + i % lanes);
+        static_cast<std::uint32_t>(found.packets[i / lanes] * most_lanes + i % lanes);
   }
   renew_bounds(d, points);
 }
 
 /// Sets the bits of the points that lie in the dark.
 template <typename T>
-HWY_NOINLINE void tell_dark(const SweptPoints<T>& points, std::uint16_t* dark) {
+HWY_NOINLINE void tell_dark(const SweptPoints<T>& points, LaneBits* dark) {
   using Points = SweptPoints<T>;
   for (const auto& cell : points.cells) {
     const std::size_t size = cell.end - cell.begin;
@@ -213,7 +213,8 @@ HWY_NOINLINE void tell_dark(const SweptPoints<T>& points, std::uint16_t* dark) {
     for (std::size_t i = 0; i < size; ++i) {
       const std::uint32_t lane = points.lanes[cell.begin + i];
       const unsigned bit = side[i] == 0 ? 1 : 0;
-      dark[lane / 16] = static_cast<std::uint16_t>(dark[lane / 16] | bit << lane % 16);
+      LaneBits& packet = dark[lane / most_lanes];
+      packet = static_cast<LaneBits>(packet | bit << lane % most_lanes);
     }
   }
 }

@@ -70,11 +70,12 @@ struct SweptPoints {
 
   Found found;
   std::vector<Cell> cells;
-  std::vector<Parts> parts;         ///< of each cell in the rows, if there are any
-  std::vector<Bounds> blocks;       ///< of cells in the rows, and what they are cut into
-  LargeArray<T> values;             ///< cell by cell, its columns
-  LargeArray<std::uint32_t> lanes;  ///< cell by cell: 16 times the packet's number, and the lane
-  std::size_t visits = 0;           ///< of cells and parts, since their bounds were renewed
+  std::vector<Parts> parts;    ///< of each cell in the rows, if there are any
+  std::vector<Bounds> blocks;  ///< of cells in the rows, and what they are cut into
+  LargeArray<T> values;        ///< cell by cell, its columns
+  LargeArray<std::uint32_t>
+      lanes;               ///< cell by cell: its packet's number times most_lanes, and the lane
+  std::size_t visits = 0;  ///< of cells and parts, since their bounds were renewed
 };
 
 /// In which order blocks of primitives pass over points: all of a kind's.

@@ -13,6 +13,7 @@
 
 #include "engine/math/block.h"
 #include "engine/memory/page_allocator.h"
+#include "engine/packets/lane_bits.h"
 
 namespace raytracer {
 
@@ -35,7 +36,7 @@ class LightLedger {
     column_count
   };
   /// Bits for the lanes of a packet.
-  using Lanes = std::uint16_t;
+  using Lanes = LaneBits;
 
   /// Forgets what it holds; packets are going to have so many lanes.
   void begin(std::size_t lanes) {
