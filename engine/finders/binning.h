@@ -166,9 +166,14 @@ class Bands {
   std::size_t count() const {
     return static_cast<std::size_t>((grid_.rows - 1) >> height_log2_) + 1;
   }
+  const BinGrid& grid() const { return grid_; }
   int row_begin(std::size_t band) const { return static_cast<int>(band) << height_log2_; }
   int row_end(std::size_t band) const { return std::min(row_begin(band + 1), grid_.rows); }
 
+  /// Of the bins that cells touch those that are in the band.
+  CellRectangle bins_of(const CellRectangle& cells, std::size_t band) const {
+    return part_in(grid_.bins_of(cells), band);
+  }
   /// Those of `bins` that are in the band.
   CellRectangle part_in(CellRectangle bins, std::size_t band) const {
     bins.y_begin = std::max(bins.y_begin, row_begin(band));
@@ -182,6 +187,83 @@ class Bands {
   BinGrid grid_;
   int height_log2_ = 0;
 };
+
+/// Where an item's record goes: what a part of the items puts into each band, by place(item).
+template <typename Entry, typename Place>
+ChunkRecords<Entry> records_of(std::size_t begin, std::size_t end, const Bands& bands,
+                               const Place& place) {
+  ChunkRecords<Entry> records(bands.count(), end - begin);
+  const Place own_place = place;  // own copies: what they hold stays in registers
+  const Bands to = bands;
+  const BinGrid bins = bands.grid();
+  for (std::size_t item = begin; item < end; ++item) {
+    const Placed<Entry> record = own_place(item);
+    if (record.cells.empty()) continue;
+    const CellRectangle touched = bins.bins_of(record.cells);
+    const std::size_t last_band = to.of_row(touched.y_end - 1);
+    for (std::size_t band = to.of_row(touched.y_begin); band <= last_band; ++band)
+      records.add(band, record, to.part_in(touched, band).cell_count());
+  }
+  return records;
+}
+
+/// How many entries come before each band, and in all.
+template <typename Entry>
+std::vector<std::size_t> begins_of_bands(const std::vector<ChunkRecords<Entry>>& chunks,
+                                         const Bands& bands) {
+  std::vector<std::size_t> begins(bands.count() + 1);
+  for (std::size_t band = 0; band < bands.count(); ++band) {
+    begins[band + 1] = begins[band];
+    for (const auto& chunk : chunks) begins[band + 1] += chunk.entry_count(band);
+  }
+  if (begins.back() > std::numeric_limits<std::uint32_t>::max())
+    throw std::length_error("more entries in bins than 32 bits count");
+  return begins;
+}
+
+/// Calls visit(record, its bins in the band) for all of a band's records, in the items' order.
+template <typename Entry, typename Visit>
+void for_each_record(const std::vector<ChunkRecords<Entry>>& chunks, const Bands& bands,
+                     std::size_t band, const Visit& visit) {
+  for (const auto& chunk : chunks)
+    chunk.for_each(band, [&](const Placed<Entry>& record) {
+      visit(record, bands.bins_of(record.cells, band));
+    });
+}
+
+/// Where the entries of each of a band's bins begin in the band, and the end of the last.
+template <typename Entry>
+std::vector<std::uint32_t> begins_in_band(const std::vector<ChunkRecords<Entry>>& chunks,
+                                          const Bands& bands, std::size_t band) {
+  const BinGrid grid = bands.grid();
+  const std::size_t first_bin = grid.index(0, bands.row_begin(band));
+  const std::size_t last_bin = grid.index(0, bands.row_end(band));
+  std::vector<std::uint32_t> begins(last_bin - first_bin + 1, 0);
+  for_each_record(chunks, bands, band, [&](const Placed<Entry>&, const CellRectangle& bins) {
+    for (int row = bins.y_begin; row < bins.y_end; ++row)
+      for (int column = bins.x_begin; column < bins.x_end; ++column)
+        ++begins[grid.index(column, row) - first_bin + 1];
+  });
+  for (std::size_t i = 1; i < begins.size(); ++i) begins[i] += begins[i - 1];
+  return begins;
+}
+
+/// The band's entries, bin by bin: begins[i] becomes the end of its bin i.
+template <typename Entry, typename EntriesOf>
+LargeArray<Entry> entries_of_band(const std::vector<ChunkRecords<Entry>>& chunks,
+                                  const Bands& bands, std::size_t band, const EntriesOf& entries_of,
+                                  std::vector<std::uint32_t>& begins) {
+  const BinGrid grid = bands.grid();
+  const std::size_t first_bin = grid.index(0, bands.row_begin(band));
+  LargeArray<Entry> entries(begins.back());
+  for_each_record(chunks, bands, band, [&](const Placed<Entry>& record, const CellRectangle& bins) {
+    const auto entry_in = entries_of(record.entry, record.cells);
+    for (int row = bins.y_begin; row < bins.y_end; ++row)
+      for (int column = bins.x_begin; column < bins.x_end; ++column)
+        entries[begins[grid.index(column, row) - first_bin]++] = entry_in(column, row);
+  });
+  return entries;
+}
 
 }  // namespace binning
 
@@ -201,74 +283,34 @@ std::vector<std::uint32_t> sort_into_bins(std::size_t item_count, const BinGrid&
                                           const EntriesOf& entries_of, const Arrange& arrange,
                                           const Resize& resize, const Write& write) {
   constexpr std::size_t few_bins = 1024;  // their counts are in the first cache
+  constexpr int most_bands = 64;          // to share among threads evenly
   const std::size_t chunk_count = item_count < few_items ? 1 : pool.thread_count();
-  const binning::Bands bands(grid, chunk_count == 1 && grid.bin_count() <= few_bins ? 1 : 64);
-
+  const binning::Bands bands(grid,
+                             chunk_count == 1 && grid.bin_count() <= few_bins ? 1 : most_bands);
   std::vector<binning::ChunkRecords<Entry>> chunks(chunk_count);
   for_each_chunk(item_count, chunk_count, pool,
                  [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                   binning::ChunkRecords<Entry> records(bands.count(), end - begin);
-                   const Place own_place = place;  // own copies: what they hold stays in registers
-                   const binning::Bands to = bands;
-                   const BinGrid bins = grid;
-                   for (std::size_t item = begin; item < end; ++item) {
-                     const Placed<Entry> record = own_place(item);
-                     if (record.cells.empty()) continue;
-                     const CellRectangle touched = bins.bins_of(record.cells);
-                     const std::size_t last_band = to.of_row(touched.y_end - 1);
-                     for (std::size_t band = to.of_row(touched.y_begin); band <= last_band; ++band)
-                       records.add(band, record, to.part_in(touched, band).cell_count());
-                   }
-                   chunks[chunk] = std::move(records);
+                   chunks[chunk] = binning::records_of<Entry>(begin, end, bands, place);
                  });
 
-  std::vector<std::size_t> band_begins(bands.count() + 1);  // in entries
-  for (std::size_t band = 0; band < bands.count(); ++band) {
-    band_begins[band + 1] = band_begins[band];
-    for (const auto& chunk : chunks) band_begins[band + 1] += chunk.entry_count(band);
-  }
-  const std::size_t entry_count = band_begins.back();
-  if (entry_count > std::numeric_limits<std::uint32_t>::max())
-    throw std::length_error("more entries in bins than 32 bits count");
-
+  const std::vector<std::size_t> band_begins = binning::begins_of_bands(chunks, bands);
   std::vector<std::uint32_t> bin_begins(grid.bin_count() + 1);
-  bin_begins[grid.bin_count()] = static_cast<std::uint32_t>(entry_count);
-  resize(entry_count);
+  bin_begins[grid.bin_count()] = static_cast<std::uint32_t>(band_begins.back());
+  resize(band_begins.back());
   const auto sort_band = [&](std::size_t band) {
-    const auto for_each_record = [&](const auto& visit) {
-      for (const auto& chunk : chunks)
-        chunk.for_each(band, [&](const Placed<Entry>& record) {
-          visit(record, bands.part_in(grid.bins_of(record.cells), band));
-        });
-    };
-    const std::size_t first_bin = grid.index(0, bands.row_begin(band));
-    const std::size_t last_bin = grid.index(0, bands.row_end(band));
-    std::vector<std::uint32_t> next(last_bin - first_bin + 1, 0);
-    for_each_record([&](const Placed<Entry>&, const CellRectangle& bins) {
-      for (int row = bins.y_begin; row < bins.y_end; ++row)
-        for (int column = bins.x_begin; column < bins.x_end; ++column)
-          ++next[grid.index(column, row) - first_bin + 1];
-    });
-    for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
     const auto band_begin = static_cast<std::uint32_t>(band_begins[band]);
-    for (std::size_t bin = first_bin; bin < last_bin; ++bin)
-      bin_begins[bin] = band_begin + next[bin - first_bin];
-
-    LargeArray<Entry> entries(next.back());
-    for_each_record([&](const Placed<Entry>& record, const CellRectangle& bins) {
-      const auto entry_in = entries_of(record.entry, record.cells);
-      for (int row = bins.y_begin; row < bins.y_end; ++row)
-        for (int column = bins.x_begin; column < bins.x_end; ++column)
-          entries[next[grid.index(column, row) - first_bin]++] = entry_in(column, row);
-    });
-    // Now next[i] is the end of the band's bin i.
+    std::vector<std::uint32_t> bounds = binning::begins_in_band(chunks, bands, band);
+    std::uint32_t* const begins = &bin_begins[grid.index(0, bands.row_begin(band))];
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) begins[i] = band_begin + bounds[i];
+    LargeArray<Entry> entries = binning::entries_of_band(chunks, bands, band, entries_of, bounds);
+    // Now bounds[i] is the end of the band's bin i.
     std::uint32_t begin = 0;
-    for (std::size_t i = 0; i + 1 < next.size(); ++i) {
-      if (next[i] == begin) continue;
-      const std::span<Entry> bin = std::span(entries).subspan(begin, next[i] - begin);
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+      if (bounds[i] == begin) continue;
+      const std::span<Entry> bin = std::span(entries).subspan(begin, bounds[i] - begin);
       arrange(bin);
       write(band_begin + begin, std::span<const Entry>(bin));
-      begin = next[i];
+      begin = bounds[i];
     }
   };
   for_each_chunk(bands.count(), chunk_count == 1 ? 1 : bands.count(), pool,
