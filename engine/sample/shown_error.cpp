@@ -64,8 +64,8 @@ double ShownError::of_pixel(double linear_error2, const float* pixel, int channe
     // Within this share of the light, where sRGB shows a power of it, Taylor's series does as well:
     // its third term is less than 0.1 % of the square, and nothing is cut off.
     constexpr double near_share = 1.0 / 4;
-    constexpr double least_of_power = 0.0031308 / (1 - near_share);
-    constexpr double power = 1 / 2.4;
+    constexpr double least_of_power = SrgbCurve::straight_end / (1 - near_share);
+    constexpr double power = 1 / SrgbCurve::exponent;
     constexpr double bend = (power - 1) * (power - 1) / 4 + (power - 1) * (power - 2) / 3;
     const double near = std::min(near_share * linear, 1 - linear);
     if (deviation2 <= near * near && linear >= least_of_power) {

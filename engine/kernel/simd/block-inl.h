@@ -159,12 +159,16 @@ HWY_INLINE V3<V> clamped(D d, const V3<V>& colour) {
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V encoded(D d, Transfer transfer, V linear) {
   if (transfer == Transfer::linear) return linear;
-  const auto is_dark = hn::Le(linear, hn::Set(d, T(0.0031308)));
-  const V straight = hn::Mul(hn::Set(d, T(12.92)), linear);
+  using Curve = SrgbCurve;
+  const auto is_dark = hn::Le(linear, hn::Set(d, T(Curve::straight_end)));
+  const V straight = hn::Mul(hn::Set(d, T(Curve::slope)), linear);
   if (hn::AllTrue(d, is_dark)) return straight;
-  const V logarithm = hn::Log(d, hn::Max(linear, hn::Set(d, T(0.003))));
-  const V power = hn::Exp(d, hn::Mul(logarithm, hn::Set(d, T(1 / 2.4))));
-  const V curved = hn::MulSub(hn::Set(d, T(1.055)), power, hn::Set(d, T(0.055)));
+  // Any positive number will do in the lanes of the straight part: less than all of the others.
+  constexpr double has_logarithm = 0.003;
+  static_assert(has_logarithm < Curve::straight_end);
+  const V logarithm = hn::Log(d, hn::Max(linear, hn::Set(d, T(has_logarithm))));
+  const V power = hn::Exp(d, hn::Mul(logarithm, hn::Set(d, T(1 / Curve::exponent))));
+  const V curved = hn::MulSub(hn::Set(d, T(Curve::scale)), power, hn::Set(d, T(Curve::offset)));
   return hn::IfThenElse(is_dark, straight, hn::Min(curved, hn::Set(d, T(1))));
 }
 
