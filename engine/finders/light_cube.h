@@ -21,7 +21,7 @@
 #include "engine/math/triple.h"
 #include "engine/math/view.h"
 #include "engine/memory/page_allocator.h"
-#include "engine/parallel/chunks.h"
+#include "engine/parallel/sum.h"
 
 namespace raytracer {
 
@@ -299,8 +299,7 @@ struct PlannedCube {
 };
 
 /// Cells that suit the primitives, at least one of which there is, none of them farther from the
-/// eye than `reach`; bounds() and seen_from() are called from several threads. Sums are made in as
-/// many parts whatever the number of threads.
+/// eye than `reach`; bounds() and seen_from() are called from several threads.
 template <typename T, typename Primitive>
 PlannedCube<T> plan_light_cube(const Vec3& light, std::span<const Primitive> primitives,
                                double reach, const CellWidths& widths, WorkerPool& pool) {
@@ -309,27 +308,20 @@ PlannedCube<T> plan_light_cube(const Vec3& light, std::span<const Primitive> pri
   const double rounded = 32 * std::numeric_limits<double>::epsilon() * length(light);
   PlannedCube<T> planned{{}, light, turn * reach + rounded, {}, {}, {}, {}};
   planned.faces.resize(primitives.size());
-  std::array<light_cube::Seen, 16> shares;
-  const std::size_t share_count = primitives.size() < few_items ? 1 : shares.size();
-  for_each_chunk(primitives.size(), share_count, pool,
-                 [&](std::size_t share, std::size_t begin, std::size_t end) {
-                   light_cube::Seen own;
-                   for (std::size_t i = begin; i < end; ++i) {
-                     const Box box =
-                         enlarged(bounds(seen_from(primitives[i], light)), planned.margin);
-                     unsigned faces = 0;
-                     for (int face = 0; face < cube_faces; ++face) {
-                       const BoxInFace in(box, face);
-                       if (!in.is_seen(turn)) continue;
-                       faces |= 1U << face;
-                       own.include(static_cast<std::size_t>(face), in.rectangle(turn));
-                     }
-                     planned.faces[i] = static_cast<std::uint8_t>(faces);
-                   }
-                   shares[share] = own;
-                 });
-  light_cube::Seen seen;
-  for (const light_cube::Seen& share : shares) seen.include(share);
+  const auto seen = sum_in_parts<light_cube::Seen>(
+      primitives.size(), &pool, [&](std::size_t begin, std::size_t end, light_cube::Seen& sum) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const Box box = enlarged(bounds(seen_from(primitives[i], light)), planned.margin);
+          unsigned faces = 0;
+          for (int face = 0; face < cube_faces; ++face) {
+            const BoxInFace in(box, face);
+            if (!in.is_seen(turn)) continue;
+            faces |= 1U << face;
+            sum.include(static_cast<std::size_t>(face), in.rectangle(turn));
+          }
+          planned.faces[i] = static_cast<std::uint8_t>(faces);
+        }
+      });
 
   double area = 0;
   double widest = 0;

@@ -14,7 +14,7 @@
 #include "engine/finders/binning.h"
 #include "engine/math/parts.h"
 #include "engine/math/triple.h"
-#include "engine/parallel/chunks.h"
+#include "engine/parallel/sum.h"
 
 namespace raytracer {
 
@@ -140,22 +140,16 @@ struct ShadowSpread {
 };
 
 /// Cells that suit the primitives, at least one of which there is; shadow_extent() is called from
-/// several threads. Sums are made in as many parts whatever the number of threads.
+/// several threads.
 template <typename T, typename Primitive>
 PlannedPlane<T> plan_light_plane(const Vec3& towards, std::span<const Primitive> primitives,
                                  const CellWidths& widths, WorkerPool& pool) {
   const LightAxes axes = light_axes(towards);
-  std::array<ShadowSpread, 16> shares;
-  const std::size_t share_count = primitives.size() < few_items ? 1 : shares.size();
-  for_each_chunk(primitives.size(), share_count, pool,
-                 [&](std::size_t share, std::size_t begin, std::size_t end) {
-                   ShadowSpread own;
-                   for (const Primitive& primitive : primitives.subspan(begin, end - begin))
-                     own.include(shadow_extent(primitive, axes));
-                   shares[share] = own;
-                 });
-  ShadowSpread spread;
-  for (const ShadowSpread& share : shares) spread.include(share);
+  const auto spread = sum_in_parts<ShadowSpread>(
+      primitives.size(), &pool, [&](std::size_t begin, std::size_t end, ShadowSpread& sum) {
+        for (const Primitive& primitive : primitives.subspan(begin, end - begin))
+          sum.include(shadow_extent(primitive, axes));
+      });
 
   const double across = spread.across();
   constexpr auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());

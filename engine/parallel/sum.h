@@ -1,0 +1,29 @@
+// Sums over many items that do not depend on who adds them up.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "engine/parallel/chunks.h"
+
+namespace raytracer {
+
+/// What add(begin, end, sum) makes of the ranges of 0 ... count, each in a Sum of its own, and
+/// these added up in their order by include(). The ranges are the same whatever the number of
+/// threads: so is the sum, to the last bit. add() is called from several threads, those of `pool`
+/// if there is one.
+template <typename Sum, typename Add>
+Sum sum_in_parts(std::size_t count, WorkerPool* pool, const Add& add) {
+  std::array<Sum, 16> parts;
+  const std::size_t part_count = count < few_items ? 1 : parts.size();
+  for_each_chunk(count, part_count, pool,
+                 [&](std::size_t part, std::size_t begin, std::size_t end) {
+                   Sum own;
+                   add(begin, end, own);
+                   parts[part] = own;
+                 });
+  for (std::size_t part = 1; part < part_count; ++part) parts[0].include(parts[part]);
+  return parts[0];
+}
+
+}  // namespace raytracer
