@@ -1,9 +1,8 @@
-// Surfaces that nearly coincide: which of them is seen is a matter of digits.
+#include "engine/plan/coincidence.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "engine/plan/scene_statistics.h"
 
 namespace raytracer {
 namespace {

@@ -1,4 +1,5 @@
-// How much curved mirrors magnify errors.
+#include "engine/plan/magnification.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -4,28 +4,22 @@
 #include <array>
 #include <cmath>
 
-#include "engine/parallel/chunks.h"
+#include "engine/parallel/sum.h"
+#include "engine/plan/coincidence.h"
+#include "engine/plan/magnification.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {
 namespace {
 
-/// Of one kind's primitives. In as many parts whatever the number of threads: the sums are the
-/// same.
+/// Of one kind's primitives.
 template <typename Primitives>
 GeometryStatistics statistics_of(const Primitives& primitives, const Viewpoint& from,
                                  WorkerPool* pool) {
-  std::array<GeometryStatistics, 16> parts;
-  const std::size_t part_count = primitives.size() < few_items ? 1 : parts.size();
-  for_each_chunk(primitives.size(), part_count, pool,
-                 [&](std::size_t part, std::size_t begin, std::size_t end) {
-                   GeometryStatistics own;
-                   for (std::size_t i = begin; i < end; ++i)
-                     add_statistics(primitives[i], from, own);
-                   parts[part] = own;
-                 });
-  for (std::size_t part = 1; part < part_count; ++part) parts[0].include(parts[part]);
-  return parts[0];
+  return sum_in_parts<GeometryStatistics>(
+      primitives.size(), pool, [&](std::size_t begin, std::size_t end, GeometryStatistics& sum) {
+        for (std::size_t i = begin; i < end; ++i) add_statistics(primitives[i], from, sum);
+      });
 }
 
 std::array<GeometryStatistics, ObjectKinds::count> statistics_of_kinds(const PackedScene& packed,

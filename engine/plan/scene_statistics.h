@@ -68,21 +68,6 @@ double smooth_radius(const PackedScene& packed, const Primitive& primitive) {
   return least_radius(corners_of(primitive), values->normals_of(primitive.id.item));
 }
 
-/// How much reflections magnify errors, of a scene that reaches to `farthest` from the eye.
-///
-/// A first reflection shows anything up to the farthest. What follows happens between mirrors: on
-/// its way through the space that holds N of radius r, of width R, a ray has a mean free path of
-/// l = R^3 / (N pi r^2), meets another after d = min(l, R) with the probability d / l, and each
-/// time its error grows by 2 d / r.
-double magnification(const PackedScene& packed, const Features& features, double farthest);
-
-/// The least gap between two surfaces all along each other, as a share of their distance from the
-/// eye; infinite without such. Two that are the same to the bit have none: the document's order
-/// decides between them.
-///
-/// Limits: kinds of which each primitive has a placement_of(), 10,000 primitives at most.
-double least_gap(const PackedScene& packed);
-
 /// Whether a kind's shadows under a point light are looked for from the points, of which an image
 /// of so many pixels shows some, and not from the light.
 template <class Kind>
