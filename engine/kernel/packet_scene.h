@@ -18,7 +18,7 @@
 #include "engine/objects/packets.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/parallel/worker_pool.h"
-#include "engine/plan/geometry.h"
+#include "engine/plan/finders.h"
 #include "engine/scene/features.h"
 
 namespace raytracer {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "engine/plan/geometry.h"
+#include "engine/plan/finders.h"
 #include "engine/text/pluralised.h"
 
 namespace raytracer {

@@ -5,7 +5,7 @@
 
 #include "engine/lights/light_places.h"
 #include "engine/plan/choice.h"
-#include "engine/plan/geometry.h"
+#include "engine/plan/finders.h"
 #include "engine/scene/features.h"
 #include "engine/scene/scene.h"
 

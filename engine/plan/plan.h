@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/plan/choice.h"
-#include "engine/plan/geometry.h"
+#include "engine/plan/finders.h"
 #include "engine/plan/light_sampling.h"
 #include "engine/plan/machine.h"
 #include "engine/plan/precision.h"

@@ -8,7 +8,7 @@
 #include "engine/finders/primitive_tree.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/parallel/worker_pool.h"
-#include "engine/plan/geometry.h"
+#include "engine/plan/finders.h"
 
 namespace raytracer {
 

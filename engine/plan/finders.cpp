@@ -1,4 +1,4 @@
-#include "engine/plan/geometry.h"
+#include "engine/plan/finders.h"
 
 namespace raytracer {
 namespace {
