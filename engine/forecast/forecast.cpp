@@ -138,7 +138,7 @@ std::optional<Prediction> predict(const PreparedScene& prepared, const Limits& l
   const std::size_t threads =
       is_one_thread ? 1 : std::min(pool.thread_count(), rehearsal.tile_count);
   const double value_bytes = needs_floats(scene) ? sizeof(float) : sizeof(unsigned char);
-  const double pixels = static_cast<double>(camera.width) * camera.height;
+  const double pixels = camera.pixel_count();
   const PassModel model{rehearsal, costs, coarsest_share(camera.width, camera.height),
                         pixels * channel_count(scene) * value_bytes, static_cast<double>(threads)};
   const double fixed = scene.render.samples.value_or(1);

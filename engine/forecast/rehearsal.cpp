@@ -61,7 +61,7 @@ TileValues values_of(const Tile& tile, Image& image) {
   TileValues values;
   for (int y = tile.y_begin; y < tile.y_end; ++y)
     values.insert(values.end(), image.pixel(tile.x_begin, y),
-                  image.pixel(tile.x_begin, y) + image.length_of(tile.x_end - tile.x_begin));
+                  image.pixel(tile.x_begin, y) + image.length_of(tile.width()));
   return values;
 }
 
@@ -94,8 +94,7 @@ void touch(const Tile& tile, const Canvas& canvas) {
   std::visit(
       [&](auto* image) {
         for (int y = tile.y_begin; y < tile.y_end; ++y)
-          std::fill_n(image->pixel(tile.x_begin, y), image->length_of(tile.x_end - tile.x_begin),
-                      0);
+          std::fill_n(image->pixel(tile.x_begin, y), image->length_of(tile.width()), 0);
       },
       canvas);
 }

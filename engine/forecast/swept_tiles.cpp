@@ -95,7 +95,7 @@ SweepCost measure_sweeps(const Tracer& tracer, std::span<const Tile> tiles) {
   visit_swept(tracer, [&]<typename T>(const PacketScene<T>& scene, std::int64_t target) {
     cost.sets = scene.light_sets;
     cost.share_of_sets = share_of_sets(scene);
-    cost.pixels = static_cast<double>(scene.view.width) * scene.view.height;
+    cost.pixels = scene.view.pixel_count();
     cost.pixels_at_once = static_cast<double>(samples_at_once(scene.primitives.size()));
     const SamplePattern pattern = sample_pattern(1);
     for (const Tile& tile : tiles) {

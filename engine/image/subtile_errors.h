@@ -24,9 +24,7 @@ class SubtileErrors {
 
   /// The subtiles of the block that begins at pixel (x, y), row by row.
   double* of_block(int x, int y) {
-    const auto column = static_cast<std::size_t>(x / block_side);
-    const auto row = static_cast<std::size_t>(y / block_side);
-    return error2_.data() + subtiles_in_block * (row * columns_ + column);
+    return error2_.data() + subtiles_in_block * block_index(x, y, columns_);
   }
 
   /// Of all subtiles, a block's one after another, the blocks row by row.

@@ -18,7 +18,7 @@ std::vector<Tile> split_into_tiles(int width, int height, int side) {
 
 void copy_tile(const Image& from, const Tile& tile, Image& to) {
   for (int y = tile.y_begin; y < tile.y_end; ++y)
-    std::copy_n(from.pixel(tile.x_begin, y), from.length_of(tile.x_end - tile.x_begin),
+    std::copy_n(from.pixel(tile.x_begin, y), from.length_of(tile.width()),
                 to.pixel(tile.x_begin, y));
 }
 

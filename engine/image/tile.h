@@ -1,6 +1,7 @@
 // The pieces of an image that threads work on.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,11 +25,15 @@ struct Tile {
   static constexpr std::uint16_t all_subtiles = 0xFFFF;
   static constexpr std::uint16_t first_subtile = 1;  ///< that blocks at the image's rims have, too
 
+  int width() const { return x_end - x_begin; }
+  int height() const { return y_end - y_begin; }
+  std::size_t pixel_count() const {
+    return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
+  }
+
   /// The subtile that (x, y) is in.
   int subtile_of(int x, int y) const {
-    const int column = (x - x_begin) % block_side / subtile_side;
-    const int row = (y - y_begin) % block_side / subtile_side;
-    return row * subtiles_across + column;
+    return subtile_index((x - x_begin) % block_side, (y - y_begin) % block_side);
   }
 };
 

@@ -13,6 +13,7 @@ struct View {
   int width = 0;
   int height = 0;
 
+  double pixel_count() const { return static_cast<double>(width) * height; }
   /// The unit direction through the image point (x, y) in pixels, y upwards from the lower edge.
   Vec3 direction(double x, double y) const {
     return unit(forward + right * (2 * x / width - 1) + up * (2 * y / height - 1));

@@ -211,7 +211,7 @@ Choice<LightSampling> choose_light_sampling(const Scene& scene, const Features& 
                               "ones: grain in place of bands{}",
                               sampling.sets, rim_of(sampling))};
   }
-  const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
+  const double pixels = scene.camera.pixel_count();
   const LightSampling sampling =
       for_contract(settings, settings.budget_ms ? compared_samples : first_samples, pixels, soft);
   const int taken = sampling.sets * sampling.per_set;

@@ -136,7 +136,7 @@ SceneStatistics gather_statistics(const Scene& scene, const PackedScene& packed,
   add_smooth_surfaces(packed, statistics.all);
   statistics.nearest = std::max(statistics.all.nearest, 0.0);
   statistics.lost = packed.lost;
-  statistics.pixels = static_cast<double>(packed.view.width) * packed.view.height;
+  statistics.pixels = packed.view.pixel_count();
   statistics.pixel_angle = eye.pixel_angle;
   statistics.farthest = statistics.all.farthest;
   for (const Light& light : scene.lights) {

@@ -28,7 +28,7 @@ double rays_per_pixel(int samples, std::size_t light_rays) {
 }
 
 int tile_side_px(const Scene& scene, int samples, std::size_t thread_count) {
-  const double pixels = static_cast<double>(scene.camera.width) * scene.camera.height;
+  const double pixels = scene.camera.pixel_count();
   int side = interruptible_side_px(samples, light_rays_per_sample(scene));
   while (side > block_side &&
          pixels / (side * side) < tiles_per_thread * static_cast<double>(thread_count))

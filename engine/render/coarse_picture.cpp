@@ -43,9 +43,7 @@ Tile corner_of(const Image& image, int x, int y, int side) {
   return {x, y, std::min(x + side, image.width), std::min(y + side, image.height)};
 }
 
-int count_pixels(const Tile& tile) {
-  return (tile.x_end - tile.x_begin) * (tile.y_end - tile.y_begin);
-}
+double count_pixels(const Tile& tile) { return static_cast<double>(tile.pixel_count()); }
 
 /// Of the first subtile of the block that begins at (x, y).
 Values subtile_mean(const Image& image, int x, int y) {
@@ -166,7 +164,7 @@ class CoarseTracing {
         rows.size(),
         [&](std::size_t i) {
           const Tile& row = rows[i];
-          const int count = (row.x_end - row.x_begin + row.block_step - 1) / row.block_step;
+          const int count = (row.width() + row.block_step - 1) / row.block_step;
           const double expected_ms = count * traced_ms_ / std::max(traced_blocks_.load(), 1);
           if (tracing_.progress.stop ||
               (step < first_step_ && tracing_.is_over_time(expected_ms + after_ms_)))
@@ -193,10 +191,7 @@ class CoarseTracing {
     }
   }
 
-  std::size_t index_of(int x, int y) const {
-    return static_cast<std::size_t>(y / block_side) * columns_ +
-           static_cast<std::size_t>(x / block_side);
-  }
+  std::size_t index_of(int x, int y) const { return block_index(x, y, columns_); }
 
   /// Has subtiles show what they stand for.
   void show() {

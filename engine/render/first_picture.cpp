@@ -53,8 +53,7 @@ std::optional<CoarsePicture> trace_first_picture(Tracing& tracing) {
         for_each_block(tiles[i], [&](Tile block) {
           if (tracing.progress.stop || (!is_small && tracing.is_over_time(guess_ms))) stop = true;
           if (stop) return;
-          const std::size_t index = static_cast<std::size_t>(block.y_begin / block_side) * columns +
-                                    static_cast<std::size_t>(block.x_begin / block_side);
+          const std::size_t index = block_index(block.x_begin, block.y_begin, columns);
           const double expected_ms =
               static_cast<double>(picture->subtile_ms[index]) * (subtiles_in_block - 1);
           // Others may not take so long.

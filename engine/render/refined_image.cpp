@@ -67,10 +67,8 @@ void RefinedImage::begin(CoarsePicture first) {
   for (std::size_t block = 0; block < first.coarseness.size(); ++block) {
     if (first.coarseness[block] == 0) continue;
     const Tile tile = errors_.tile_of(block);
-    const int width = tile.x_end - tile.x_begin;
-    const int height = tile.y_end - tile.y_begin;
-    const int traced = std::min(width, subtile_side) * std::min(height, subtile_side);
-    stand_ins_ += width * height - (first.coarseness[block] == 1 ? traced : 0);
+    const int traced = std::min(tile.width(), subtile_side) * std::min(tile.height(), subtile_side);
+    stand_ins_ += tile.width() * tile.height() - (first.coarseness[block] == 1 ? traced : 0);
   }
 }
 

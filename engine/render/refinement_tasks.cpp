@@ -27,9 +27,8 @@ void sort_by_samples(std::vector<PixelSamples>& pixels) {
 std::vector<RefinementTask> block_tasks(const PixelErrors& errors, int samples) {
   std::vector<RefinementTask> tasks(errors.block_count());
   for (std::size_t block = 0; block < tasks.size(); ++block) {
-    const Tile tile = errors.tile_of(block);
-    const int pixels = (tile.x_end - tile.x_begin) * (tile.y_end - tile.y_begin);
-    tasks[block].samples = static_cast<double>(samples) * pixels;
+    const auto pixels = static_cast<double>(errors.tile_of(block).pixel_count());
+    tasks[block].samples = samples * pixels;
     for (std::size_t i = 0; i < subtiles_in_block; ++i)
       tasks[block].error2 += errors.of_subtile(subtiles_in_block * block + i);
   }

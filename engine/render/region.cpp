@@ -21,11 +21,9 @@ namespace {
 /// and how many they are.
 template <typename Visit>
 void for_each_block_row(const Tile& region, int width, const Visit& visit) {
-  const std::size_t count = subtiles_in_block * blocks_along(region.x_end - region.x_begin);
-  for (int y = region.y_begin; y < region.y_end; y += block_side) {
-    const std::size_t row = static_cast<std::size_t>(y / block_side) * blocks_along(width);
-    visit(subtiles_in_block * (row + static_cast<std::size_t>(region.x_begin / block_side)), count);
-  }
+  const std::size_t count = subtiles_in_block * blocks_along(region.width());
+  for (int y = region.y_begin; y < region.y_end; y += block_side)
+    visit(subtiles_in_block * block_index(region.x_begin, y, blocks_along(width)), count);
 }
 
 bool is_inside(const Tile& region, int width_px, int height_px) {
@@ -35,7 +33,7 @@ bool is_inside(const Tile& region, int width_px, int height_px) {
 
 template <typename Channel>
 std::size_t row_length(const Tile& region, const Raster<Channel>& image) {
-  return image.length_of(region.x_end - region.x_begin);
+  return image.length_of(region.width());
 }
 
 }  // namespace
@@ -71,7 +69,7 @@ std::optional<RegionRendering<Channel>> render_region(const PreparedScene& scene
       .light_samples = light_samples_of(built.plan, built.scene.render.samples.value_or(1)),
       .beyond = tracing.beyond};
   const std::size_t length = row_length(region, *image);
-  part.values.reserve(length * static_cast<std::size_t>(region.y_end - region.y_begin));
+  part.values.reserve(length * static_cast<std::size_t>(region.height()));
   for (int y = region.y_begin; y < region.y_end; ++y) {
     const Channel* const row = image->pixel(region.x_begin, y);
     part.values.insert(part.values.end(), row, row + length);
@@ -106,7 +104,7 @@ void ImageOfRegions<Channel>::add(const RegionRendering<Channel>& part) {
     for_each_block_row(region, image.width,
                        [&](std::size_t, std::size_t count) { error_count += count; });
   if (!is_inside(region, image.width, image.height) ||
-      part.values.size() != length * static_cast<std::size_t>(region.y_end - region.y_begin) ||
+      part.values.size() != length * static_cast<std::size_t>(region.height()) ||
       part.subtile_error2.size() != error_count)
     throw std::invalid_argument("the region is not one of this image");
 

@@ -10,19 +10,14 @@ namespace {
 constexpr double recorded_share = 0.05;
 constexpr double swept_share = 0.85;
 
-std::size_t points_of(const Tile& tile, std::size_t samples) {
-  return static_cast<std::size_t>(tile.x_end - tile.x_begin) *
-         static_cast<std::size_t>(tile.y_end - tile.y_begin) * samples;
-}
-
 /// The first of the tiles, so many that their samples are at most `most_samples`, or one.
 std::span<const Tile> first_batch(std::span<const Tile> tiles, std::size_t samples,
                                   std::size_t most_samples) {
   std::size_t count = 0;
   std::size_t points = 0;
   while (count < tiles.size() &&
-         (count == 0 || points + points_of(tiles[count], samples) <= most_samples))
-    points += points_of(tiles[count++], samples);
+         (count == 0 || points + tiles[count].pixel_count() * samples <= most_samples))
+    points += tiles[count++].pixel_count() * samples;
   return tiles.first(count);
 }
 

@@ -32,14 +32,13 @@ template <std::size_t channels, typename Channel>
 double error2_of(const Raster<Channel>& image, const Tile& tile) {
   // Those to the right of the tile and below it count, too, where the image has them.
   const auto count = [&](int pixels) { return image.length_of(std::max(pixels, 0)); };
-  const int width = tile.x_end - tile.x_begin;
   const int right = std::min(tile.x_end, image.width - 1) - tile.x_begin;
   double sum = 0;
   for (int y = tile.y_begin; y < tile.y_end; ++y) {
     const Channel* const row = image.pixel(tile.x_begin, y);
     sum += squares_between<channels>(row, row + channels, count(right));
     if (y + 1 < image.height)
-      sum += squares_between<channels>(row, image.pixel(tile.x_begin, y + 1), count(width));
+      sum += squares_between<channels>(row, image.pixel(tile.x_begin, y + 1), count(tile.width()));
   }
   return SampleErrorModel::edge_share * sum;
 }

@@ -84,9 +84,7 @@ int PixelErrors::y_of(std::size_t pixel) const {
 }
 
 std::size_t PixelErrors::block_of(std::size_t pixel) const {
-  const auto column = static_cast<std::size_t>(x_of(pixel) / block_side);
-  const auto row = static_cast<std::size_t>(y_of(pixel) / block_side);
-  return row * columns_ + column;
+  return block_index(x_of(pixel), y_of(pixel), columns_);
 }
 
 Tile PixelErrors::tile_of(std::size_t block) const {
@@ -96,10 +94,8 @@ Tile PixelErrors::tile_of(std::size_t block) const {
 }
 
 std::size_t PixelErrors::subtile_of(std::size_t pixel) const {
-  const auto x = static_cast<std::size_t>(x_of(pixel));
-  const auto y = static_cast<std::size_t>(y_of(pixel));
-  return subtiles_in_block * block_of(pixel) + y % block_side / subtile_side * subtiles_across +
-         x % block_side / subtile_side;
+  const int in_block = subtile_index(x_of(pixel) % block_side, y_of(pixel) % block_side);
+  return subtiles_in_block * block_of(pixel) + static_cast<std::size_t>(in_block);
 }
 
 template <typename Visit>

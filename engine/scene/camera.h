@@ -17,6 +17,9 @@ struct Camera {
   int width = 0;   ///< pixels
   int height = 0;  ///< pixels
 
+  /// As a double, because the product has no bound.
+  double pixel_count() const { return static_cast<double>(width) * height; }
+
   static constexpr auto fields = std::tuple(
       required("origin", &Camera::origin, PointRule{}, "Where the eye is."),
       required("look_at", &Camera::look_at, OtherPointRule{"origin", "the camera has no direction"},

@@ -29,7 +29,7 @@ TaskCut cut_into_tasks(const PreparedScene& scene, const Prediction& prediction,
               .build_ms = scene.build_ms()};
   const Camera& camera = scene.scene().camera;
   if (scene.plan().sampling.value == Sampling::contract) return cut;
-  const double pixels = static_cast<double>(camera.width) * camera.height;
+  const double pixels = camera.pixel_count();
   const double thread_ms = prediction.trace_ms * static_cast<double>(prediction.thread_count);
   const double value_bytes = is_8_bit ? 1 : sizeof(float);
   const double pixel_bytes = channel_count(scene.scene()) * value_bytes + error_bytes_per_pixel;

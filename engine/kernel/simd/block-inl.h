@@ -56,7 +56,7 @@ struct PacketPlace {
         y(packet / PacketShape<D>::packets_across * PacketShape<D>::height) {}
 
   /// Of the subtiles that a tile or a screen bin's entries speak of.
-  int subtile() const { return y / subtile_side * subtiles_across + x / subtile_side; }
+  int subtile() const { return subtile_index(x, y); }
   /// Whether the block has it, and it is to be traced.
   bool is_in(const Block& block) const {
     return x < block.width && y < block.height && (block.subtiles >> subtile() & 1U) != 0;

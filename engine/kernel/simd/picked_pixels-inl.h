@@ -99,10 +99,11 @@ class PickedPixels {
  private:
   const Block& pick(std::span<const std::uint8_t> places) {
     for (const std::uint8_t place : places) {
-      const std::uint32_t x = place % block_side;
-      const std::uint32_t y = place / block_side;
-      picked_[y] = static_cast<std::uint16_t>(picked_[y] | 1U << x);
-      block_.subtiles |= 1U << (y / subtile_side * subtiles_across + x / subtile_side);
+      const int x = place % block_side;
+      const int y = place / block_side;
+      std::uint16_t& row = picked_[static_cast<std::size_t>(y)];
+      row = static_cast<std::uint16_t>(row | 1U << x);
+      block_.subtiles |= 1U << subtile_index(x, y);
     }
     return block_;
   }

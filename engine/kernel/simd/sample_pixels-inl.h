@@ -176,8 +176,7 @@ void sample_each(const PacketScene<T>& scene, const SamplePattern& pattern, Tran
       const int y = pixels.places[i] / block_side;
       const int x_left = pixels.x_begin + x;
       const int y_low = scene.view.height - 1 - pixels.y_begin - y;
-      SubtileCandidates<T> subtile{candidates,
-                                   y / subtile_side * subtiles_across + x / subtile_side};
+      SubtileCandidates<T> subtile{candidates, subtile_index(x, y)};
       const auto sample = [&](auto& own) HWY_ATTR {
         const PixelPackets<D, std::decay_t<decltype(own)>> packets(eye, samples, x_left, y_low,
                                                                    own);
