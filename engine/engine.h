@@ -35,6 +35,7 @@
 #include "engine/scene/scene.h"             // IWYU pragma: export
 #include "engine/scene/scene_size.h"        // IWYU pragma: export
 #include "engine/scene/schema.h"            // IWYU pragma: export
+#include "engine/scene/work.h"              // IWYU pragma: export
 #include "engine/tradeoff/curve.h"          // IWYU pragma: export
 #include "engine/tradeoff/measure_curve.h"  // IWYU pragma: export
 #include "engine/tradeoff/progress.h"       // IWYU pragma: export

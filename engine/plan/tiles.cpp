@@ -7,7 +7,7 @@
 
 #include "engine/math/block.h"
 #include "engine/plan/light_sampling.h"
-#include "engine/scene/overrides.h"
+#include "engine/scene/work.h"
 #include "engine/text/pluralised.h"
 
 namespace raytracer {

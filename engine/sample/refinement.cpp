@@ -10,7 +10,7 @@
 
 #include "engine/plan/sampling.h"
 #include "engine/sample/error_rules.h"
-#include "engine/scene/overrides.h"
+#include "engine/scene/work.h"
 
 namespace raytracer {
 namespace {

@@ -8,6 +8,7 @@
 #include "engine/scene/fields.h"
 #include "engine/scene/materials.h"
 #include "engine/scene/scene_size.h"
+#include "engine/scene/work.h"
 
 namespace raytracer {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/scene/overrides.h"
+#include "engine/scene/work.h"
 
 namespace raytracer {
 namespace {
