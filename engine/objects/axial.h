@@ -21,7 +21,7 @@ namespace raytracer {
 
 /// In frame coordinates: what kinds' primitives begin with.
 struct AxialSolid : AxisSegment {
-  double eye_c;  ///< of the eye, across the axis: positive outside the endless side
+  double eye_power;  ///< of the eye, across the axis: positive outside the endless side
   bool has_caps;
   PrimitiveId id;
 
@@ -141,7 +141,7 @@ void add_statistics(const Solid& c, const Viewpoint& from, GeometryStatistics& t
     to.note_place(c.end(is_to) - from.scene_origin, radius);
   }
   double distance = distance_to_surface(c, from.place);
-  if (from.place == Vec3{} && c.eye_c == 0 && c.low < 0 && c.high > 0) distance = 0;
+  if (from.place == Vec3{} && c.eye_power == 0 && c.low < 0 && c.high > 0) distance = 0;
   to.note_surface(distance);
   to.farthest = std::max(to.farthest, farthest + radius);
   to.smallest = std::min(to.smallest, smallest_squared_length(c));

@@ -153,7 +153,7 @@ template <class D, AxialLanesOf<hn::Vec<D>> C, class Direction, typename T = hn:
           class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE M meet_from_eye(D d, const C& c, const AxialItem<T>& item, const Direction& g, V& t) {
   const auto f = eye_along(d, c);
-  const auto crossings = crossings_of(d, c, f, g, hn::Set(d, item.eye_c));
+  const auto crossings = crossings_of(d, c, f, g, hn::Set(d, item.eye_power));
   return item.has_caps > 0 ? enter_closed(d, closed_chord(d, c, f, g, crossings), t)
                            : meet_open(d, side_hits(d, c, f, g, crossings), t);
 }
@@ -183,7 +183,7 @@ HWY_INLINE M hides_point_light(D d, const Item& item, const LampRays<D>& lamp, V
   const auto c = in_all_lanes(d, item);
   const auto f = eye_along(d, c);
   const auto g = direction_along(c, lamp.direction);
-  const auto crossings = crossings_of(d, c, f, g, hn::Set(d, item.eye_c));
+  const auto crossings = crossings_of(d, c, f, g, hn::Set(d, item.eye_power));
   if (item.has_caps > 0) {
     const AxialChord<V, M> chord = closed_chord(d, c, f, g, crossings);
     return hn::And(hn::And(chord.is_there, hn::Ne(own_id, c.id)),

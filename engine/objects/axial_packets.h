@@ -28,7 +28,7 @@ struct AxialItem {
   T high;
   T has_caps;  ///< 0 or 1
   T id;
-  T eye_c;  ///< AxialSolid's
+  T eye_power;  ///< AxialSolid's
 
   static AxialItem of(const AxialSolid& c, const AxisBasis& own, std::int32_t number,
                       double share = 1) {
@@ -40,7 +40,7 @@ struct AxialItem {
             static_cast<T>(own.is_turned ? -c.low : c.high),
             static_cast<T>(c.has_caps),
             static_cast<T>(number),
-            static_cast<T>(c.eye_c)};
+            static_cast<T>(c.eye_power)};
   }
 };
 

@@ -99,7 +99,7 @@ std::optional<AxialHit> nearest_hit(const KindRay& r, const Ray& ray, const Soli
 
   // Of the eye it is known.
   const bool is_eye = ray.origin.side == SurfacePoint::Side::none;
-  const AxialPower power = is_eye ? AxialPower{c.eye_c} : power_at(r, c, ray.origin);
+  const AxialPower power = is_eye ? AxialPower{c.eye_power} : power_at(r, c, ray.origin);
   const auto chord = chord_of(r, c, planes_before(r, ray, c, left), power.value);
   const auto enters = [&] {
     return chord->enters_cap ? on_cap(r, c, chord->enter, false)

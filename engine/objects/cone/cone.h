@@ -84,8 +84,8 @@ struct Cones {
       optional("colors", &Cones::colors, ColorPerItemRule{"from"}));
 };
 
-/// In frame coordinates; eye_c is of the eye C: positive outside the endless cone and its mirror
-/// image.
+/// In frame coordinates; eye_power is of the eye C: positive outside the endless cone and its
+/// mirror image.
 struct PackedCone : AxialSolid {
   double radius_from;
   double radius_to;

@@ -50,7 +50,7 @@ PackedCone packed(const Cone& c, const PrimitiveId& id, const Frame& frame) {
   packed.cosine = rise / slant;
   packed.sine = widening / slant;
   packed.girth_at_foot = packed.cosine * packed.radius_from - packed.sine * packed.low;
-  packed.eye_c = power_of_eye(packed);
+  packed.eye_power = power_of_eye(packed);
   return packed;
 }
 
@@ -59,7 +59,7 @@ PackedCone seen_from(const PackedCone& c, const Vec3& place) {
   static_cast<AxisSegment&>(seen) = c.seen_from(place);
   seen.girth_at_foot = c.girth(dot(place - c.foot, c.axis));
   const double distance = c.cosine * length(seen.foot);
-  seen.eye_c = AxisSegment::without_noise(
+  seen.eye_power = AxisSegment::without_noise(
       (distance - seen.girth_at_foot) * (distance + seen.girth_at_foot), distance * distance);
   return seen;
 }

@@ -122,7 +122,7 @@ HWY_INLINE void intersect_candidate(D d, const PrimitiveRows<T>&,
   const Cylinders<V> c = in_all_lanes(d, item);
   const V zero = hn::Zero(d);
   const InAxes<V> g = direction_along(c, direction);
-  if (!(item.eye_c > 0)) {  // within the endless cylinder
+  if (!(item.eye_power > 0)) {  // within the endless cylinder
     V t;
     const M is_hit = meet_from_eye(d, c, item, g, t);
     return take(hit, is_nearer(hit, t, c.id, is_hit), t, c.id);
@@ -134,7 +134,7 @@ HWY_INLINE void intersect_candidate(D d, const PrimitiveRows<T>&,
   const V room = hn::NegMulAdd(x, x, hn::Mul(c.radius2, a));
   const M crosses = hn::And(hn::Ge(room, zero), hn::Gt(b, zero));
   const V q = hn::Add(b, hn::Sqrt(hn::Max(room, zero)));
-  V t = hn::Div(hn::Set(d, item.eye_c), q);
+  V t = hn::Div(hn::Set(d, item.eye_power), q);
   const V along = hn::Mul(t, g.w);
   M is_hit = hn::And(crosses, hn::And(hn::Ge(along, c.low), hn::Le(along, c.high)));
   if (item.low > 0) {  // that end is seen

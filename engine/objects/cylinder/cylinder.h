@@ -67,7 +67,7 @@ struct Cylinders {
                  optional("colors", &Cylinders::colors, ColorPerItemRule{"from"}));
 };
 
-/// In frame coordinates; eye_c is |foot|^2 - radius^2 of the unrounded foot.
+/// In frame coordinates; eye_power is |foot|^2 - radius^2 of the unrounded foot.
 struct PackedCylinder : AxialSolid {
   double radius;
 };

@@ -16,8 +16,8 @@ PackedCylinder seen_from(const PackedCylinder& c, const Vec3& place) {
   PackedCylinder seen = c;
   static_cast<AxisSegment&>(seen) = c.seen_from(place);
   const double distance = length(seen.foot);
-  seen.eye_c = AxisSegment::without_noise((distance - c.radius) * (distance + c.radius),
-                                          c.radius * c.radius);
+  seen.eye_power = AxisSegment::without_noise((distance - c.radius) * (distance + c.radius),
+                                              c.radius * c.radius);
   return seen;
 }
 

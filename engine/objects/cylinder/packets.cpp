@@ -42,7 +42,7 @@ std::array<Line, 2> screen_outline(const View& view, const PackedCylinder& c) {
   const double distance = length(c.foot);
   // Generous by more than rounding; an eye within sees it everywhere.
   const double sine = std::min(c.radius / distance * (1 + 1e-9), 1.0);
-  if (!(c.eye_c > 0) || !(sine < 1)) return screen_lines<2>(view, {});
+  if (!(c.eye_power > 0) || !(sine < 1)) return screen_lines<2>(view, {});
   const Vec3 inward = sine * own.towards;
   const Vec3 aside = std::sqrt((1 - sine) * (1 + sine)) * own.across;
   return screen_lines<2>(view, {inward + aside, inward - aside});

@@ -131,7 +131,7 @@ struct PacketLayout<SphereKind, T> : DefaultLayout {
     return {.place = narrowed<T>(s.center),
             .curvature = finite<T>(1 / s.radius),
             .radius_square = finite<T>(s.radius * s.radius),
-            .eye_c = static_cast<T>((distance - s.radius) * (distance + s.radius))};
+            .eye_power = static_cast<T>((distance - s.radius) * (distance + s.radius))};
   }
   static Item item(const PackedSphere& s, std::int32_t number) {
     return {narrowed<T>(s.center), static_cast<T>(s.radius * s.radius), static_cast<T>(number)};

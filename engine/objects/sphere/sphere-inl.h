@@ -27,7 +27,8 @@ HWY_INLINE void intersect_candidate(D d, const PrimitiveRows<T>& rows,
   const M is_hit = hn::And(hn::Ge(discriminant, zero), hn::Gt(b, zero));
   // Also where no lane hits: a wrong guess of the processor, which of small spheres there would be
   // many, costs more than a division.
-  const V t = hn::Div(hn::Set(d, sphere.eye_c), hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
+  const V t =
+      hn::Div(hn::Set(d, sphere.eye_power), hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
   const V id = hn::Set(d, static_cast<T>(number));
   take(hit, is_nearer(hit, t, id, is_hit), t, id);
 }
@@ -51,7 +52,7 @@ HWY_INLINE bool may_intersect(const PrimitiveRows<T>& rows, const Geometry<Spher
   const T lx = center.x - axis.x * b;
   const T ly = center.y - axis.y * b;
   const T lz = center.z - axis.z * b;
-  const T distance2 = sphere.eye_c + sphere.radius_square;
+  const T distance2 = sphere.eye_power + sphere.radius_square;
   const T reach = std::sqrt(sphere.radius_square) + spread * std::sqrt(distance2);
   return !(lx * lx + ly * ly + lz * lz > reach * reach);
 }
