@@ -66,26 +66,29 @@ void add_soft_light(const SoftLight& soft, std::vector<PackedLight>& lights,
   packed.soft_lights.push_back(std::move(to));
 }
 
-/// The geometry of one kind, and its rows of the table.
-template <class Kind, typename T>
-void make_geometry(const PackedScene& scene, const std::vector<PackedLight>& lights,
-                   const FinderRow& finders, bool transmits, WorkerPool& pool,
-                   Geometry<Kind, T>& geometry, PacketScene<T>& packed) {
-  using Layout = PacketLayout<Kind, T>;
-  const std::span<const typename Kind::Primitive> primitives(of_kind<Kind>(scene.primitives));
-  geometry.count = primitives.size();
-  if (primitives.empty()) return;  // none may be left of those that the finders were chosen for
-  geometry.finders = finders;
-  geometry.transmits = transmits;
-  const auto has = [&](Finder finder) {
-    return std::find(finders.begin(), finders.end(), finder) != finders.end();
-  };
+/// The primitives of one kind, and whose threads help with many.
+template <class Kind>
+struct PrimitivesOf {
+  const PackedScene& scene;
+  std::span<const typename Kind::Primitive> all;
+  WorkerPool& pool;
+};
 
-  const bool needs_items = Layout::needs_items(finders);
-  if (needs_items) geometry.items.resize(primitives.size());
-  for_each_range(primitives.size(), pool, [&](std::size_t begin, std::size_t end) {
+bool is_used(Finder finder, const FinderRow& finders) {
+  return std::find(finders.begin(), finders.end(), finder) != finders.end();
+}
+
+/// Items, and the rows of the table that hits look into.
+template <class Kind, typename T>
+void add_rows(const PrimitivesOf<Kind>& primitives, Geometry<Kind, T>& geometry,
+              PacketScene<T>& packed) {
+  using Layout = PacketLayout<Kind, T>;
+  const PackedScene& scene = primitives.scene;
+  const bool needs_items = Layout::needs_items(geometry.finders);
+  if (needs_items) geometry.items.resize(primitives.all.size());
+  for_each_range(primitives.all.size(), primitives.pool, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto& primitive = primitives[i];
+      const auto& primitive = primitives.all[i];
       const std::int32_t number = scene.numbers(primitive.id);
       PrimitiveRow<T>& row = packed.primitives[static_cast<std::size_t>(number)];
       row = Layout::row(primitive, i);
@@ -100,55 +103,67 @@ void make_geometry(const PackedScene& scene, const std::vector<PackedLight>& lig
       }
     }
   });
-  const T curvature = Layout::row(primitives[0], 0).curvature;
+  const T curvature = Layout::row(primitives.all[0], 0).curvature;
   packed.has_flat = packed.has_flat || curvature == 0;
   packed.has_own_normals = packed.has_own_normals || curvature == PrimitiveRow<T>::own_normal;
+}
 
-  if constexpr (Kind::search == Search::own)
-    geometry.mask = build_screen_mask(scene.view, primitives);
+/// What finds primitives, but for what each light knows of them.
+template <class Kind, typename T>
+void build_finders(const PrimitivesOf<Kind>& primitives, Geometry<Kind, T>& geometry) {
+  using Layout = PacketLayout<Kind, T>;
+  const auto& [scene, all, pool] = primitives;
+  if constexpr (Kind::search == Search::own) geometry.mask = build_screen_mask(scene.view, all);
   if constexpr (Kind::search == Search::bounded) {
-    if (has(Finder::screen_bins))
+    if (is_used(Finder::screen_bins, geometry.finders))
       geometry.bins = build_screen_bins(
-          scene.view, primitives,
-          [&](std::size_t i) {
+          scene.view, all,
+          [&primitives](std::size_t i) {
             return Layout::bins_name_rows
-                       ? static_cast<std::uint32_t>(scene.numbers(primitives[i].id))
+                       ? static_cast<std::uint32_t>(primitives.scene.numbers(primitives.all[i].id))
                        : static_cast<std::uint32_t>(i);
           },
           pool);
-    if (has(Finder::tree))
+    if (is_used(Finder::tree, geometry.finders))
       geometry.tree = build_packet_tree<typename Layout::Block>(
-          primitives,
-          [&](const auto& primitive, std::size_t place, typename Layout::Block& block) {
-            Layout::fill(primitive, scene.numbers(primitive.id), place, block);
+          all,
+          [&primitives](const auto& primitive, std::size_t place, typename Layout::Block& block) {
+            Layout::fill(primitive, primitives.scene.numbers(primitive.id), place, block);
           },
           pool);
   }
   if constexpr (HasEyeView<Layout, typename Kind::Primitive>)
-    geometry.eye = Layout::eye_view(primitives, finders, pool);
+    geometry.eye = Layout::eye_view(all, geometry.finders, pool);
   if constexpr (Kind::has_light_sweep)
-    if (has(Finder::light_sweep)) geometry.swept = Layout::swept(primitives, scene.numbers, pool);
-  const auto view_of = [&](const PackedLight& light, WorkerPool& of) {
-    return Layout::light_view(primitives, light, finders, scene.numbers, of);
+    if (is_used(Finder::light_sweep, geometry.finders))
+      geometry.swept = Layout::swept(all, scene.numbers, pool);
+}
+
+/// What each light knows of the primitives, unless sweeps look along it.
+template <class Kind, typename T>
+void build_light_views(const PrimitivesOf<Kind>& primitives, const std::vector<PackedLight>& lights,
+                       Geometry<Kind, T>& geometry) {
+  const auto build = [&](std::size_t light, WorkerPool& pool) {
+    geometry.lights[light] = PacketLayout<Kind, T>::light_view(
+        primitives.all, lights[light], geometry.finders, primitives.scene.numbers, pool);
   };
   geometry.lights.resize(lights.size());
   std::vector<std::size_t> seen;
   for (std::size_t i = 0; i < lights.size(); ++i)
-    if (finder_of(finders, ray_kind_of(lights[i])) != Finder::light_sweep) seen.push_back(i);
+    if (finder_of(geometry.finders, ray_kind_of(lights[i])) != Finder::light_sweep)
+      seen.push_back(i);
   // Where it is worth it some views for each thread at a time, and those that are left by all
   // together. Neighbours, as of every other one little is made: the other end of a sky's axis.
   constexpr std::size_t turns = 8;
-  const std::size_t threads = pool.thread_count();
-  const bool are_many = seen.size() * primitives.size() >= few_items;
+  const std::size_t threads = primitives.pool.thread_count();
+  const bool are_many = seen.size() * primitives.all.size() >= few_items;
   const std::size_t alone = are_many ? seen.size() - seen.size() % threads : 0;
-  for_each_chunk(alone, std::min(alone, turns * threads), pool,
+  for_each_chunk(alone, std::min(alone, turns * threads), primitives.pool,
                  [&](std::size_t, std::size_t begin, std::size_t end) {
                    WorkerPool own(1);
-                   for (std::size_t i = begin; i < end; ++i)
-                     geometry.lights[seen[i]] = view_of(lights[seen[i]], own);
+                   for (std::size_t i = begin; i < end; ++i) build(seen[i], own);
                  });
-  for (std::size_t i = alone; i < seen.size(); ++i)
-    geometry.lights[seen[i]] = view_of(lights[seen[i]], pool);
+  for (std::size_t i = alone; i < seen.size(); ++i) build(seen[i], primitives.pool);
 }
 
 /// Whether distant lights' grids are larger than what a processor's caches keep of them. Where they
@@ -185,9 +200,16 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
   packed.light_sets = scene.light_sets;
   packed.sets_to_be_sure = scene.sets_to_be_sure;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
-    make_geometry<Kind, T>(scene, lights, finders[kind_index<Kind>],
-                           features.transmitting[kind_index<Kind>], pool,
-                           std::get<kind_index<Kind>>(packed.geometry.kinds), packed);
+    const PrimitivesOf<Kind> primitives{scene, of_kind<Kind>(scene.primitives), pool};
+    // None may be left of those that the finders were chosen for.
+    if (primitives.all.empty()) return;
+    auto& geometry = std::get<kind_index<Kind>>(packed.geometry.kinds);
+    geometry.count = primitives.all.size();
+    geometry.finders = finders[kind_index<Kind>];
+    geometry.transmits = features.transmitting[kind_index<Kind>];
+    add_rows(primitives, geometry, packed);
+    build_finders(primitives, geometry);
+    build_light_views(primitives, lights, geometry);
   });
   packed.fetches_light_cells = exceed_caches(packed.geometry);
   packed.geometry.for_each([&](const auto& geometry) {
