@@ -50,7 +50,7 @@ HWY_INLINE V3<V> shade(D d, const PacketScene<T>& scene, const Surface<D>& surfa
   const RayOrigin<V>& point = surface.at;
   const V zero = hn::Zero(d);
   if (HWY_UNLIKELY(light_set.is_recorded())) {
-    record(d, surface, active, light_set);
+    record_points(d, surface, active, light_set);
     return {zero, zero, zero};
   }
   const MaterialPacket<D> material(d, scene.materials, surface.material, surface.normal, view);

@@ -8,8 +8,8 @@ namespace raytracer::HWY_NAMESPACE {
 
 /// Writes down the points of a packet, of its lanes that are active.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE void record(D d, const Surface<D>& surface, hn::Mask<D> active,
-                         const LightSet<T>& light_set) {
+HWY_NOINLINE void record_points(D d, const Surface<D>& surface, hn::Mask<D> active,
+                                const LightSet<T>& light_set) {
   const auto bits = static_cast<typename LightLedger<T>::Lanes>(bits_of(d, active));
   T* const to = light_set.ledger->add_packet(light_set.index, bits);
   const V3<V>& point = surface.at.point;
@@ -41,7 +41,8 @@ class SoftLightOnPacket {
 
   /// The share of a disc of directions that the lanes of `lit` have, by some of its places; 0 in
   /// others.
-  HWY_INLINE V share_of_sun(const PacketSoftLight<T>& soft, const PlaceRange& range, M lit) const {
+  HWY_INLINE V share_of_distant(const PacketSoftLight<T>& soft, const PlaceRange& range,
+                                M lit) const {
     V sum = hn::Zero(d_);
     const M none = hn::AndNot(lit, lit);
     for_each_place(range, [&](std::size_t i, std::size_t told) HWY_ATTR {
@@ -67,7 +68,7 @@ class SoftLightOnPacket {
   }
 
   /// Likewise of a disc around a place.
-  HWY_INLINE V share_of_lamp(const Lamp& lamp, const PlaceRange& range, M lit) const {
+  HWY_INLINE V share_of_point(const Lamp& lamp, const PlaceRange& range, M lit) const {
     V sum = hn::Zero(d_);
     for_each_place(range, [&](std::size_t i, std::size_t) HWY_ATTR {
       const V across = hn::Set(d_, lamp.soft.places[i].x * lamp.soft.size);
@@ -221,11 +222,11 @@ HWY_NOINLINE V3<V> soft_light(D d, const PacketScene<T>& scene, const Surface<D>
                     HWY_ATTR { return light.share_of_sky(soft, range, lanes); });
     } else if (!soft.directions.empty()) {
       add_light([&](const PlaceRange& range, M lanes)
-                    HWY_ATTR { return light.share_of_sun(soft, range, lanes); });
+                    HWY_ATTR { return light.share_of_distant(soft, range, lanes); });
     } else {
       const auto lamp = light.lamp(soft, middle);
       add_light([&](const PlaceRange& range, M lanes)
-                    HWY_ATTR { return light.share_of_lamp(lamp, range, lanes); });
+                    HWY_ATTR { return light.share_of_point(lamp, range, lanes); });
     }
   }
   return sum;
