@@ -194,8 +194,8 @@ Rehearsal rehearse_swept(const Scene& scene, const Tracer& tracer, const std::ve
   Image image(scene.camera.width, scene.camera.height, channel_count(scene));
   avoid_huge_pages(image.values);
   const auto trace = [&](int samples, std::vector<TileValues>& values) {
-    SweptTiles swept = trace_swept(tracer, sample_pattern(samples), scene.render.transfer, tiles,
-                                   &image, pool, progress.stop);
+    SweptTiles swept = trace_swept(tracer, sample_pattern(samples), tiles,
+                                   {scene.render.transfer, &image}, pool, progress.stop);
     for (std::size_t i = 0; i < tiles.size(); ++i) values[i] = values_of(tiles[i], image);
     return swept;
   };
@@ -262,7 +262,7 @@ Rehearsal rehearse(const Scene& scene, const Tracer& tracer, WorkerPool& pool,
   std::vector<TileReport> reports(tiles.size());
   const double asked_ms = asking_ms();
   const auto trace = [&](const SamplePattern& pattern, const Tile& tile, const Canvas& canvas) {
-    render_tile(tracer, pattern, scene.render.transfer, tile, canvas);
+    render_tile(tracer, pattern, tile, {scene.render.transfer, canvas});
   };
   const auto trace_ms = [&](const SamplePattern& pattern, const Tile& tile, const Canvas& canvas) {
     const ThreadStopwatch watch;

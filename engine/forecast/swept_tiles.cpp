@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "engine/measure/stopwatch.h"
+#include "engine/render/swept_light.h"
 #include "engine/sample/pattern.h"
 
 namespace raytracer {
@@ -49,8 +50,8 @@ bool is_swept(const Tracer& tracer) {
   return is;
 }
 
-SweptTiles trace_swept(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
-                       std::span<const Tile> tiles, const Canvas& canvas, WorkerPool& pool,
+SweptTiles trace_swept(const Tracer& tracer, const SamplePattern& pattern,
+                       std::span<const Tile> tiles, const TileOutput& output, WorkerPool& pool,
                        const std::atomic<bool>& stop) {
   SweptTiles swept{std::vector<double>(tiles.size(), 0), 0};
   visit_swept(tracer, [&]<typename T>(const PacketScene<T>& scene, std::int64_t target) {
@@ -81,7 +82,7 @@ SweptTiles trace_swept(const Tracer& tracer, const SamplePattern& pattern, Trans
         tiles.size(),
         [&](std::size_t i) {
           const ThreadStopwatch watch;
-          light.render_tile(i, pattern, transfer, tiles[i], canvas, {});
+          light.render_tile(i, pattern, tiles[i], output);
           swept.tile_ms[i] += watch.elapsed_ms();
         },
         stop);

@@ -31,8 +31,8 @@ struct SweptTiles {
 bool is_swept(const Tracer& tracer);
 
 /// Traces the tiles on the pool's threads; once `stop` is set its figures mean nothing.
-SweptTiles trace_swept(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
-                       std::span<const Tile> tiles, const Canvas& canvas, WorkerPool& pool,
+SweptTiles trace_swept(const Tracer& tracer, const SamplePattern& pattern,
+                       std::span<const Tile> tiles, const TileOutput& output, WorkerPool& pool,
                        const std::atomic<bool>& stop);
 
 /// By the few points of one tile, the first of these that has any.

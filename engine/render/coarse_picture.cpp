@@ -246,8 +246,8 @@ std::optional<CoarsePicture> trace_coarse_picture(Tracing& tracing, double after
 }
 
 BeyondRange trace_once(const Tracing& tracing, const Tile& tile, Image& image) {
-  return render_tile(tracing.tracer, sample_pattern(1), tracing.scene.render.transfer, tile,
-                     &image);
+  return render_tile(tracing.tracer, sample_pattern(1), tile,
+                     {tracing.scene.render.transfer, &image});
 }
 
 std::array<double, subtiles_in_block> guess_errors2(const Image& image, const Tile& block,

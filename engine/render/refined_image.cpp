@@ -192,8 +192,8 @@ bool RefinedImage::refine_all(const SamplePattern& pattern) {
   std::atomic<std::size_t> not_numbers{0};
   const std::vector<char> is_done = run_tasks(tasks, [&](const RefinementTask& task) {
     const auto block = static_cast<std::size_t>(&task - tasks.data());
-    not_numbers += render_tile(tracing_.tracer, pattern, tracing_.scene.render.transfer,
-                               errors_.tile_of(block), &finer, {.pixels = &spreads})
+    not_numbers += render_tile(tracing_.tracer, pattern, errors_.tile_of(block),
+                               {tracing_.scene.render.transfer, &finer, {.pixels = &spreads}})
                        .not_numbers;
   });
   shown_.change([&](Image& image) {

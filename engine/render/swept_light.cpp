@@ -96,17 +96,13 @@ void SweptLight<T>::sweep() {
 
 template <typename T>
 BeyondRange SweptLight<T>::render_tile(std::size_t i, const SamplePattern& pattern,
-                                       Transfer transfer, const Tile& tile, const Canvas& canvas,
-                                       const TileErrors& errors) {
-  return raytracer::render_tile(scene_, pattern, transfer, tile, target_, canvas, errors,
-                                &ledgers_[i])
-      .beyond;
+                                       const Tile& tile, const TileOutput& output) {
+  return raytracer::render_tile(scene_, pattern, tile, target_, output, &ledgers_[i]).beyond;
 }
 
 template <typename T>
 void render_swept(const PacketScene<T>& scene, std::int64_t target, const SamplePattern& pattern,
-                  Transfer transfer, std::span<const Tile> tiles, const Canvas& canvas,
-                  const TileErrors& errors, const TilePass& pass) {
+                  std::span<const Tile> tiles, const TileOutput& output, const TilePass& pass) {
   SweepMemory<T> memory;
   for (std::size_t first = 0; first < tiles.size() && !pass.stop;) {
     const std::span<const Tile> batch = first_batch(tiles.subspan(first), pattern.points.size(),
@@ -132,8 +128,7 @@ void render_swept(const PacketScene<T>& scene, std::int64_t target, const Sample
     pass.pool.run(
         batch.size(),
         [&](std::size_t i) {
-          pass.finished(first + i,
-                        light.render_tile(i, pattern, transfer, batch[i], canvas, errors));
+          pass.finished(first + i, light.render_tile(i, pattern, batch[i], output));
         },
         pass.stop);
     first += batch.size();
@@ -145,10 +140,8 @@ template class SweepMemory<double>;
 template class SweptLight<float>;
 template class SweptLight<double>;
 template void render_swept<float>(const PacketScene<float>&, std::int64_t, const SamplePattern&,
-                                  Transfer, std::span<const Tile>, const Canvas&, const TileErrors&,
-                                  const TilePass&);
+                                  std::span<const Tile>, const TileOutput&, const TilePass&);
 template void render_swept<double>(const PacketScene<double>&, std::int64_t, const SamplePattern&,
-                                   Transfer, std::span<const Tile>, const Canvas&,
-                                   const TileErrors&, const TilePass&);
+                                   std::span<const Tile>, const TileOutput&, const TilePass&);
 
 }  // namespace raytracer

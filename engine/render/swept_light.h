@@ -1,31 +1,20 @@
 // The soft light of many tiles, whose directions are swept for all of them at once.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
-#include <functional>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <span>
 #include <vector>
 
-#include "engine/image/subtile_errors.h"
 #include "engine/image/tile.h"
+#include "engine/image/tile_output.h"
 #include "engine/kernel/light_sweep.h"
 #include "engine/kernel/simd/render_tile.h"
-#include "engine/parallel/worker_pool.h"
+#include "engine/render/tile_pass.h"
 
 namespace raytracer {
-
-/// One pass over tiles: who traces them, and who hears of it, from several threads.
-struct TilePass {
-  WorkerPool& pool;
-  std::atomic<bool>& stop;
-  /// That a tile is in the picture; it may set `stop`.
-  std::function<void(std::size_t, const BeyondRange&)> finished;
-  /// How much of the pass is done, where tiles are not finished one after another; likewise.
-  std::function<void(double)> report;
-};
 
 /// Memory for sweeps, as much as there are at a time.
 template <typename T>
@@ -61,8 +50,8 @@ class SweptLight {
   void sweep();
 
   /// Traces the i-th tile, with the pattern that was recorded.
-  BeyondRange render_tile(std::size_t i, const SamplePattern& pattern, Transfer transfer,
-                          const Tile& tile, const Canvas& canvas, const TileErrors& errors);
+  BeyondRange render_tile(std::size_t i, const SamplePattern& pattern, const Tile& tile,
+                          const TileOutput& output);
 
  private:
   using Lanes = typename LightLedger<T>::Lanes;
@@ -87,7 +76,6 @@ std::size_t samples_at_once(std::size_t primitives);
 /// All samples of the tiles' pixels, some tiles at a time.
 template <typename T>
 void render_swept(const PacketScene<T>& scene, std::int64_t target, const SamplePattern& pattern,
-                  Transfer transfer, std::span<const Tile> tiles, const Canvas& canvas,
-                  const TileErrors& errors, const TilePass& pass);
+                  std::span<const Tile> tiles, const TileOutput& output, const TilePass& pass);
 
 }  // namespace raytracer

@@ -6,6 +6,7 @@
 #include "engine/errors/error_model.h"
 #include "engine/math/transfer.h"
 #include "engine/reference/radiance.h"
+#include "engine/render/swept_light.h"
 
 namespace raytracer {
 namespace {
@@ -109,10 +110,11 @@ PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& patt
   return pixel;
 }
 
-BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, Transfer transfer,
-                  const Tile& tile, const Canvas& canvas, const TileErrors& errors) {
+BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, const Tile& tile,
+                  const TileOutput& output) {
   BeyondRange beyond;
-  const Transfer told_after = errors.pixels != nullptr ? Transfer::linear : transfer;
+  const TileErrors& errors = output.errors;
+  const Transfer told_after = errors.pixels != nullptr ? Transfer::linear : output.transfer;
   const auto trace_into = [&](auto* image) {
     for (int y = tile.y_begin; y < tile.y_end; ++y) {
       for (int x = tile.x_begin; x < tile.x_end; ++x) {
@@ -121,7 +123,7 @@ BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, T
         const PixelValue pixel = sample_pixel(tracer, pattern, told_after, x, y, image->channels);
         beyond.not_numbers += pixel.seen.not_numbers > 0 ? 1 : 0;
         beyond.clamped += pixel.seen.clamped > 0 && pixel.seen.not_numbers == 0 ? 1 : 0;
-        store(pixel.mean, transfer, image->channels, image->pixel(x, y));
+        store(pixel.mean, output.transfer, image->channels, image->pixel(x, y));
         if (errors.subtiles != nullptr)
           errors.subtiles->of_block(x - (x - tile.x_begin) % block_side,
                                     y - (y - tile.y_begin) % block_side)[subtile] +=
@@ -130,7 +132,7 @@ BeyondRange trace(const ReferenceTracer& tracer, const SamplePattern& pattern, T
       }
     }
   };
-  std::visit(trace_into, canvas);
+  std::visit(trace_into, output.canvas);
   return beyond;
 }
 
@@ -150,15 +152,15 @@ void sample(const ReferenceTracer& tracer, const SamplePattern& pattern, Transfe
 }
 
 template <typename T>
-BeyondRange trace(const PacketTracer<T>& tracer, const SamplePattern& pattern, Transfer transfer,
-                  const Tile& tile, const Canvas& canvas, const TileErrors& errors) {
+BeyondRange trace(const PacketTracer<T>& tracer, const SamplePattern& pattern, const Tile& tile,
+                  const TileOutput& output) {
   if (tracer.scene.sweeps_soft_light) {
     SweptLight<T> light(tracer.scene, tracer.target, 1);
     light.record(0, pattern, tile);
     light.sweep();
-    return light.render_tile(0, pattern, transfer, tile, canvas, errors);
+    return light.render_tile(0, pattern, tile, output);
   }
-  return render_tile(tracer.scene, pattern, transfer, tile, tracer.target, canvas, errors).beyond;
+  return render_tile(tracer.scene, pattern, tile, tracer.target, output).beyond;
 }
 
 template <typename T>
@@ -220,24 +222,21 @@ Tracer make_tracer(const Plan& plan, PackedScene packed, WorkerPool& pool) {
   return ReferenceTracer{std::move(kept), std::move(finder)};
 }
 
-BeyondRange render_tile(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
-                        const Tile& tile, const Canvas& canvas, const TileErrors& errors) {
-  return std::visit(
-      [&](const auto& chosen) { return trace(chosen, pattern, transfer, tile, canvas, errors); },
-      tracer);
+BeyondRange render_tile(const Tracer& tracer, const SamplePattern& pattern, const Tile& tile,
+                        const TileOutput& output) {
+  return std::visit([&](const auto& chosen) { return trace(chosen, pattern, tile, output); },
+                    tracer);
 }
 
-bool render_tiles(const Tracer& tracer, const SamplePattern& pattern, Transfer transfer,
-                  std::span<const Tile> tiles, const Canvas& canvas, const TileErrors& errors,
-                  const TilePass& pass) {
+bool render_tiles(const Tracer& tracer, const SamplePattern& pattern, std::span<const Tile> tiles,
+                  const TileOutput& output, const TilePass& pass) {
   const auto each = [&](std::size_t i) {
-    pass.finished(i, render_tile(tracer, pattern, transfer, tiles[i], canvas, errors));
+    pass.finished(i, render_tile(tracer, pattern, tiles[i], output));
   };
   const auto render = [&](const auto& chosen) {
     if constexpr (requires { chosen.target; })
       if (chosen.scene.sweeps_soft_light)
-        return render_swept(chosen.scene, chosen.target, pattern, transfer, tiles, canvas, errors,
-                            pass);
+        return render_swept(chosen.scene, chosen.target, pattern, tiles, output, pass);
     pass.pool.run(tiles.size(), each, pass.stop);
   };
   std::visit(render, tracer);

@@ -72,11 +72,11 @@ struct Tracing {
       if (preview) preview->finished(i);
       report_and_look(static_cast<double>(++done) / static_cast<double>(tiles.size()));
     };
+    const TileOutput output{scene.render.transfer, &image, errors};
     if (tiles.size() == 1 && is_one_tile(scene, samples))
-      finished(0, render_tile(tracer, pattern, scene.render.transfer, tiles[0], &image, errors));
+      finished(0, render_tile(tracer, pattern, tiles[0], output));
     else
-      render_tiles(tracer, pattern, scene.render.transfer, tiles, &image, errors,
-                   {pool, stop, finished, report_and_look});
+      render_tiles(tracer, pattern, tiles, output, {pool, stop, finished, report_and_look});
     preview.reset();  // before the image moves
     if (stop) return {};
     for (const BeyondRange& in_tile : beyond_in_tiles) beyond += in_tile;

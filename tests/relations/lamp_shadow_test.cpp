@@ -102,7 +102,7 @@ TEST(LampShadow, of_a_far_lamp_is_that_of_the_reference) {
       EXPECT_EQ(plan.precision.value, Precision::single_precision) << far;
       const Tracer tracer = make_tracer(reference_plan(plan), pack_scene(scene, &pool), pool);
       Image exact(150, 100);
-      render_tile(tracer, sample_pattern(1), Transfer::linear, {0, 0, 150, 100}, &exact);
+      render_tile(tracer, sample_pattern(1), {0, 0, 150, 100}, {Transfer::linear, &exact});
       EXPECT_GT(count_lit(exact), 5000) << far;
       for (const char* precision : {"single", "double"})
         EXPECT_LE(count_different(image_of(in_precision(text, precision)), exact, 1.0 / 255), 2)

@@ -19,8 +19,8 @@ Image reference_image(const Scene& scene, Finder finder) {
   const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
   Image image(scene.camera.width, scene.camera.height);
   for (const Tile& tile : split_into_tiles(image.width, image.height, 32))
-    render_tile(tracer, sample_pattern(scene.render.samples.value_or(1)), Transfer::linear, tile,
-                &image);
+    render_tile(tracer, sample_pattern(scene.render.samples.value_or(1)), tile,
+                {Transfer::linear, &image});
   return image;
 }
 

@@ -37,7 +37,7 @@ Traced trace(const Plan& plan, const Scene& scene, int samples) {
   Traced traced{{}, Image(scene.camera.width, scene.camera.height)};
   for (const Tile& tile : split_into_tiles(scene.camera.width, scene.camera.height, 32))
     traced.beyond +=
-        render_tile(tracer, sample_pattern(samples), Transfer::linear, tile, &traced.image);
+        render_tile(tracer, sample_pattern(samples), tile, {Transfer::linear, &traced.image});
   return traced;
 }
 
@@ -101,8 +101,8 @@ TEST(BeyondRange, what_is_no_number_is_the_same_byte_in_every_kernel) {
   for (const Plan& plan : all_plans(scene)) {
     ByteImage image(scene.camera.width, scene.camera.height);
     for (const Tile& tile : split_into_tiles(image.width, image.height, 64))
-      render_tile(make_tracer(plan, pack_scene(scene, &pool), pool), sample_pattern(1),
-                  Transfer::linear, tile, &image);
+      render_tile(make_tracer(plan, pack_scene(scene, &pool), pool), sample_pattern(1), tile,
+                  {Transfer::linear, &image});
     const std::vector<unsigned char> bytes(image.values.begin(), image.values.end());
     if (of_reference.empty()) of_reference = bytes;
     EXPECT_EQ(bytes, of_reference) << plan.instruction_set.name;

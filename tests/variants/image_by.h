@@ -15,7 +15,7 @@ Raster<Channel> image_by(const Plan& plan, const Scene& scene, int samples = 1,
   const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
   Raster<Channel> image(scene.camera.width, scene.camera.height, channel_count(scene));
   for (const Tile& tile : split_into_tiles(image.width, image.height, tile_side))
-    render_tile(tracer, sample_pattern(samples), scene.render.transfer, tile, &image);
+    render_tile(tracer, sample_pattern(samples), tile, {scene.render.transfer, &image});
   return image;
 }
 

@@ -84,8 +84,8 @@ void expect_as_together(const Scene& scene, const Plan& plan, int samples, float
   const SamplePattern pattern = sample_pattern(samples);
   Image whole(width, height, channels);
   PixelSpreads spreads(width, height);
-  render_tile(tracer, pattern, scene.render.transfer, whole_image(width, height), &whole,
-              {.pixels = &spreads});
+  render_tile(tracer, pattern, whole_image(width, height),
+              {scene.render.transfer, &whole, {.pixels = &spreads}});
 
   const auto picked = picked_places();
   std::vector<BlockPixels> blocks;

@@ -33,8 +33,8 @@ std::vector<double> errors_of(const Plan& plan, const Scene& scene, const Tile& 
   const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
   Image image(scene.camera.width, scene.camera.height, channel_count(scene));
   SubtileErrors errors(image.width, image.height);
-  render_tile(tracer, sample_pattern(8), scene.render.transfer, tile, &image,
-              {.subtiles = &errors});
+  render_tile(tracer, sample_pattern(8), tile,
+              {scene.render.transfer, &image, {.subtiles = &errors}});
   return errors.all();
 }
 
@@ -91,8 +91,8 @@ TEST(SubtileErrors, are_none_without_halves) {
       make_tracer(make_plan(scene, this_machine(1)), pack_scene(scene, &pool), pool);
   Image image(37, 23);
   SubtileErrors errors(37, 23);
-  render_tile(tracer, sample_pattern(7), Transfer::linear, {0, 0, 37, 23}, &image,
-              {.subtiles = &errors});
+  render_tile(tracer, sample_pattern(7), {0, 0, 37, 23},
+              {Transfer::linear, &image, {.subtiles = &errors}});
   for (const double error2 : errors.all()) EXPECT_EQ(error2, 0);
 }
 
@@ -114,8 +114,8 @@ Sampled sample(const Plan& plan, const Scene& scene, const std::vector<std::uint
   const SamplePattern pattern = sample_pattern(samples);
   const BlockPixels pixels{32, 16, places, channel_count(scene)};
   sample_pixels(tracer, pattern, scene.render.transfer, {&pixels, 1}, sampled.pixels);
-  render_tile(tracer, pattern, scene.render.transfer, {0, 0, width, height}, &sampled.whole,
-              {.pixels = &sampled.spreads});
+  render_tile(tracer, pattern, {0, 0, width, height},
+              {scene.render.transfer, &sampled.whole, {.pixels = &sampled.spreads}});
   return sampled;
 }
 

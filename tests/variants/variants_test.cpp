@@ -125,10 +125,10 @@ TEST(Variants, runs_on_the_instruction_set_that_is_asked_for) {
     Image image(16, 16);
     const SamplePattern pattern = sample_pattern(1);
     const Tile tile{0, 0, image.width, image.height};
-    EXPECT_EQ(render_tile(single, pattern, Transfer::linear, tile, set.target, &image).target,
+    EXPECT_EQ(render_tile(single, pattern, tile, set.target, {Transfer::linear, &image}).target,
               set.target)
         << set.name;
-    EXPECT_EQ(render_tile(twice, pattern, Transfer::linear, tile, set.target, &image).target,
+    EXPECT_EQ(render_tile(twice, pattern, tile, set.target, {Transfer::linear, &image}).target,
               set.target)
         << set.name;
   }

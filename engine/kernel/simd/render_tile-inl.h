@@ -72,13 +72,13 @@ class BlockGroup {
 
 template <typename T>
 TracedTile render_blocks(const PacketScene<T>& scene, const SamplePattern& pattern,
-                         Transfer transfer, const Tile& tile, const Canvas& canvas,
-                         const TileErrors& errors, LightLedger<T>* ledger) {
+                         const Tile& tile, const TileOutput& output, LightLedger<T>* ledger) {
   TracedTile traced{HWY_TARGET, {}};
   const hn::ScalableTag<T> d;
-  const SolidRow background(d, resolved_background(d, scene, pattern.points.size(), transfer));
-  const TileErrors told = pattern.has_half_buffers() ? errors : TileErrors{};
-  const TileTask<T> task{scene, pattern, transfer, canvas, told, ledger};
+  const SolidRow background(d,
+                            resolved_background(d, scene, pattern.points.size(), output.transfer));
+  TileTask<T> task{scene, pattern, output, ledger};
+  if (!pattern.has_half_buffers()) task.output.errors = {};
   BlockGroup<T> group(task);
   for (int y = tile.y_begin; y < tile.y_end; y += tile.block_step)
     for (int x = tile.x_begin; x < tile.x_end; x += tile.block_step) {
@@ -88,7 +88,7 @@ TracedTile render_blocks(const PacketScene<T>& scene, const SamplePattern& patte
       Block block = whole;
       block.subtiles &= candidates.subtiles;
       if (block.subtiles != whole.subtiles)
-        fill_subtiles(background, whole, whole.subtiles & ~candidates.subtiles, canvas);
+        fill_subtiles(background, whole, whole.subtiles & ~candidates.subtiles, output.canvas);
       if (block.subtiles != 0) group.add(block, candidates, traced.beyond);
     }
   group.trace(traced.beyond);

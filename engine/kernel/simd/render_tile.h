@@ -4,14 +4,12 @@
 
 #include <cstdint>
 
-#include "engine/image/image.h"
-#include "engine/image/subtile_errors.h"
 #include "engine/image/tile.h"
+#include "engine/image/tile_output.h"
 #include "engine/kernel/beyond_range.h"
 #include "engine/kernel/light_ledger.h"
 #include "engine/kernel/packet_scene.h"
 #include "engine/kernel/sample_point.h"
-#include "engine/math/transfer.h"
 
 namespace raytracer {
 
@@ -21,16 +19,14 @@ struct TracedTile {
 };
 
 /// Traces one sample at each place of `pattern` in each of the tile's pixels, and stores the means
-/// of their clamped colours after `transfer`; and what they tell of its errors, if the pattern has
-/// half buffers and somebody wants them. The tile begins at multiples of `block_side`. `ledger`,
-/// where directions of soft lights are swept, tells what that came to.
+/// of their clamped colours in `output`; and what they tell of its errors, if the pattern has half
+/// buffers and somebody wants them. The tile begins at multiples of `block_side`. `ledger`, where
+/// directions of soft lights are swept, tells what that came to.
 TracedTile render_tile(const PacketScene<float>& scene, const SamplePattern& pattern,
-                       Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas, const TileErrors& errors = {},
+                       const Tile& tile, std::int64_t target, const TileOutput& output,
                        LightLedger<float>* ledger = nullptr);
 TracedTile render_tile(const PacketScene<double>& scene, const SamplePattern& pattern,
-                       Transfer transfer, const Tile& tile, std::int64_t target,
-                       const Canvas& canvas, const TileErrors& errors = {},
+                       const Tile& tile, std::int64_t target, const TileOutput& output,
                        LightLedger<double>* ledger = nullptr);
 
 /// Writes down in `ledger` what the same samples ask of soft lights, in the order in which

@@ -42,9 +42,7 @@ template <typename T>
 struct TileTask {
   const PacketScene<T>& scene;
   const SamplePattern& pattern;
-  Transfer transfer;
-  const Canvas& canvas;
-  const TileErrors& errors;
+  TileOutput output;
   LightLedger<T>* ledger;
 };
 
@@ -65,7 +63,7 @@ class SampledBlock {
         candidates_(candidates),
         rays_(D(), task.scene, block, task.pattern.jitter),
         first_pixel_(number * block_pixels),
-        sums_(task.pattern, has_cover(task.canvas), task.errors.pixels != nullptr) {}
+        sums_(task.pattern, has_cover(task.output.canvas), task.output.errors.pixels != nullptr) {}
 
   /// A sample of its pixels, but for the rays that follow, which are queued.
   void trace_from_eye(std::size_t sample, RayQueues<T>& queues, SampleColours<T>& colours) {
@@ -83,13 +81,14 @@ class SampledBlock {
   /// After the last sample.
   void finish(BeyondRange& beyond) {
     const D d;
-    if (task_.errors.are_wanted())
-      tell_errors(d, block_, rays_, sums_, task_.transfer, task_.errors);
+    const TileOutput& output = task_.output;
+    if (output.errors.are_wanted())
+      tell_errors(d, block_, rays_, sums_, output.transfer, output.errors);
     const auto at = [](int packet) { return static_cast<std::size_t>(packet) * Shape::lanes; };
     store_block(
-        d, [&](int packet) HWY_ATTR { return sums_.mean(d, at(packet), task_.transfer); },
-        [&](int packet) HWY_ATTR { return sums_.covered_mean(d, at(packet), task_.transfer); },
-        block_, task_.canvas);
+        d, [&](int packet) HWY_ATTR { return sums_.mean(d, at(packet), output.transfer); },
+        [&](int packet) HWY_ATTR { return sums_.covered_mean(d, at(packet), output.transfer); },
+        block_, output.canvas);
     sums_.beyond().add_to(beyond);
   }
 

@@ -52,7 +52,7 @@ Image image_by(const Plan& plan, const Scene& scene, WorkerPool& pool) {
   const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
   Image image(scene.camera.width, scene.camera.height);
   for (const Tile& tile : split_into_tiles(image.width, image.height, 32))
-    render_tile(tracer, sample_pattern(1), scene.render.transfer, tile, &image);
+    render_tile(tracer, sample_pattern(1), tile, {scene.render.transfer, &image});
   return image;
 }
 
