@@ -188,7 +188,7 @@ class Bands {
   int height_log2_ = 0;
 };
 
-/// Where an item's record goes: what a part of the items puts into each band, by place(item).
+/// What a part of the items puts into each band, as place(item) says.
 template <typename Entry, typename Place>
 ChunkRecords<Entry> records_of(std::size_t begin, std::size_t end, const Bands& bands,
                                const Place& place) {
@@ -283,7 +283,7 @@ std::vector<std::uint32_t> sort_into_bins(std::size_t item_count, const BinGrid&
                                           const EntriesOf& entries_of, const Arrange& arrange,
                                           const Resize& resize, const Write& write) {
   constexpr std::size_t few_bins = 1024;  // their counts are in the first cache
-  constexpr int most_bands = 64;          // to share among threads evenly
+  constexpr int most_bands = 64;          // each is one task of a thread
   const std::size_t chunk_count = item_count < few_items ? 1 : pool.thread_count();
   const binning::Bands bands(grid,
                              chunk_count == 1 && grid.bin_count() <= few_bins ? 1 : most_bands);

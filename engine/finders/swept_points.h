@@ -73,8 +73,8 @@ struct SweptPoints {
   std::vector<Parts> parts;    ///< of each cell in the rows, if there are any
   std::vector<Bounds> blocks;  ///< of cells in the rows, and what they are cut into
   LargeArray<T> values;        ///< cell by cell, its columns
-  LargeArray<std::uint32_t>
-      lanes;               ///< cell by cell: its packet's number times most_lanes, and the lane
+  /// Cell by cell: the packet's number times most_lanes, and the lane.
+  LargeArray<std::uint32_t> lanes;
   std::size_t visits = 0;  ///< of cells and parts, since their bounds were renewed
 };
 

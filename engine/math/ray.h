@@ -13,7 +13,7 @@
 
 namespace raytracer {
 
-/// Where rays branch, one that counts for less is left out: a promise of the scene document.
+/// Where rays branch, those that count for less are left out. Given by the scene format.
 inline constexpr double least_ray_weight = 0x1p-14;
 
 /// What was hit: an object of the document and which of its primitives (a sphere of a set, a

@@ -129,6 +129,7 @@ TEST(Limit, rows_name_their_flags) {
   EXPECT_STREQ(row_of(&Limits::samples).flag, "--max-samples");
   EXPECT_STREQ(row_of(&Limits::work).flag, "--max-work");
   EXPECT_STREQ(row_of(&Limits::body).flag, "--max-body");
+  EXPECT_THROW(row_of(nullptr), std::logic_error);
 }
 
 TEST(Override, of_the_size_is_applied_before_the_limits) {
