@@ -53,8 +53,10 @@ function written(value) {
   return `{ ${Object.entries(value).map(([key, each]) => `${JSON.stringify(key)}: ${written(each)}`).join(", ")} }`;
 }
 
-/// The shortest number within a thousandth of `step` of `value`: what a hand means.
+/// The number of fewest digits within half of `step` of `value`, or within 1/2: what a hand means.
 export function rounded(value, step) {
-  const places = Math.max(0, Math.min(20, Math.ceil(-Math.log10(Math.abs(step)))));
-  return Number(value.toFixed(places));
+  const places = Math.max(0, Math.ceil(-Math.log10(Math.abs(step))));
+  if (places <= 20) return Number(value.toFixed(places));
+  const digits = places + Math.floor(Math.log10(Math.abs(value))) + 1;  // that stand before that place
+  return digits >= 1 ? Number(value.toPrecision(Math.min(17, digits))) : 0;
 }

@@ -24,7 +24,8 @@ import { createTabs } from "./tabs.js";
 import { createSharing } from "./sharing.js";
 import { createProblemPanel, problemFrom } from "./problem_panel.js";
 import { duration } from "./units.js";
-import { sameCamera, withView } from "./view.js";
+import { sameCamera, shortView, withView } from "./view.js";
+import { createViewTools } from "./view_tools.js";
 import { startWaiting } from "./waiting.js";
 
 const edited = "Edited since this picture";
@@ -41,13 +42,12 @@ const [status, elapsed, cancel] = ["status", "elapsed", "cancel"].map(at);
 const source = createSource();
 const read = createReader();
 let own = null;         // the document's camera; null: it has none that can be read
-let view = null;        // {origin, look_at, up} as the hand left them; null: the document's own
 let shown = { blob: null, words: "" };  // the picture in sight
 let said = "";          // of the state
 let running = null;     // the AbortController of what is under way
 let reading = 0;        // the timer until typed text is read
 
-const camera = () => ({ ...own, ...view });
+const camera = () => ({ ...own, ...hand.view });
 
 const editor = createEditor(at("editor-box"), {
   onInput(former, isUndone) {
@@ -80,11 +80,22 @@ const form = createSceneForm(at("panel-form"), {
 });
 const history = createHistory(at("undo"), { current: () => editor.text, restore: (text) => revise(text, null) });
 const accuracy = createAccuracy(at("accuracy-box"), () => instead(rest));
+const hand = createViewTools(at("view-tools"), at("board"), {
+  onReset: () => instead(rest),
+  async onKeep(view) {
+    const text = withView(editor.text, shortView(view, own));
+    history.keep(editor.text, Symbol("the view"));
+    editor.revise(text);
+    hand.view = null;
+    await takeText();
+    instead(rest);
+  },
+});
 const opening = createOpening({
   select: at("scene-select"), about: at("scene-about"), gallery: at("gallery"), opener: at("open-gallery"), restore: at("restore"),
 }, {
   editor, source, accuracy, begin,
-  view: () => view,
+  view: () => hand.view,
   onLoading: (what) => enter("loading", `Loading ${what}`),
   onBring: (text) => instead((signal) => begin(text, signal, null, null)),
 });
@@ -93,8 +104,8 @@ const live = createLive(at("motion"), {
   size: camera,
   ask(settings, signal) {
     const { text } = editor;
-    if (source.knows(text) || text.length >= long_text) return source.with(text, view, settings, signal, (what) => renderFrame(what, signal));
-    return renderFrame({ query: settings, body: withView(text, view) }, signal);
+    if (source.knows(text) || text.length >= long_text) return source.with(text, hand.view, settings, signal, (what) => renderFrame(what, signal));
+    return renderFrame({ query: settings, body: withView(text, hand.view) }, signal);
   },
   onFrame(perSecond) {
     elapsed.textContent = `${Math.round(perSecond)} frames a second`;
@@ -106,6 +117,10 @@ const live = createLive(at("motion"), {
 function enter(state, words) {
   root.dataset.state = state;
   status.textContent = said = words;
+}
+
+function say(words) {
+  status.textContent = words;
 }
 
 document.addEventListener("busy", ({ detail: seconds }) => {
@@ -147,7 +162,7 @@ async function rest(signal) {
   const waiting = startWaiting(elapsed, cancel, () => problemPanel.forget());
   try {
     const rendering = await refine({
-      source, text, view, settings: accuracy.settings, size: camera(),
+      source, text, view: hand.view, settings: accuracy.settings, size: camera(),
       onPlan(foreseen) {
         accuracy.foresee(foreseen.prediction);
         waiting.expect(foreseen.prediction.trace_ms);
@@ -186,8 +201,7 @@ function move() {
 }
 
 function look(next) {
-  view = { origin: next.origin, look_at: next.look_at, up: next.up };
-  at("view-tools").hidden = false;
+  hand.view = { origin: next.origin, look_at: next.look_at, up: next.up };
   move();
 }
 
@@ -199,8 +213,7 @@ async function takeText() {
   if (outline === undefined) return;  // another text has come
   const former = own;
   own = outline && outline.camera;
-  if (!own || !former || !sameCamera(own, former)) view = null;
-  at("view-tools").hidden = view === null;
+  if (!own || !former || !sameCamera(own, former)) hand.view = null;
   form.show(outline);
   if (editor.text !== text) form.fallBehind();
 }
@@ -229,11 +242,10 @@ async function begin(text, signal, from, former) {
   if (former !== null) history.keep(former, "load");
   form.fallBehind();
   editor.text = text;
-  view = null;
+  hand.view = null;
   await takeText();
   signal.throwIfAborted();
-  view = own && from;
-  at("view-tools").hidden = view === null;
+  hand.view = own && from;
   live.hide();
   await rest(signal);
 }
@@ -245,28 +257,17 @@ createBoard(at("board"), at("tool-move"), {
   onDrag: (text) => revise(text, null),
   onLook: look,
 });
-at("keep-view").addEventListener("click", async () => {
-  const text = withView(editor.text, view);
-  history.keep(editor.text, "view");
-  editor.revise(text);
-  await takeText();
-  instead(rest);
-});
-at("reset-view").addEventListener("click", () => {
-  view = null;
-  at("view-tools").hidden = true;
-  instead(rest);
-});
 const curve = createCurvePanel(at("panel-curve"), {
-  state: () => ({ text: editor.text, view }),
+  state: () => ({ text: editor.text, view: hand.view }),
   onSettings: (settings) => accuracy.choose(settings),
   onFail: (error) => fail(problemFrom(error)),
 });
-createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") }, () => ({
-  name: opening.isEdited ? "" : opening.name, title: opening.name || "scene", text: editor.text, view,
-  written: () => withView(editor.text, view), choice: accuracy.choice, settings: accuracy.settings,
-}), (words) => {
-  status.textContent = words;
+createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") }, {
+  state: () => ({
+    name: opening.isEdited ? "" : opening.name, title: opening.name || "scene", text: editor.text,
+    view: hand.view, written: () => withView(editor.text, hand.view), choice: accuracy.choice, settings: accuracy.settings,
+  }),
+  moveTo: opening.moveTo, say,
 });
 
 at("settings").addEventListener("submit", async (event) => {

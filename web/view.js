@@ -1,10 +1,19 @@
 // A view: the camera as the hand left it, where that is not the document's own.
-import { withValue } from "./json_edit.js";
+import { length, subtract } from "./camera.js";
+import { rounded, withValue } from "./json_edit.js";
 
 /// `text` with the view's camera in it; `view` null: as it is.
 export function withView(text, view) {
   if (!view) return text;
   return ["origin", "look_at", "up"].reduce((next, key) => withValue(next, `/camera/${key}`, view[key]), text);
+}
+
+/// `view` with the digits that show: its origin within a ten-millionth of how far the hand has taken
+/// it from the document's camera `own`, or of how far it looks.
+export function shortView(view, own) {
+  const moved = length(subtract(view.origin, own.origin));
+  const step = Math.min(moved, length(subtract(view.look_at, view.origin))) / 1e7;
+  return { ...view, origin: view.origin.map((value) => rounded(value, step)) };
 }
 
 /// For a link: "x,y,z;x,y,z;x,y,z", and back; null if it is none.
