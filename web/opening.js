@@ -14,6 +14,8 @@ const first_scene = "demo";
 export function createOpening({ restore, ...elements }, { editor, source, accuracy, view, onLoading, begin, onBring }) {
   let loaded = { name: first_scene, text: "" };  // what the text began as; name "": it came in a link or a file
   let isBegun = false;                           // there is a text to render
+  let address = "";                              // of what is open
+  let latest = null;                             // the load that began last
   let left = keepEdits(() => left ?? edits());   // what is to be brought back
 
   const scenes = createSceneList(elements, {
@@ -26,9 +28,10 @@ export function createOpening({ restore, ...elements }, { editor, source, accura
     current: unsaved,
     async onBring({ loaded: former, text }) {
       const fragment = await fragmentOf({ ...former, view: null, choice: accuracy.choice });
+      latest = null;
       loaded = former;
       scenes.choose(loaded.name);
-      history.replaceState(null, "", fragment);
+      moveTo(fragment);
       onBring(text);
     },
   });
@@ -40,7 +43,27 @@ export function createOpening({ restore, ...elements }, { editor, source, accura
   function edits() {
     const text = unsaved()?.text ?? null;
     if (text === null && view() === null && aside.edits.length === 0) return null;
-    return { hash: location.hash, name: loaded.name, text, view: view(), aside: aside.edits };
+    return { hash: address, name: loaded.name, text, view: view(), aside: aside.edits };
+  }
+
+  function moveTo(fragment) {
+    history.replaceState(null, "", fragment || location.pathname + location.search);
+    address = location.hash;
+  }
+
+  // What the address says: {asked, name, text}, and what goes {back} to it.
+  async function find(signal) {
+    await scenes.load();
+    signal.throwIfAborted();
+    const asked = await readFragment(location.hash || location.search);  // /?scene=glass, typed by hand, counts too
+    const back = left?.hash === location.hash ? left : null;
+    const isOwn = asked.text !== null || Boolean(back?.text && back.name === "");  // a link's, or of a file that was dropped here
+    const name = isOwn ? "" : asked.name ?? first_scene;
+    onLoading(name || "your scene");
+    scenes.choose(name);
+    const text = asked.text ?? (isOwn ? "" : await sceneText(name, signal));
+    signal.throwIfAborted();
+    return { asked, back, name, text };
   }
 
   // Another scene comes; it may go on with what the page left when it was last here.
@@ -66,24 +89,28 @@ export function createOpening({ restore, ...elements }, { editor, source, accura
       return unsaved() !== null;
     },
 
+    /// The address is another one of what is open.
+    moveTo,
+
     /// Opens what the address says. Resolves, when begin() has, to whether edits of it {areBack} and the
-    /// link {isDamaged}.
+    /// link {isDamaged}. Where it fails or ends, the scene before stays open, and the page says so.
     async load(signal) {
-      await scenes.load();
-      signal.throwIfAborted();
-      const asked = await readFragment(location.hash || location.search);  // /?scene=glass, typed by hand, counts too
-      const back = left?.hash === location.hash ? left : null;
-      const isOwn = asked.text !== null || Boolean(back?.text && back.name === "");  // a link's, or of a file that was dropped here
-      const name = isOwn ? "" : asked.name ?? first_scene;
-      onLoading(name || "your scene");
-      scenes.choose(name);
-      const text = asked.text ?? (isOwn ? "" : await sceneText(name, signal));
+      const mine = {};
+      latest = mine;
+      const { asked, back, name, text } = await find(signal).catch((error) => {
+        if (isBegun && latest === mine) {  // what is open stays so
+          scenes.choose(loaded.name);
+          moveTo(address);
+        }
+        throw error;
+      });
       layAside(back !== null);
       loaded = { name, text };
       if (name) source.know(name, text);
       if (Object.keys(asked.choice).length > 0) accuracy.choice = asked.choice;
       const areBack = Boolean(text && back?.text && back.text !== text);
       isBegun = true;
+      address = location.hash;
       await begin(back?.text ?? text, signal, back ? back.view : asked.view, areBack ? text : null);
       return { areBack, isDamaged: asked.isDamaged };
     },
@@ -92,8 +119,10 @@ export function createOpening({ restore, ...elements }, { editor, source, accura
     async take(text, file, signal) {
       onLoading(file);
       layAside(false);
+      latest = null;
       loaded = { name: "", text: "" };
       if (location.hash) history.pushState(null, "", location.pathname + location.search);  // Back leads to the scene before
+      address = location.hash;
       scenes.choose("");
       isBegun = true;
       await begin(text, signal, null, null);

@@ -1,6 +1,7 @@
 // The page loads by itself, from its own server alone, and shows a picture without being asked.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,48 @@ TEST_F(Loading, address_names_the_scene) {
   EXPECT_EQ(value("document.getElementById('scene-select').value"), "first-sphere");
   const std::string text = value("document.getElementById('editor').value");
   EXPECT_NE(text.find("\"First sphere\""), std::string::npos);
+}
+
+/// The scene that the page names, in the chooser, its description and the address.
+const std::string named =
+    "[document.getElementById('scene-select').value,"
+    " document.getElementById('scene-about').textContent, location.hash]";
+
+TEST_F(Loading, scene_that_does_not_come_leaves_the_one_before_and_its_name) {
+  open();
+  const nlohmann::json before = value(named);
+  const std::string former = text();
+  browser().run("location.hash = 'scene=nope'");
+  await("error");
+  EXPECT_EQ(value(named), before);
+  EXPECT_EQ(text(), former);
+
+  browser().click("#render");
+  await("done");
+  server().signal(SIGKILL);
+  browser().run(
+      "const select = document.getElementById('scene-select'); select.value = 'glass';"
+      "select.dispatchEvent(new Event('change', { bubbles: true }));");
+  await("error");
+  EXPECT_EQ(value(named), before);
+  EXPECT_EQ(text(), former);
+  SetUpTestSuite();  // another one, for whichever test follows
+}
+
+TEST_F(Loading, scene_that_a_hand_does_not_wait_for_is_not_named) {
+  open();
+  const nlohmann::json before = value(named);
+  browser().run(
+      "const { fetch } = window;"
+      "window.fetch = (address, request) => /scenes.glass/.test(address) ?"
+      "  new Promise((resolve, reject) => {"
+      "    request.signal.onabort = () => reject(request.signal.reason); window.isAsked = true;"
+      "  }) : fetch(address, request);"
+      "location.hash = 'scene=glass';");
+  ASSERT_TRUE(comes_true("window.isAsked"));
+  choose_accuracy(0);
+  await("done");
+  EXPECT_EQ(value(named), before);
 }
 
 TEST_F(Loading, picture_that_several_rendered_says_so) {

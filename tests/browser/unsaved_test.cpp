@@ -65,6 +65,20 @@ TEST_F(Unsaved, edits_of_another_address_can_be_brought_back) {
   EXPECT_EQ(value("location.hash"), "#scene=first-sphere");
 }
 
+TEST_F(Unsaved, edits_do_not_become_those_of_a_scene_that_was_still_to_come) {
+  browser().run(
+      "window.fetch = () => new Promise(() => { window.isAsked = true; });"
+      "location.hash = 'scene=mesh';");
+  ASSERT_TRUE(comes_true("window.isAsked"));
+  reload();
+  EXPECT_NE(text().find("\"Mesh\""), std::string::npos);
+  const std::string former = picture();
+  browser().click("#restore");
+  await("done", former);
+  EXPECT_EQ(text(), page_scene);
+  EXPECT_EQ(value("location.hash"), "#scene=first-sphere");
+}
+
 TEST_F(Unsaved, edits_of_several_scenes_wait_until_they_are_brought_back) {
   const auto load = [](const std::string& name) {
     const std::string former = picture();
