@@ -1,5 +1,6 @@
 // The one control between "instant" and "exact": what it asks for, and beside it the time and
 // error that were foreseen and those that came true.
+import { passFocus } from "./focus.js";
 import { duration, pluralised } from "./units.js";
 
 const steps = [
@@ -36,6 +37,7 @@ export function createAccuracy(box, onChange) {
     onChange();
   });
   asWritten.addEventListener("click", () => {
+    passFocus(asWritten, slider);
     other = null;
     isWritten = true;
     show();

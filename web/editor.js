@@ -14,7 +14,7 @@ const spare_lines = 8;        // painted above and below what is in sight
 const most_held = 40_000;     // characters that the textarea is given; it may grow to twice as many
 
 /// `box` holds #editor, #gutter and #paint. `onInput(former, isUndone)` follows a change by the person,
-/// before one that the textarea cannot undo goes `onReplace()`; `onUndo()` follows the keys for it where
+/// before one that the textarea cannot undo goes `onReplace()`; `onUndo(isRedo)` follows the keys for it where
 /// the textarea has nothing to undo; `onMarksMoved()` follows a change of the lines of the marks.
 export function createEditor(box, { onInput, onReplace, onUndo, onMarksMoved }) {
   const area = box.querySelector("textarea");
@@ -176,9 +176,9 @@ export function createEditor(box, { onInput, onReplace, onUndo, onMarksMoved }) 
   area.addEventListener("keydown", (event) => {
     const { key, ctrlKey, metaKey, shiftKey } = event;
     const end = ctrlKey && !shiftKey && { Home: 0, End: text.length }[key];
-    if (key === "z" && (ctrlKey || metaKey) && isUntouched) {
+    if (key.toLowerCase() === "z" && (ctrlKey || metaKey) && isUntouched) {
       event.preventDefault();
-      onUndo();
+      onUndo(shiftKey);
     } else if ((before || after) && Number.isFinite(end)) {
       event.preventDefault();
       goTo({ start: end });

@@ -20,13 +20,14 @@ import { showPlan } from "./plan_panel.js";
 import { refine } from "./refine.js";
 import { createSceneForm } from "./scene_form.js";
 import { createSource } from "./scene_source.js";
+import { createStatus } from "./status.js";
 import { createTabs } from "./tabs.js";
 import { createSharing } from "./sharing.js";
 import { createProblemPanel, problemFrom } from "./problem_panel.js";
 import { duration } from "./units.js";
 import { sameCamera, shortView, withView } from "./view.js";
 import { createViewTools } from "./view_tools.js";
-import { startWaiting } from "./waiting.js";
+import { createWaiting } from "./waiting.js";
 
 const edited = "Edited since this picture";
 const damaged_link = new Problem({
@@ -35,15 +36,14 @@ const damaged_link = new Problem({
 });
 const reading_after_ms = 250;  // of a pause in typing: a long text takes a while to be read
 
-const root = document.documentElement;
 const at = (id) => document.getElementById(id);
-const [status, elapsed, cancel] = ["status", "elapsed", "cancel"].map(at);
 
+const status = createStatus(at("status"));
+const waiting = createWaiting({ elapsed: at("elapsed"), cancel: at("cancel"), neighbour: at("board") });
 const source = createSource();
 const read = createReader();
 let own = null;         // the document's camera; null: it has none that can be read
 let shown = { blob: null, words: "" };  // the picture in sight
-let said = "";          // of the state
 let running = null;     // the AbortController of what is under way
 let reading = 0;        // the timer until typed text is read
 
@@ -52,13 +52,13 @@ const camera = () => ({ ...own, ...hand.view });
 const editor = createEditor(at("editor-box"), {
   onInput(former, isUndone) {
     if (!isUndone) history.keep(former, "typing");
-    if (root.dataset.state === "done") status.textContent = edited;
+    if (status.state === "done") status.say(edited);
     form.fallBehind();
     clearTimeout(reading);
     reading = setTimeout(takeText, reading_after_ms);
   },
   onReplace: () => history.keep(editor.text, Symbol("a replacement")),
-  onUndo: () => history.undo(),
+  onUndo: (isRedo) => (isRedo ? history.redo() : history.undo()),
   onMarksMoved: () => problemPanel.renumber(),
 });
 const problemPanel = createProblemPanel({
@@ -73,12 +73,14 @@ const chooseTab = createTabs(at("tabs"));
 const form = createSceneForm(at("panel-form"), {
   onEdit: (pointer, value) => revise(withValue(editor.text, pointer, value), pointer),
   onAdd(list, type) {
-    if (own) revise(withElement(editor.text, list, newElement(type, camera())), "add");
+    if (own) revise(withElement(editor.text, list, newElement(type, camera())), Symbol("one more"));
     else instead(rest);  // says what the camera lacks
   },
-  onRemove: (list, index) => revise(withoutElement(editor.text, list, index), "remove"),
+  onRemove: (list, index) => revise(withoutElement(editor.text, list, index), Symbol("one less")),
 });
-const history = createHistory(at("undo"), { current: () => editor.text, restore: (text) => revise(text, null) });
+const history = createHistory({ undoer: at("undo"), redoer: at("redo") }, {
+  current: () => editor.text, restore: (text) => revise(text, null),
+});
 const accuracy = createAccuracy(at("accuracy-box"), () => instead(rest));
 const hand = createViewTools(at("view-tools"), at("board"), {
   onReset: () => instead(rest),
@@ -96,7 +98,7 @@ const opening = createOpening({
 }, {
   editor, source, accuracy, begin,
   view: () => hand.view,
-  onLoading: (what) => enter("loading", `Loading ${what}`),
+  onLoading: (what) => status.enter("loading", `Loading ${what}`),
   onBring: (text) => instead((signal) => begin(text, signal, null, null)),
 });
 const compare = createCompare(at("board"), at("compare"), { current: () => shown });
@@ -108,23 +110,10 @@ const live = createLive(at("motion"), {
     return renderFrame({ query: settings, body: withView(text, hand.view) }, signal);
   },
   onFrame(perSecond) {
-    elapsed.textContent = `${Math.round(perSecond)} frames a second`;
+    at("elapsed").textContent = `${Math.round(perSecond)} frames a second`;
   },
   onRest: () => instead(rest),
   onFail: (error) => fail(problemFrom(error)),
-});
-
-function enter(state, words) {
-  root.dataset.state = state;
-  status.textContent = said = words;
-}
-
-function say(words) {
-  status.textContent = words;
-}
-
-document.addEventListener("busy", ({ detail: seconds }) => {
-  status.textContent = seconds > 0 ? `The server is busy: again in ${seconds} s` : said;
 });
 
 // Does `work(signal)` in place of what is under way. Its failure is shown; being replaced is none.
@@ -148,7 +137,7 @@ function stop() {
 
 function fail(problem, text = editor.text) {
   live.hide();
-  enter("error", problemPanel.show(problem, text));
+  status.enter("error", problemPanel.show(problem, text));
 }
 
 // The hand rests: the picture, as accurate as was chosen.
@@ -156,22 +145,22 @@ async function rest(signal) {
   const { text } = editor;
   const words = accuracy.words;
   curve.follow();
-  enter("rendering", "Refining");
+  status.enter("rendering", "Refining");
   problemPanel.beginRender();
   // A refusal would have come early, so what was said about the text before is out of date then.
-  const waiting = startWaiting(elapsed, cancel, () => problemPanel.forget());
+  const wait = waiting.begin(() => problemPanel.forget());
   try {
     const rendering = await refine({
       source, text, view: hand.view, settings: accuracy.settings, size: camera(),
       onPlan(foreseen) {
         accuracy.foresee(foreseen.prediction);
-        waiting.expect(foreseen.prediction.trace_ms);
+        wait.expect(foreseen.prediction.trace_ms);
         showPlan(at("plan"), foreseen);
       },
       onPreview: (frame) => live.show(frame),
       onPart: (frame) => live.showPart(frame),
     }, signal);
-    const total_ms = waiting.passed_ms();
+    const total_ms = wait.passed_ms();
     await showPicture(rendering, opening.name || "scene", total_ms);
     signal.throwIfAborted();
     live.hide();
@@ -179,24 +168,21 @@ async function rest(signal) {
     shown = { blob: rendering.blob, words };
     compare.after(words);
     problemPanel.rendered();
-    enter("done", editor.text === text ? `${rendering.cache === "hit" ? "From the cache" : "Rendered"} in ${duration(total_ms)}` : edited);
+    status.enter("done", editor.text === text ? `${rendering.cache === "hit" ? "From the cache" : "Rendered"} in ${duration(total_ms)}` : edited);
   } catch (error) {
     if (!(error instanceof Problem)) throw error;
     fail(error, text);
   } finally {
-    waiting.end();
-    if (running.signal === signal) {
-      elapsed.textContent = "";
-      cancel.hidden = true;
-    }
+    wait.end();
+    if (running.signal === signal) waiting.clear();
   }
 }
 
 // Something moves: frames now, the picture when it rests.
 function move() {
   running?.abort();
-  if (root.dataset.state !== "moving") enter("moving", "Moving");
-  cancel.hidden = true;
+  if (status.state !== "moving") status.enter("moving", "Moving");
+  waiting.hideCancel();
   live.move();
 }
 
@@ -230,9 +216,9 @@ async function revise(text, what) {
 
 async function load(signal) {
   const { areBack, isDamaged } = await opening.load(signal);
-  if (root.dataset.state !== "done") return;
-  if (isDamaged) status.textContent = problemPanel.say(damaged_link);
-  if (areBack) status.textContent = "Edits are back; Undo drops them";
+  if (status.state !== "done") return;
+  if (isDamaged) status.say(problemPanel.say(damaged_link));
+  if (areBack) status.say("Edits are back; Undo drops them");
 }
 
 // `former`: what Undo goes back to; null: nothing.
@@ -267,7 +253,7 @@ createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") 
     name: opening.isEdited ? "" : opening.name, title: opening.name || "scene", text: editor.text,
     view: hand.view, written: () => withView(editor.text, hand.view), choice: accuracy.choice, settings: accuracy.settings,
   }),
-  moveTo: opening.moveTo, say,
+  moveTo: opening.moveTo, say: status.say,
 });
 
 at("settings").addEventListener("submit", async (event) => {
@@ -282,16 +268,14 @@ document.addEventListener("keydown", (event) => {
 });
 acceptDrops({
   onScene: (text, file) => instead((signal) => opening.take(text, file, signal)),
-  onProblem: (error) => {
-    status.textContent = problemPanel.say(problemFrom(error));
-  },
+  onProblem: (error) => status.say(problemPanel.say(problemFrom(error))),
 });
 window.addEventListener("hashchange", () => instead(load));
-cancel.addEventListener("click", () => {
+at("cancel").addEventListener("click", () => {
   stop();
   live.hide();
   problemPanel.showDate();
-  enter("done", "Cancelled");
+  status.enter("done", "Cancelled");
 });
 
 if (/Mac|iPhone|iPad/.test(navigator.platform)) at("shortcut").textContent = "⌘ ↵";

@@ -24,7 +24,7 @@ export function createOpening({ restore, ...elements }, { editor, source, accura
       location.hash = new URLSearchParams({ scene: name });
     },
   });
-  const aside = createAside(restore, {
+  const aside = createAside(restore, elements.select, {
     current: unsaved,
     async onBring({ loaded: former, text }) {
       const fragment = await fragmentOf({ ...former, view: null, choice: accuracy.choice });

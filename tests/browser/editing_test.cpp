@@ -57,6 +57,12 @@ TEST_F(Editing, undo_knows_keys_as_well_as_the_form) {
   browser().type("#editor", std::string(key_control) + "z" + key_release);
   EXPECT_EQ(text(), original) << "the textarea has nothing to undo by itself";
   EXPECT_EQ(value("document.getElementById('undo').disabled"), true);
+  browser().click("#redo");
+  EXPECT_EQ(text(), by_form);
+  constexpr const char* key_shift = "\xee\x80\x88";
+  browser().type("#editor", std::string(key_control) + key_shift + "z" + key_release);
+  EXPECT_EQ(text(), by_form + "typed");
+  EXPECT_EQ(value("document.getElementById('redo').disabled"), true);
 }
 
 TEST_F(Editing, keys_go_to_the_caret_however_far_one_has_scrolled) {

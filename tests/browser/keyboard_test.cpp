@@ -83,6 +83,36 @@ TEST_F(Keyboard, focus_stays_where_the_form_adds_and_removes) {
   press("Add a sky", "Remove Light 3");
 }
 
+TEST_F(Keyboard, focus_goes_to_a_neighbour_where_a_button_goes) {
+  const auto press = [](const std::string& button, const std::string& then) {
+    browser().run("document.getElementById('" + button + "').focus()");
+    browser().press(key_enter);
+    EXPECT_TRUE(comes_true("document.activeElement.id === '" + then + "'"))
+        << button << " leads to \"" << focused() << "\"";
+  };
+  for (const char* const button : {"reset-view", "keep-view"}) {
+    const std::string former = picture();
+    browser().type("#board", "\xee\x80\x92");  // arrow left
+    await("done", former);
+    press(button, "board");
+  }
+  press("undo", "redo");
+  press("redo", "undo");
+  const std::string former = picture();
+  choose_accuracy(0);
+  await("done", former);
+  press("as-written", "accuracy");
+
+  // A render that is never answered.
+  browser().run(
+      "const { fetch } = window; window.fetch = (address, request) =>"
+      " /^render/.test(address) ? new Promise((resolve, reject) => {"
+      "  request.signal.onabort = () => reject(request.signal.reason); }) : fetch(address, request);");
+  choose_accuracy(3);
+  ASSERT_TRUE(comes_true("!document.getElementById('cancel').hidden"));
+  press("cancel", "board");
+}
+
 TEST_F(Keyboard, gallery_is_left_with_escape_and_gives_the_focus_back) {
   browser().type("#open-gallery", key_enter);
   EXPECT_EQ(value("document.getElementById('gallery').open"), true);

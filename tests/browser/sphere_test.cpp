@@ -87,6 +87,22 @@ TEST_F(Spheres, one_can_be_added_and_removed) {
   EXPECT_EQ(nlohmann::json::parse(text()), before);
 }
 
+TEST_F(Spheres, added_at_once_are_undone_one_by_one) {
+  const std::string before = text();
+  const std::string count = "JSON.parse(document.getElementById('editor').value).objects.length";
+  browser().run(
+      "window.add = () => [...document.querySelectorAll('#panel-form button')].find((each) =>"
+      " each.textContent === 'Add a sphere').click(); window.add();");
+  ASSERT_TRUE(comes_true(count + " === 4"));
+  browser().run("window.add()");
+  ASSERT_TRUE(comes_true(count + " === 5"));
+  browser().click("#undo");
+  EXPECT_TRUE(comes_true(count + " === 4"));
+  browser().click("#undo");
+  EXPECT_TRUE(comes_true(count + " === 3"));
+  EXPECT_EQ(text(), before);
+}
+
 TEST_F(Spheres, sky_can_be_added_and_removed_and_a_light_softened) {
   const auto before = nlohmann::json::parse(text());
   const std::string add_sky =
