@@ -1,4 +1,5 @@
-// Marks of what is wrong in a text, {start, end, line, message}, as the text changes.
+// Marks of what is wrong in a text, {start, end, line, message} and some with a {column}, as the text
+// changes.
 
 /// An edit replaced one stretch of the text: a mark before it stays, one behind it moves along.
 export function moveMarks(marks, before, after) {
@@ -16,5 +17,6 @@ export function moveMarks(marks, before, after) {
   for (const mark of [...marks].sort((a, b) => a.start - b.start)) {
     for (; at !== -1 && at < mark.start; at = after.indexOf("\n", at + 1)) line += 1;
     mark.line = line;
+    if (mark.column) mark.column = mark.start - after.lastIndexOf("\n", mark.start - 1);
   }
 }

@@ -7,7 +7,7 @@ const most_listed = 200;  // errors; nobody reads further, and each is a mark in
 const about_keys = /^unknown key|stands twice/;  // the name is wrong then, whatever its value is
 
 /// The errors of a Problem as marks in `text`, the document that it is about:
-/// [{start, end, line, message, pointer}], in the order of the text. `overriding`: the controls
+/// [{start, end, line, message, pointer}], with a {column} where the text is no JSON, in the order of the text. `overriding`: the controls
 /// that stood over the document, by pointer; an error of theirs gets {control} and no place.
 export function marksOf(problem, text, overriding) {
   const syntax = syntaxMark(problem, text);
@@ -29,7 +29,7 @@ function syntaxMark({ status, detail }, text) {
   if (!said) return null;
   const [, line, column, message] = said;
   const start = offsetOf(text, Number(line), Number(column));
-  return { start, end: start, pointer: "", message, line: lineAndColumn(text, start).line };
+  return { start, end: start, pointer: "", message, ...lineAndColumn(text, start) };
 }
 
 // The controls stand above the text; what is said of the whole document comes last.
@@ -69,14 +69,14 @@ export function renumber(marks) {
   marks.forEach((mark, index) => {
     if (mark.control) return;
     rows[index].dataset.line = mark.line;
-    rows[index].querySelector(".line").textContent = mark.line;
+    rows[index].querySelector(".line").textContent = placeOf(mark);
   });
 }
 
 function row(mark, reveal) {
   const place = mark.control
     ? [piece("line", "↑"), piece("unseen", mark.control.labels[0].textContent)]
-    : [piece("unseen", "Line"), piece("line", mark.line)];
+    : [piece("unseen", "Line"), piece("line", placeOf(mark))];
   const rest = [piece("message", mark.message), piece("pointer", mark.pointer)];
   // The spaces part the words for those who hear them; the layout ignores them.
   const button = element("button", { type: "button" }, ...[...place, ...rest].flatMap((each) => [each, " "]));
@@ -85,5 +85,8 @@ function row(mark, reveal) {
   if (!mark.control) item.dataset.line = mark.line;
   return item;
 }
+
+// As the caret's is said.
+const placeOf = ({ line, column }) => (column ? `${line}:${column}` : line);
 
 const piece = (className, text) => element("span", { className }, text);

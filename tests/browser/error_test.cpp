@@ -50,6 +50,25 @@ TEST_F(Errors, text_that_is_not_json_is_marked_at_its_line) {
   press_ctrl_enter();
   await("error");
   EXPECT_EQ(lines(), std::vector<std::string>{"3"});
+  EXPECT_NE(list().find("3:11"), std::string::npos) << list();
+  browser().run("document.getElementById('editor').setSelectionRange(0, 0)");
+  browser().type("#editor", key_enter);
+  EXPECT_NE(list().find("4:11"), std::string::npos) << list();
+}
+
+TEST_F(Errors, many_are_scrolled_in_their_list_and_not_with_the_page) {
+  std::string spheres;
+  for (int i = 0; i < 40; ++i)
+    spheres += R"({"type": "sphere", "center": [0, 0, 0], "radius": -1},)"
+               "\n";
+  std::string many = broken_scene;
+  edit(many.insert(many.find("{\"type\""), spheres));
+  browser().resize(1280, 757);
+  press_ctrl_enter();
+  await("error");
+  keep_screenshot("many_errors");
+  EXPECT_EQ(value("document.documentElement.scrollHeight"), 757);
+  EXPECT_GT(value("document.getElementById('editor').clientHeight"), 150);
 }
 
 TEST_F(Errors, are_gone_after_a_valid_render) {
