@@ -4,9 +4,9 @@ import { watchGestures } from "./gestures.js";
 import { createSphereMover } from "./move_sphere.js";
 
 /// `board` holds the picture and #outline; `moveTool` is checked while dragging moves spheres, which
-/// Shift does as well. `camera()` is null while there is none, `text()` the document. `onGrab()`,
+/// Shift does as well; `hint` says what it does. `camera()` is null while there is none, `text()` the document. `onGrab()`,
 /// then `onDrag(text)` follow a sphere that is moved, `onLook(camera)` a view.
-export function createBoard(board, moveTool, { camera, text, onGrab, onDrag, onLook }) {
+export function createBoard(board, moveTool, hint, { camera, text, onGrab, onDrag, onLook }) {
   const mover = createSphereMover(board.querySelector("#outline"));
   const means = (event) => camera() !== null && (moveTool.checked || event.shiftKey);
   const look = (change) => {
@@ -14,6 +14,14 @@ export function createBoard(board, moveTool, { camera, text, onGrab, onDrag, onL
     mover.hide();
     onLook(change(camera()));
   };
+
+  const say = () => {
+    hint.textContent = moveTool.checked
+      ? "Drag moves a sphere, and orbits where there is none; the wheel goes nearer. Keys: arrows, + and −."
+      : "Drag orbits, the wheel goes nearer; Shift and drag moves a sphere. Keys: arrows, + and −.";
+  };
+  moveTool.closest("fieldset").addEventListener("change", say);
+  say();
 
   watchGestures(board, {
     grab(x, y, event) {

@@ -23,7 +23,6 @@ export function createCompare(board, button, { current }) {
 
   button.addEventListener("click", () => {
     const { blob, words } = current();
-    if (!isOn && !blob) return;
     setComparing(!isOn);
     if (!isOn) return;
     before.src = URL.createObjectURL(blob);
@@ -35,8 +34,14 @@ export function createCompare(board, button, { current }) {
   split.addEventListener("input", place);
 
   return {
+    /// Another scene comes.
+    end() {
+      if (isOn) setComparing(false);
+    },
+
     /// Another picture is in sight, made with these settings.
     after(words) {
+      button.disabled = false;
       if (isOn) afterLabel.textContent = `After: ${words}`;
     },
   };

@@ -81,9 +81,9 @@ const form = createSceneForm(at("panel-form"), {
 const history = createHistory({ undoer: at("undo"), redoer: at("redo") }, {
   current: () => editor.text, restore: (text) => revise(text, null),
 });
-const accuracy = createAccuracy(at("accuracy-box"), () => instead(rest));
+const accuracy = createAccuracy(at("accuracy-box"), again);
 const hand = createViewTools(at("view-tools"), at("board"), {
-  onReset: () => instead(rest),
+  onReset: again,
   async onKeep(view) {
     const text = withView(editor.text, shortView(view, own));
     history.keep(editor.text, Symbol("the view"));
@@ -128,6 +128,11 @@ async function instead(work) {
   } finally {
     if (running === mine) running = null;
   }
+}
+
+// The picture anew; where no scene has come, and none was typed, it is asked for again.
+function again() {
+  return instead(editor.text === "" && !opening.isBegun ? load : rest);
 }
 
 function stop() {
@@ -195,6 +200,7 @@ function look(next) {
 async function takeText() {
   clearTimeout(reading);
   const { text } = editor;
+  for (const id of ["share", "curl", "measure"]) at(id).disabled = text === "";
   const outline = await read(text);
   if (outline === undefined) return;  // another text has come
   const former = own;
@@ -225,6 +231,7 @@ async function load(signal) {
 async function begin(text, signal, from, former) {
   problemPanel.forget();
   history.forget();
+  compare.end();
   if (former !== null) history.keep(former, "load");
   form.fallBehind();
   editor.text = text;
@@ -236,7 +243,7 @@ async function begin(text, signal, from, former) {
   await rest(signal);
 }
 
-createBoard(at("board"), at("tool-move"), {
+createBoard(at("board"), at("tool-move"), at("board-keys"), {
   camera: () => own && camera(),
   text: () => editor.text,
   onGrab: () => history.keep(editor.text, Symbol("a drag")),
@@ -259,7 +266,7 @@ createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") 
 at("settings").addEventListener("submit", async (event) => {
   event.preventDefault();
   await takeText();
-  instead(opening.isBegun ? rest : load);  // where no scene has come, it is asked for again
+  again();
 });
 document.addEventListener("keydown", (event) => {
   if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;

@@ -28,6 +28,16 @@ TEST_F(Compare, picture_before_stays_beside_the_one_after) {
   EXPECT_EQ(value("document.getElementById('before').hidden"), true);
 }
 
+TEST_F(Compare, ends_with_the_scene) {
+  open();
+  browser().click("#compare");
+  const std::string former = picture();
+  browser().run("location.hash = 'scene=first-sphere'");
+  await("done", former);
+  EXPECT_EQ(value("document.getElementById('before').hidden"), true);
+  EXPECT_EQ(value("document.getElementById('compare').ariaPressed"), "false");
+}
+
 TEST_F(Compare, gallery_shows_every_scene_and_opens_one) {
   open();
   const std::string former = picture();

@@ -93,6 +93,24 @@ TEST_F(Loading, scene_that_does_not_come_leaves_the_one_before_and_its_name) {
   SetUpTestSuite();  // another one, for whichever test follows
 }
 
+TEST_F(Loading, nothing_is_offered_to_be_done_with_a_scene_that_is_not_there) {
+  open_in_new_tab(server().url() + "/#scene=nope");
+  await("error");
+  const std::string offered =
+      "['share', 'curl', 'compare', 'measure', 'undo', 'redo'].filter("
+      "(id) => !document.getElementById(id).disabled)";
+  EXPECT_EQ(value(offered), std::vector<std::string>{});
+  const std::string before = text();
+  browser().run("document.documentElement.dataset.state = ''");
+  choose_accuracy(1);
+  await("error");
+  const std::string said = value("document.getElementById('problem').innerText");
+  EXPECT_NE(said.find("nope"), std::string::npos) << said;
+  browser().run("location.hash = 'scene=first-sphere'");
+  await("done");
+  EXPECT_EQ(value(offered), (std::vector<std::string>{"share", "curl", "compare", "measure"}));
+}
+
 TEST_F(Loading, scene_that_a_hand_does_not_wait_for_is_not_named) {
   open();
   const nlohmann::json before = value(named);
