@@ -62,6 +62,8 @@ export function createAccuracy(box, onChange) {
     },
     /// Chooses so, without onChange().
     set choice({ accuracy, ...settings }) {
+      const step = steps.findIndex(([,, asked]) => JSON.stringify(asked) === JSON.stringify(settings));
+      if (step >= 0) [accuracy, settings] = [step, {}];
       other = Object.keys(settings).length > 0 ? { settings, words: settingsText(settings) } : null;
       isWritten = !(accuracy in steps);
       if (!isWritten) slider.value = accuracy;

@@ -3,7 +3,7 @@
 const svg_space = "http://www.w3.org/2000/svg";
 const width = 480;
 const height = 300;
-const room = { left: 58, right: 30, top: 12, bottom: 40 };
+const room = { left: 74, right: 30, top: 12, bottom: 40 };
 
 /// An SVG of `points` ({trace_ms, rmse, pareto, settings}), of which each with an error is a button:
 /// `onChoose(point)` follows a click or Enter on it. `nameOf(point)` says what it is.
@@ -23,6 +23,9 @@ export function curvePlot(points, { nameOf, onChoose }) {
     svg.append(text(room.left - 8, y + 4, errorText(power), "end"));
   }
   svg.append(text((room.left + width) / 2, height - 6, "tracing time", "middle"));
+  const upwards = text(0, 0, "error", "middle");
+  upwards.setAttribute("transform", `translate(14 ${(room.top + height - room.bottom) / 2}) rotate(-90)`);
+  svg.append(upwards);
   const best = drawn.filter((point) => kindOf(point) === "point pareto").sort((a, b) => a.trace_ms - b.trace_ms);
   svg.append(make("polyline", { class: "best", points: best.map((point) => `${across.place(point.trace_ms)},${up.place(point.rmse)}`).join(" ") }));
   for (const point of drawn) {

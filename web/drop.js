@@ -2,6 +2,9 @@
 // command shows it, since the readers of all formats are the client's.
 import { Problem } from "./api.js";
 
+// What `raytracer convert --help` lists, packed or not, and LAMMPS's dump.NAME.
+const read_by_client = /(\.(nff|pdb|ent|cif|mmcif|xyz|extxyz|dump|lammpstrj|csv|tsv|ply|obj|stl|gltf|glb)|^dump\..+?)(\.(gz|zst))?$/i;
+
 /// Takes what is dropped anywhere: `onScene(text, name)` gets a document and its file's name,
 /// `onProblem(problem)` why there is none.
 export function acceptDrops({ onScene, onProblem }) {
@@ -37,7 +40,9 @@ async function documentOf(files) {
   if (!/\.json$/i.test(file.name)) {
     throw new Problem({
       title: "This page opens scene documents (.json)",
-      detail: `For molecules, particles and meshes, in a terminal: raytracer open ${quoted(file.name)}`,
+      detail: read_by_client.test(file.name)
+        ? `For molecules, particles and meshes, in a terminal: raytracer open ${quoted(file.name)}`
+        : `${file.name} is none, by its name.`,
     });
   }
   return file.text().catch((error) => {

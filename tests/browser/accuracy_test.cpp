@@ -43,6 +43,12 @@ TEST_F(Accuracy, stands_over_the_document) {
   EXPECT_TRUE(was_asked("/render?scene=first-sphere", ""));
 }
 
+TEST_F(Accuracy, stands_at_the_step_that_a_link_asks_for) {
+  open("/#scene=first-sphere&target_rmse=0.001");
+  EXPECT_EQ(value("document.getElementById('accuracy').value"), "6");
+  EXPECT_EQ(value("document.getElementById('accuracy-says').textContent"), "Finer: error 0.001");
+}
+
 TEST_F(Accuracy, prediction_stands_beside_what_came_true) {
   const std::string former = picture();
   choose_accuracy(4);  // no test before has it in the cache

@@ -77,6 +77,15 @@ TEST_F(Drop, other_formats_name_the_command_that_opens_them) {
   expect_refusal(R"(raytracer open 'a b'\''s.gltf')");
 }
 
+TEST_F(Drop, what_nothing_here_reads_is_not_said_to_be_read) {
+  drop("holiday.png", "PNG");
+  expect_refusal("holiday.png is none");
+  EXPECT_EQ(says().find("raytracer open"), std::string::npos) << says();
+  drop("melt.dump.gz", "packed");
+  EXPECT_TRUE(comes_true("/melt/.test(document.getElementById('problem').innerText)"));
+  expect_refusal("raytracer open melt.dump.gz");
+}
+
 TEST_F(Drop, edits_are_laid_aside_for_it) {
   show_panel("json");
   edit(page_scene + "\n");
