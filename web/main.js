@@ -12,7 +12,7 @@ import { createEditor } from "./editor.js";
 import { createHistory } from "./history.js";
 import { withElement, withoutElement, withValue } from "./json_edit.js";
 import { createLive } from "./live.js";
-import { newElement } from "./move_sphere.js";
+import { newElement } from "./new_element.js";
 import { createOpening } from "./opening.js";
 import { createReader, long_text } from "./outline.js";
 import { showPicture } from "./picture.js";
@@ -43,6 +43,7 @@ const waiting = createWaiting({ elapsed: at("elapsed"), cancel: at("cancel"), ne
 const source = createSource();
 const read = createReader();
 let own = null;         // the document's camera; null: it has none that can be read
+let placed = [];        // the document's objects and lights
 let shown = { blob: null, words: "" };  // the picture in sight
 let running = null;     // the AbortController of what is under way
 let reading = 0;        // the timer until typed text is read
@@ -73,7 +74,7 @@ const chooseTab = createTabs(at("tabs"));
 const form = createSceneForm(at("panel-form"), {
   onEdit: (pointer, value) => revise(withValue(editor.text, pointer, value), pointer),
   onAdd(list, type) {
-    if (own) revise(withElement(editor.text, list, newElement(type, camera())), Symbol("one more"));
+    if (own) revise(withElement(editor.text, list, newElement(type, camera(), placed)), Symbol("one more"));
     else instead(rest);  // says what the camera lacks
   },
   onRemove: (list, index) => revise(withoutElement(editor.text, list, index), Symbol("one less")),
@@ -205,6 +206,7 @@ async function takeText() {
   if (outline === undefined) return;  // another text has come
   const former = own;
   own = outline && outline.camera;
+  placed = outline ? [...Object.values(outline.scene.objects), ...outline.scene.lights] : [];
   if (!own || !former || !sameCamera(own, former)) hand.view = null;
   form.show(outline);
   if (editor.text !== text) form.fallBehind();

@@ -1,5 +1,5 @@
 // Moving a sphere by hand: its outline under the pointer, and its centre in the text as it is dragged.
-import { add, length, scale, subtract } from "./camera.js";
+import { length, subtract } from "./camera.js";
 import { rounded, withValue } from "./json_edit.js";
 import { draggedCenter, outlineOf, sphereAt, spheresOf } from "./pick.js";
 
@@ -47,17 +47,4 @@ export function createSphereMover(outline) {
       outline.setAttribute("points", "");
     },
   };
-}
-
-/// An object where the camera looks, of a size to be seen, or a sky beside the lights that are there.
-export function newElement(type, { origin, look_at }) {
-  if (type === "sky") return { type, intensity: 0.5 };
-  const distance = length(subtract(look_at, origin));
-  const step = distance / 100;
-  const place = (height) => add(add(origin, scale(subtract(look_at, origin), 0.7)), [0, height, 0])
-    .map((value) => rounded(value, step));
-  const radius = rounded(distance / 12, step);
-  if (type === "cylinder") return { type, from: place(-radius), to: place(radius), radius: rounded(radius / 2, step) };
-  if (type === "cone") return { type, from: place(-radius), to: place(radius), radius_from: radius, radius_to: 0 };
-  return { type, center: place(0), radius };
 }

@@ -7,7 +7,7 @@ export const long_text = 200_000;
 const most_of_a_kind = 50;     // with a row each in the form; nobody moves more by hand
 
 /// {camera, scene} of a document's text: the camera is null if the text has none, the scene has its
-/// objects by their indices. null: the text cannot be read.
+/// objects by their indices, and counts of all there are by their types. null: the text cannot be read.
 export function outlineOf(text) {
   let scene;
   try {
@@ -17,13 +17,13 @@ export function outlineOf(text) {
   }
   if (scene === null || typeof scene !== "object") return null;
   const { materials, lights, background, ambient } = scene;
-  const count = {};
+  const counts = { light: listIn(lights).length, material: Object.keys(materials ?? {}).length };
   const objects = listIn(scene.objects).map((object, index) => [index, object])
-    .filter(([, object]) => object && (count[object.type] = (count[object.type] ?? 0) + 1) <= most_of_a_kind);
+    .filter(([, object]) => object && (counts[object.type] = (counts[object.type] ?? 0) + 1) <= most_of_a_kind);
   return {
     camera: cameraIn(scene),
     scene: {
-      background, ambient, lights: listIn(lights).slice(0, most_of_a_kind), objects: Object.fromEntries(objects),
+      background, ambient, counts, lights: listIn(lights).slice(0, most_of_a_kind), objects: Object.fromEntries(objects),
       materials: Object.fromEntries(Object.entries(materials ?? {}).slice(0, most_of_a_kind)),
     },
   };

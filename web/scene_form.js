@@ -1,6 +1,8 @@
 // The common edits as a form beside the JSON: each control stands for one value of the document,
 // by its pointer, and writes that value alone into the text.
 import { element } from "./element.js";
+import { createControls, labelled } from "./form_controls.js";
+import { restOf } from "./form_rest.js";
 
 // The kinds of objects that the form edits: the points of each, what else they have, and their names.
 const kinds = {
@@ -16,11 +18,9 @@ export function createSceneForm(panel, { onEdit, onAdd, onRemove }) {
   const [box, rests] = ["form", "form-rests"].map((id) => panel.querySelector(`#${id}`));
   let isBehind = false;  // the text is another than is shown: the pointers may lead to other values
   let shape = "";   // of the document that the controls were made for
-  let fields = [];  // {pointer, read(value)}
-
-  function edit(pointer, value) {
+  const { number, slider, colour, checkbox, background, choice, ...controls } = createControls((pointer, value) => {
     if (!isBehind) onEdit(pointer, value);
-  }
+  });
 
   function add(list, type) {
     if (!isBehind) onAdd(list, type);
@@ -32,124 +32,87 @@ export function createSceneForm(panel, { onEdit, onAdd, onRemove }) {
     onRemove(list, index);
   }
 
-  function number(label, pointer, { step = 0.1, min } = {}) {
-    const input = element("input", { type: "number", step: "any", ariaLabel: label });
-    if (min !== undefined) input.min = min;
-    input.addEventListener("input", () => {
-      if (input.value !== "" && input.checkValidity()) edit(pointer, input.valueAsNumber);
-    });
-    // "any" allows what was written in the document; the arrows still want a step.
-    input.addEventListener("keydown", (event) => {
-      const up = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-      if (!up || input.value === "") return;
-      event.preventDefault();
-      input.value = Number((input.valueAsNumber + up * step * (event.shiftKey ? 10 : 1)).toFixed(6));
-      input.dispatchEvent(new Event("input"));
-    });
-    fields.push({ pointer, read(value) {
-      if (document.activeElement !== input || input.valueAsNumber !== value) input.value = value ?? "";
-    } });
-    return input;
-  }
-
-  function slider(label, pointer, max = 1) {
-    const input = element("input", { type: "range", min: 0, max, step: max / 100, ariaLabel: label });
-    input.addEventListener("input", () => edit(pointer, input.valueAsNumber));
-    fields.push({ pointer, read(value) {
-      if (Number.isFinite(value)) input.value = value;
-    } });
-    return input;
-  }
-
-  function colour(label, pointer) {
-    const input = element("input", { type: "color", ariaLabel: label });
-    let isArray = true;
-    input.addEventListener("input", () => edit(pointer, isArray ? partsOf(input.value) : input.value));
-    fields.push({ pointer, read(value) {
-      if (value === transparent) return;  // what it was until then comes back
-      if (typeof value !== "string" && !Array.isArray(value)) return;  // no colour: the server says so
-      isArray = Array.isArray(value);
-      const hex = isArray ? hexOf(value) : value;
-      if (input.value !== hex) input.value = hex;
-    } });
-    return input;
-  }
-
-  function checkbox(label, pointer) {
-    const input = element("input", { type: "checkbox", ariaLabel: label });
-    input.addEventListener("input", () => edit(pointer, input.checked));
-    fields.push({ pointer, read(value) { input.checked = value ?? true; } });
-    return input;
-  }
-
-  // A colour, or none.
-  function background(label, pointer) {
-    const input = colour(`${label}, colour`, pointer);
-    const none = element("input", { type: "checkbox", ariaLabel: `${label}, ${transparent}` });
-    none.addEventListener("input", () => edit(pointer, none.checked ? transparent : partsOf(input.value)));
-    fields.push({ pointer, read(value) { input.disabled = none.checked = value === transparent; } });
-    return [input, labelled(transparent, none)];
-  }
-
-  function choice(label, pointer, words) {
-    const select = element("select", { ariaLabel: label }, ...words.map((word) => element("option", { value: word }, word.replace("_", " "))));
-    select.addEventListener("change", () => edit(pointer, select.value));
-    fields.push({ pointer, read(value) { select.value = value ?? words[0]; } });
-    return select;
-  }
-
   function remover(name, list, index) {
     const made = button("×", () => remove(list, Number(index)));
     made.ariaLabel = made.title = `Remove ${name}`;
     return made;
   }
 
-  const point = (label, pointer) => ["x", "y", "z"].map((axis, index) => labelled(axis, number(`${label}, ${axis}`, `${pointer}/${index}`)));
+  function adders(list, types) {
+    return element("div", { className: "form-adders" }, ...types.map(([type, words]) => button(`Add a ${words}`, () => add(list, type))));
+  }
+
+  // Three numbers; on a line with a `word` where the row has more than them.
+  function point(label, pointer, word = "") {
+    const numbers = ["x", "y", "z"].map((axis, index) => labelled(axis, number(`${label}, ${axis}`, `${pointer}/${index}`)));
+    return word ? [element("div", { className: "form-point" }, element("span", { ariaHidden: "true" }, word), ...numbers)] : numbers;
+  }
+
+  // What a document names can be chosen; what stands in an object's place is lost to that, until Undo.
+  function material(name, object, pointer, materials) {
+    const names = [...new Set([...Object.keys(materials), ...[object.material].filter((each) => typeof each === "string")])];
+    if (names.length === 0) return "";
+    const other = object.material === undefined ? [["", "default"]] : [["", "its own"]];
+    return choice(`${name}, material`, `${pointer}/material`,
+      [...(typeof object.material === "string" ? [] : other), ...names.map((each) => [each, each])]);
+  }
+
+  function objectRow(name, type, object, index, materials) {
+    const { points, radii, flags } = kinds[type];
+    const pointer = `/objects/${index}`;
+    return row(name, material(name, object, pointer, materials), [
+      ...points.flatMap((key) => (points.length > 1 ? point(`${name}, ${key}`, `${pointer}/${key}`, key) : point(name, `${pointer}/${key}`))),
+      ...Object.entries(radii).map(([key, label]) =>
+        labelled(label, number(`${name}, ${key.replace("_", " ")}`, `${pointer}/${key}`, key === "radius" ? { above: 0 } : { min: 0 }))),
+      ...flags.map((key) => labelled(key, checkbox(`${name}, ${key}`, `${pointer}/${key}`))), remover(name, "/objects", index)]);
+  }
+
+  function materialRow(name) {
+    const pointer = `/materials/${name.replaceAll("~", "~0").replaceAll("/", "~1")}`;
+    return row(name, "", [
+      colour(`${name}, colour`, `${pointer}/color`),
+      labelled("matt", slider(`${name}, diffuse`, `${pointer}/kd`)),
+      labelled("glossy", slider(`${name}, specular`, `${pointer}/ks`)),
+      labelled("mirror", slider(`${name}, reflectivity`, `${pointer}/reflectivity`)),
+      labelled("glass", slider(`${name}, transparency`, `${pointer}/transparency`)),
+      labelled("index", number(`${name}, index of refraction`, `${pointer}/ior`, { step: 0.05, min: 1 })),
+      labelled("Fresnel", checkbox(`${name}, Fresnel`, `${pointer}/fresnel`))], "material");
+  }
+
+  function lightRow(light, index) {
+    const pointer = `/lights/${index}`;
+    const where = { point: "position", distant: "direction" }[light?.type];
+    const name = `Light ${index + 1}`;
+    return row(name, element("small", {}, light?.type ?? ""), [
+      colour(`${name}, colour`, `${pointer}/color`),
+      labelled("intensity", number(`${name}, intensity`, `${pointer}/intensity`, { min: 0 })),
+      ...(where ? point(`${name}, ${where}`, `${pointer}/${where}`, where) : []),
+      ...(where === "direction" ? [labelled("softness", slider(`${name}, angle`, `${pointer}/angle`))] : []),
+      ...(where === "position" ? [
+        labelled("softness", slider(`${name}, radius`, `${pointer}/radius`, widestRadius(light))),
+        labelled("falloff", choice(`${name}, falloff`, `${pointer}/falloff`, [["inverse_square", "inverse square"], ["none", "none"]]))] : []),
+      remover(name, "/lights", index)]);
+  }
 
   function make(scene) {
-    fields = [];
+    controls.forget();
     const groups = [];
-    for (const [type, { title, points, radii, flags }] of Object.entries(kinds)) {
+    const shown = { light: scene.lights.length, material: Object.keys(scene.materials).length };
+    for (const [type, { title, points }] of Object.entries(kinds)) {
       const rows = [];
-      for (const [index, object] of Object.entries(scene.objects)) {
-        if (object.type !== type || !points.every((key) => Array.isArray(object[key]))) continue;
-        const pointer = `/objects/${index}`;
-        const name = `${title} ${rows.length + 1}`;
-        rows.push(row(name, materialOf(object), [
-          ...points.flatMap((key) => point(points.length > 1 ? `${name}, ${key}` : name, `${pointer}/${key}`)),
-          ...Object.entries(radii).map(([key, label]) =>
-            labelled(label, number(`${name}, ${key.replace("_", " ")}`, `${pointer}/${key}`, { min: 0 }))),
-          ...flags.map((key) => labelled(key, checkbox(`${name}, ${key}`, `${pointer}/${key}`))), remover(name, "/objects", index)]));
-      }
-      rows.push(button(`Add a ${type}`, () => add("/objects", type)));
-      groups.push(group(`${title}s`, rows));
+      for (const [index, object] of Object.entries(scene.objects))
+        if (object.type === type && points.every((key) => Array.isArray(object[key])))
+          rows.push(objectRow(`${title} ${rows.length + 1}`, type, object, index, scene.materials));
+      shown[type] = rows.length;
+      groups.push(group(`${title}s`, [...rows, adders("/objects", [[type, type]])]));
     }
-
-    const materials = Object.keys(scene.materials).map((name) => {
-      const pointer = `/materials/${name.replaceAll("~", "~0").replaceAll("/", "~1")}`;
-      return row(name, "", [
-        colour(`${name}, colour`, `${pointer}/color`),
-        labelled("matt", slider(`${name}, diffuse`, `${pointer}/kd`)),
-        labelled("glossy", slider(`${name}, specular`, `${pointer}/ks`)),
-        labelled("mirror", slider(`${name}, reflectivity`, `${pointer}/reflectivity`)),
-        labelled("glass", slider(`${name}, transparency`, `${pointer}/transparency`)),
-        labelled("index", number(`${name}, index of refraction`, `${pointer}/ior`, { step: 0.05, min: 1 })),
-        labelled("Fresnel", checkbox(`${name}, Fresnel`, `${pointer}/fresnel`))], "material");
-    });
+    const rest = restOf(scene.counts, shown);
+    if (rest) groups.push(element("p", { className: "form-rest" }, rest));
+    const materials = Object.keys(scene.materials).map(materialRow);
     if (materials.length > 0) groups.push(group("Materials", materials));
-
-    const lights = scene.lights.map((light, index) => {
-      const pointer = `/lights/${index}`;
-      const where = { point: "position", distant: "direction" }[light?.type];
-      const name = `Light ${index + 1}`;
-      return row(name, [light?.type, where].filter(Boolean).join(", "), [
-        colour(`${name}, colour`, `${pointer}/color`), ...(where ? point(`${name}, ${where}`, `${pointer}/${where}`) : []),
-        labelled("intensity", number(`${name}, intensity`, `${pointer}/intensity`, { min: 0 })),
-        ...(where === "direction" ? [labelled("softness", slider(`${name}, angle`, `${pointer}/angle`))] : []),
-        ...(where === "position" ? [labelled("softness", slider(`${name}, radius`, `${pointer}/radius`, widestRadius(light))), labelled("falloff", choice(`${name}, falloff`, `${pointer}/falloff`, ["inverse_square", "none"]))] : []),
-        ...(light?.type === "sky" ? [remover(name, "/lights", index)] : [])]);
-    });
-    if (!scene.lights.some((light) => light?.type === "sky")) lights.push(button("Add a sky", () => add("/lights", "sky")));
+    const hasSky = scene.lights.some((light) => light?.type === "sky");
+    const lights = [...scene.lights.map(lightRow),
+      adders("/lights", [["distant", "distant light"], ["point", "point light"], ...(hasSky ? [] : [["sky", "sky"]])])];
     groups.push(group("Lights", lights));
     groups.push(group("Surroundings", [
       row("Background", "", background("Background", "/background")),
@@ -164,7 +127,7 @@ export function createSceneForm(panel, { onEdit, onAdd, onRemove }) {
     const next = shapeOf(scene);
     if (next !== shape) make(scene);
     shape = next;
-    for (const { pointer, read } of fields) read(valueAt(scene, pointer) ?? defaults[pointer.split("/").pop()]);
+    controls.read(scene);
   }
 
   return {
@@ -190,26 +153,16 @@ export function createSceneForm(panel, { onEdit, onAdd, onRemove }) {
   };
 }
 
-const transparent = "transparent";
-const defaults = { color: [1, 1, 1], background: [0, 0, 0], ambient: 0.2, kd: 0.7, ks: 0.3, reflectivity: 0, transparency: 0, ior: 1.5, fresnel: false, intensity: 1, angle: 0, radius: 0 };
-
 /// Of a lamp, by how far it is from the middle of where most scenes are.
 const widestRadius = ({ position }) => Number((Array.isArray(position) && Math.hypot(...position) / 4 || 1).toPrecision(1));
 
 /// What decides which controls there are.
-function shapeOf({ objects, materials, lights }) {
+function shapeOf({ objects, materials, lights, counts }) {
   const kinds = (list) => Object.entries(list).map(([index, each]) => [index, each?.type, materialOf(each)]);
-  return JSON.stringify([kinds(objects), Object.keys(materials), kinds(lights)]);
+  return JSON.stringify([kinds(objects), Object.keys(materials), kinds(lights), counts]);
 }
 
-const materialOf = (object) => (typeof object?.material === "string" ? object.material : "");
-
-function valueAt(scene, pointer) {
-  return pointer.split("/").slice(1).reduce((value, part) => value?.[part.replaceAll("~1", "/").replaceAll("~0", "~")], scene);
-}
-
-const hexOf = (parts) => `#${parts.map((part) => Math.round(part * 255).toString(16).padStart(2, "0")).join("")}`;
-const partsOf = (hex) => [1, 3, 5].map((at) => Number((parseInt(hex.slice(at, at + 2), 16) / 255).toFixed(3)));
+const materialOf = (object) => (typeof object?.material === "object" ? {} : object?.material);
 
 // A function that gives the focus to the control of the name that has it now, or to the last button
 // of its group where that is gone, such as Add after Remove.
@@ -232,12 +185,8 @@ function group(title, rows) {
 
 function row(name, about, controls, kind = "") {
   const heading = element("span", { className: "form-name" }, name);
-  if (about) heading.append(" ", element("small", {}, about));
+  if (about) heading.append(" ", about);
   return element("div", { className: `form-row ${kind}` }, heading, element("div", {}, ...controls));
-}
-
-function labelled(text, input) {
-  return element("label", {}, element("span", { ariaHidden: "true" }, text), input);
 }
 
 function button(text, onPress) {

@@ -80,7 +80,7 @@ TEST_F(Keyboard, focus_stays_where_the_form_adds_and_removes) {
   press("Add a cone", "Add a cone");
   press("Remove Cone 1", "Add a cone");
   press("Remove Sphere 1", "Remove Sphere 1");
-  press("Add a sky", "Remove Light 3");
+  press("Add a sky", "Add a point light");
 }
 
 TEST_F(Keyboard, focus_goes_to_a_neighbour_where_a_button_goes) {
