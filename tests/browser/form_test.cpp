@@ -120,9 +120,10 @@ TEST_F(Form, says_why_a_number_is_not_taken) {
 
 TEST_F(Form, names_what_it_does_not_show) {
   open("/#scene=still-life");
-  EXPECT_EQ(value("document.querySelector('#form .form-rest').textContent"),
-            "Also in the scene: 1 set of spheres, 1 set of cylinders, 1 square of spheres, 1 plane, "
-            "1 mesh. Edit them as JSON.");
+  EXPECT_EQ(
+      value("document.querySelector('#form .form-rest').textContent"),
+      "Also in the scene: 1 set of spheres, 1 set of cylinders, 1 square of spheres, 1 plane, "
+      "1 mesh. Edit them as JSON.");
   keep_screenshot("form_rest");
   open("/#scene=first-sphere");
   EXPECT_EQ(value("document.querySelector('#form .form-rest')"), nullptr);
@@ -136,9 +137,8 @@ TEST_F(Form, lights_are_added_and_removed) {
     await("done", former);
     EXPECT_EQ(nlohmann::json::parse(text()).at("lights").back().at("type"), kind);
     former = picture();
-    browser().run(
-        "document.querySelector('[aria-label=\"Remove Light " + std::to_string(before.size() + 1) +
-        "\"]').click()");
+    browser().run("document.querySelector('[aria-label=\"Remove Light " +
+                  std::to_string(before.size() + 1) + "\"]').click()");
     await("done", former);
     EXPECT_EQ(nlohmann::json::parse(text()).at("lights"), before);
   }

@@ -107,7 +107,8 @@ TEST_F(Keyboard, focus_goes_to_a_neighbour_where_a_button_goes) {
   browser().run(
       "const { fetch } = window; window.fetch = (address, request) =>"
       " /^render/.test(address) ? new Promise((resolve, reject) => {"
-      "  request.signal.onabort = () => reject(request.signal.reason); }) : fetch(address, request);");
+      "  request.signal.onabort = () => reject(request.signal.reason); }) : fetch(address, "
+      "request);");
   choose_accuracy(3);
   ASSERT_TRUE(comes_true("!document.getElementById('cancel').hidden"));
   press("cancel", "board");
