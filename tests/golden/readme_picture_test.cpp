@@ -1,4 +1,5 @@
-// The pictures that README.md shows are what its scenes render: NAME.png is the scene NAME, whole.
+// The pictures that README.md shows are what its scenes and commands render: NAME.png is the scene
+// NAME, whole, or what the command with `-o NAME.png` makes.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,6 +8,7 @@
 
 #include "engine/engine.h"
 #include "tests/golden/picture.h"
+#include "tests/process/program.h"
 #include "tests/process/temporary_folder.h"
 #include "tests/support/scene_plan.h"
 
@@ -40,6 +42,24 @@ TEST(ReadmePicture, is_what_its_scene_renders) {
     ++count;
   }
   EXPECT_GE(count, 1) << "README.md shows no scene's picture";
+}
+
+TEST(ReadmePicture, is_what_its_command_renders) {
+  const fs::path source_dir = RAYTRACER_SOURCE_DIR;
+  const std::string readme = read_file(source_dir / "README.md");
+  static const std::regex command(R"(build/raytracer render (\S+) --color (\w+) -o (\w+\.png))");
+  std::smatch part;
+  ASSERT_TRUE(std::regex_search(readme, part, command));
+  const TemporaryFolder folder;
+  const std::string picture = folder / part.str(3);
+  const Outcome outcome =
+      run({RAYTRACER_CLIENT_PATH,
+           {"render", source_dir / part.str(1), "--color", part.str(2), "-o", picture}});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Picture rendered = decode_png(read_file(picture));
+  const Picture shown = decode_png(read_file(source_dir / "client" / part.str(3)));
+  // In single precision edges differ a little from one set of instructions to the next.
+  EXPECT_LE(compare(rendered, shown).different_count, rendered.width * rendered.height / 100);
 }
 
 }  // namespace
