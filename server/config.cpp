@@ -204,8 +204,9 @@ CommandLine::CommandLine(Config& config) {
 
 void CommandLine::add_cluster(ClusterConfig& cluster) {
   add({"--nats", "RAYTRACER_NATS"}, "URL",
-      "Share renders and jobs with the servers at this NATS, such as nats://host:4222;\n"
-      "its credentials and TLS by NATS_CREDS, NATS_CA, NATS_CERT, NATS_KEY",
+      "Share renders and jobs with the servers at this NATS, such as nats://host:4222, or\n"
+      "several of one NATS cluster, with commas; its credentials and TLS by NATS_CREDS,\n"
+      "NATS_CA, NATS_CERT, NATS_KEY",
       "none: this server works alone", [&cluster](const std::string& text, const Source& source) {
         if (text.empty()) source.refuse("a URL, such as nats://127.0.0.1:4222");
         cluster.nats_url = text;

@@ -41,7 +41,8 @@ bool works_in_background(const ClusterConfig& config) { return config.works && !
 Cluster::Cluster(const Parts& parts)
     : parts_(parts),
       self_{unique_name(), parts.renderer_id},
-      nats_(parts.config.cluster.nats_url),
+      note_([&log = parts.log](const std::string& text) { log.note(text); }),
+      nats_(parts.config.cluster.nats_url, note_),
       store_(nats_, limits_of(parts.config)),
       news_(store_, !parts.config.cluster.is_worker),
       background_(works_in_background(parts.config.cluster)

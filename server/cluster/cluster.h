@@ -97,6 +97,7 @@ class Cluster {
 
   const Parts parts_;
   const Identity self_;
+  const NatsNote note_;
   NatsConnection nats_;
   ClusterStore store_;
   News news_;

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <nats/nats.h>
 
-#include <condition_variable>
-#include <mutex>
 #include <utility>
 
+#include "server/cluster/nats_link.h"
 #include "server/cluster/nats_options.h"
 
 namespace raytracer {
@@ -14,36 +13,47 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds longest_answer{5000};
-
 template <typename Duration>
 std::int64_t nanoseconds(Duration duration) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(duration).count();
 }
 
-bool is_passing(natsStatus status, jsErrCode error) {
+bool is_away(natsStatus status) {
   switch (status) {
-    case NATS_TIMEOUT:
     case NATS_CONNECTION_CLOSED:
     case NATS_CONNECTION_DISCONNECTED:
     case NATS_NO_SERVER:
-    case NATS_NO_RESPONDERS:
     case NATS_NOT_YET_CONNECTED:
     case NATS_STALE_CONNECTION:
     case NATS_IO_ERROR:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_passing(natsStatus status, jsErrCode error) {
+  switch (status) {
+    case NATS_TIMEOUT:
+    case NATS_NO_RESPONDERS:
       return true;
     default:
       return error == JSStreamNotFoundErr || error == JSClusterNotAvailErr;
   }
 }
 
+/// What libnats says beside the status.
+std::string last_words() {
+  const std::string said = nats_last_error();
+  return said.empty() ? "no more is said" : said;
+}
+
 /// Throws what the status means, unless all went well. `what`: that was to be done.
 void require(natsStatus status, std::string_view what, jsErrCode error = jsErrCode{}) {
   if (status == NATS_OK) return;
-  natsStatus last_status = status;
-  const char* const last = nats_GetLastError(&last_status);
-  const std::string text = fmt::format("{}: {} ({})", what, natsStatus_GetText(status),
-                                       last != nullptr && *last != '\0' ? last : "no more is said");
+  const std::string text =
+      fmt::format("{}: {} ({})", what, natsStatus_GetText(status), last_words());
+  if (is_away(status)) throw NatsAway(text);
   if (is_passing(status, error)) throw NatsUnavailable(text);
   if (error == JSStreamStoreFailedErr || error == JSInsufficientResourcesErr ||
       error == JSStorageResourcesExceededErr || error == JSAccountResourcesExceededErr)
@@ -59,78 +69,41 @@ struct Destroy {
   void operator()(T* object) const { destroy(object); }
 };
 using MessagePointer = std::unique_ptr<natsMsg, Destroy<natsMsg, natsMsg_Destroy>>;
+using InfoPointer = std::unique_ptr<jsStreamInfo, Destroy<jsStreamInfo, jsStreamInfo_Destroy>>;
 
-natsConnection* connect(const std::string& url) {
-  const OptionsPointer options = nats_options(url);
-  natsConnection* connection = nullptr;
-  const natsStatus status = natsConnection_Connect(&connection, options.get());
-  if (status != NATS_OK && status != NATS_NOT_YET_CONNECTED)
-    throw std::invalid_argument(
-        fmt::format("cannot connect to NATS at {}: {}", url, nats_GetLastError(nullptr)));
-  return connection;
-}
-
-using ContextPointer = std::unique_ptr<jsCtx, void (*)(jsCtx*)>;
-
-ContextPointer context_of(natsConnection* connection) {
-  // Of many at once, NATS and libnats drop what they have no room for.
-  constexpr std::int64_t most_on_their_way = 1000;
+/// Nothing if there is no such stream. With the subjects that hold something, of those that match
+/// `filter` if there is one.
+InfoPointer find_info(const NatsSession& session, const std::string& stream,
+                      const char* filter = nullptr) {
   jsOptions options;
   jsOptions_Init(&options);
-  options.Wait = longest_answer.count();
-  options.PublishAsync.MaxPending = most_on_their_way;
-  options.PublishAsync.StallWait = longest_answer.count();
-  jsCtx* context = nullptr;
-  require(natsConnection_JetStream(&context, connection, &options), "speaking to JetStream");
-  return {context, &jsCtx_Destroy};
+  options.Stream.Info.SubjectsFilter = filter;
+  jsStreamInfo* info = nullptr;
+  jsErrCode error{};
+  const natsStatus status =
+      js_GetStreamInfo(&info, session.context(), stream.c_str(), &options, &error);
+  if (status == NATS_NOT_FOUND) return nullptr;
+  require(status, filter != nullptr ? std::string("listing ") + filter : "asking for " + stream,
+          error);
+  return InfoPointer(info);
 }
 
-/// What listens, until nobody holds it.
-class Subscription {
- public:
-  Subscription(natsConnection* connection, const std::string& subject,
-               NatsConnection::Listener listener)
-      : listener_(std::move(listener)) {
-    require(natsConnection_Subscribe(&subscription_, connection, subject.c_str(), &received, this),
-            "listening");
-    natsSubscription_SetOnCompleteCB(subscription_, &ended, this);
-  }
-  ~Subscription() {
-    natsSubscription_Unsubscribe(subscription_);
-    std::unique_lock lock(mutex_);
-    // A listener may be under way.
-    changed_.wait_for(lock, longest_answer, [this] { return has_ended_; });
-    lock.unlock();
-    natsSubscription_Destroy(subscription_);
-  }
-  Subscription(const Subscription&) = delete;
-  Subscription& operator=(const Subscription&) = delete;
+InfoPointer info_of(const NatsSession& session, const std::string& stream,
+                    const char* filter = nullptr) {
+  InfoPointer info = find_info(session, stream, filter);
+  if (!info) throw NatsUnavailable("NATS has no stream " + stream + " yet");
+  return info;
+}
 
- private:
-  static void received(natsConnection*, natsSubscription*, natsMsg* message, void* self) {
-    const MessagePointer owned(message);
-    static_cast<Subscription*>(self)->listener_(
-        natsMsg_GetSubject(message),
-        {natsMsg_GetData(message), static_cast<std::size_t>(natsMsg_GetDataLength(message))});
-  }
-  static void ended(void* self) {
-    auto* const subscription = static_cast<Subscription*>(self);
-    const std::scoped_lock lock(subscription->mutex_);
-    subscription->has_ended_ = true;
-    subscription->changed_.notify_all();
-  }
-
-  NatsConnection::Listener listener_;
-  natsSubscription* subscription_ = nullptr;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool has_ended_ = false;
-};
+StreamLimits limits_in(const jsStreamConfig& config) {
+  return {config.MaxBytes, std::chrono::duration_cast<std::chrono::seconds>(
+                               std::chrono::nanoseconds(config.MaxAge))};
+}
 
 }  // namespace
 
-TaskMessage::TaskMessage(natsMsg* message)
-    : message_(message, &natsMsg_Destroy), subject_(natsMsg_GetSubject(message)) {
+TaskMessage::TaskMessage(NatsLink& link, natsMsg* message)
+    : link_(&link), subject_(natsMsg_GetSubject(message)), reply_(natsMsg_GetReply(message)) {
   jsMsgMetaData* data = nullptr;
   if (natsMsg_GetMetaData(&data, message) != NATS_OK) return;
   deliveries_ = data->NumDelivered;
@@ -138,13 +111,16 @@ TaskMessage::TaskMessage(natsMsg* message)
   jsMsgMetaData_Destroy(data);
 }
 
-void TaskMessage::acknowledge() { natsMsg_Ack(message_.get(), nullptr); }
-void TaskMessage::say_in_progress() { natsMsg_InProgress(message_.get(), nullptr); }
+// https://docs.nats.io/reference/reference-protocols/nats_api_reference: libnats would answer by
+// the connection that the message came by, and that may be lost.
+void TaskMessage::acknowledge() { link_->publish(reply_, "+ACK"); }
+void TaskMessage::say_in_progress() { link_->publish(reply_, "+WPI"); }
 void TaskMessage::hand_back(milliseconds delay) {
-  natsMsg_NakWithDelay(message_.get(), delay.count(), nullptr);
+  link_->publish(reply_, fmt::format(R"(-NAK {{"delay": {}}})", nanoseconds(delay)));
 }
 
-TaskSource::TaskSource(jsCtx* context, const std::string& stream, const std::string& consumer) {
+TaskSource::TaskSource(NatsLink& link, const std::string& stream, const std::string& consumer)
+    : link_(&link), session_(link.session()) {
   jsSubOptions options;
   jsSubOptions_Init(&options);
   options.Stream = stream.c_str();
@@ -152,8 +128,8 @@ TaskSource::TaskSource(jsCtx* context, const std::string& stream, const std::str
   options.ManualAck = true;
   natsSubscription* subscription = nullptr;
   jsErrCode error{};
-  const natsStatus status = js_PullSubscribe(&subscription, context, nullptr, consumer.c_str(),
-                                             nullptr, &options, &error);
+  const natsStatus status = js_PullSubscribe(&subscription, session_->context(), nullptr,
+                                             consumer.c_str(), nullptr, &options, &error);
   require(status, "asking for tasks", error);
   subscription_.reset(subscription, &natsSubscription_Destroy);
 }
@@ -166,32 +142,24 @@ std::optional<TaskMessage> TaskSource::take(milliseconds longest) {
   if (status == NATS_TIMEOUT) return {};
   require(status, "fetching a task", error);
   std::optional<TaskMessage> task;
-  if (list.Count > 0) task.emplace(std::exchange(list.Msgs[0], nullptr));
+  if (list.Count > 0) task.emplace(*link_, list.Msgs[0]);
   natsMsgList_Destroy(&list);
   return task;
 }
 
-NatsConnection::NatsConnection(const std::string& url)
-    : connection_(connect(url), &natsConnection_Destroy), context_(context_of(connection_.get())) {}
+NatsConnection::NatsConnection(const std::string& url, NatsNote note)
+    : link_(std::make_unique<NatsLink>(url, std::move(note))) {}
 
 NatsConnection::~NatsConnection() = default;
 
-bool NatsConnection::is_connected() const {
-  return natsConnection_Status(connection_.get()) == NATS_CONN_STATUS_CONNECTED;
-}
+bool NatsConnection::is_connected() const { return link_->is_up(); }
 
 std::size_t NatsConnection::most_message_bytes() const {
-  require_connection();
-  return static_cast<std::size_t>(natsConnection_GetMaxPayload(connection_.get()));
-}
-
-/// A request would wait for its time to be over.
-void NatsConnection::require_connection() const {
-  if (!is_connected()) throw NatsUnavailable("there is no connection to NATS");
+  return static_cast<std::size_t>(natsConnection_GetMaxPayload(link_->session()->connection()));
 }
 
 void NatsConnection::ensure_stream(const StreamSpec& spec) {
-  require_connection();
+  const auto session = link_->session();
   jsStreamConfig config;
   jsStreamConfig_Init(&config);
   const char* const subjects = spec.subjects.c_str();
@@ -208,27 +176,56 @@ void NatsConnection::ensure_stream(const StreamSpec& spec) {
   config.MaxMsgsPerSubject = 1;
   config.AllowDirect = true;
   jsErrCode error{};
-  const natsStatus status = js_AddStream(nullptr, context_.get(), &config, nullptr, &error);
+  const natsStatus status = js_AddStream(nullptr, session->context(), &config, nullptr, &error);
   // One of that name with other limits is somebody's wish.
   if (error == JSStreamNameExistErr) return;
-  require(status, fmt::format("making the stream {}", spec.name), error);
+  const std::string what = fmt::format("making the stream {}", spec.name);
+  if (status == NATS_NO_RESPONDERS)
+    throw NatsUnavailable(what + ": this NATS has no JetStream (nats-server --jetstream)");
+  if (status != NATS_OK && !is_away(status) && !is_passing(status, error)) {
+    const std::string reason = last_words();
+    if (find_info(*session, spec.name)) return;  // NATS looks for room before it looks for the name
+    throw NatsRefused(
+        fmt::format("{} of {} bytes (--max-stored): {}", what, spec.most_bytes, reason));
+  }
+  require(status, what, error);
+}
+
+StreamLimits NatsConnection::limits_of(const std::string& stream) {
+  const auto session = link_->session();
+  return limits_in(*info_of(*session, stream)->Config);
+}
+
+StreamLimits NatsConnection::change_stream(const std::string& name, const StreamLimits& wish) {
+  if (!wish.longest_kept && !wish.most_bytes) return {};
+  const auto session = link_->session();
+  const InfoPointer info = find_info(*session, name);
+  if (!info) return {};
+  jsStreamConfig& config = *info->Config;
+  StreamLimits before = limits_in(config);
+  if (before.longest_kept == wish.longest_kept || !wish.longest_kept) before.longest_kept.reset();
+  if (before.most_bytes == wish.most_bytes || !wish.most_bytes) before.most_bytes.reset();
+  if (!before.longest_kept && !before.most_bytes) return {};
+  if (wish.longest_kept) config.MaxAge = nanoseconds(*wish.longest_kept);
+  if (wish.most_bytes) config.MaxBytes = *wish.most_bytes;
+  jsErrCode error{};
+  const natsStatus status = js_UpdateStream(nullptr, session->context(), &config, nullptr, &error);
+  if (status != NATS_OK && !is_away(status) && !is_passing(status, error))
+    throw NatsRefused(fmt::format("changing the stream {}: {}", name, last_words()));
+  require(status, "changing the stream " + name, error);
+  return before;
 }
 
 StreamFill NatsConnection::fill_of(const std::string& stream) {
-  require_connection();
-  jsStreamInfo* made = nullptr;
-  jsErrCode error{};
-  const natsStatus status =
-      js_GetStreamInfo(&made, context_.get(), stream.c_str(), nullptr, &error);
-  require(status, "asking for a stream", error);
-  const std::unique_ptr<jsStreamInfo, Destroy<jsStreamInfo, jsStreamInfo_Destroy>> info(made);
+  const auto session = link_->session();
+  const InfoPointer info = info_of(*session, stream);
   return {info->State.Bytes, info->State.LastSeq};
 }
 
 void NatsConnection::put(const std::string& subject, std::string_view data) {
-  require_connection();
+  const auto session = link_->session();
   jsErrCode error{};
-  const natsStatus status = js_Publish(nullptr, context_.get(), subject.c_str(), data.data(),
+  const natsStatus status = js_Publish(nullptr, session->context(), subject.c_str(), data.data(),
                                        static_cast<int>(data.size()), nullptr, &error);
   require(status, "storing " + subject, error);
 }
@@ -236,14 +233,14 @@ void NatsConnection::put(const std::string& subject, std::string_view data) {
 std::optional<std::uint64_t> NatsConnection::replace(const std::string& subject,
                                                      std::string_view data,
                                                      std::uint64_t sequence) {
-  require_connection();
+  const auto session = link_->session();
   jsPubOptions options;
   jsPubOptions_Init(&options);
   options.ExpectNoMessage = sequence == 0;
   options.ExpectLastSubjectSeq = sequence;
   jsErrCode error{};
   jsPubAck* made = nullptr;
-  const natsStatus status = js_Publish(&made, context_.get(), subject.c_str(), data.data(),
+  const natsStatus status = js_Publish(&made, session->context(), subject.c_str(), data.data(),
                                        static_cast<int>(data.size()), &options, &error);
   if (error == JSStreamWrongLastSequenceErr) return {};
   require(status, "storing " + subject, error);
@@ -252,30 +249,30 @@ std::optional<std::uint64_t> NatsConnection::replace(const std::string& subject,
 }
 
 void NatsConnection::create_all(const std::vector<std::string>& subjects) {
-  require_connection();
+  const auto session = link_->session();
   // Its own: a context waits for all that was ever published with it, and for ever for what NATS
   // never answered.
-  const ContextPointer context = context_of(connection_.get());
+  const auto context = session->new_context();
   jsPubOptions options;
   jsPubOptions_Init(&options);
   options.ExpectNoMessage = true;
   for (const std::string& subject : subjects)
     require(js_PublishAsync(context.get(), subject.c_str(), nullptr, 0, &options),
             "storing " + subject);
-  options.MaxWait = longest_answer.count();
+  options.MaxWait = NatsSession::longest_answer.count();
   // Those that were there already are told as errors, to nobody.
   require(js_PublishAsyncComplete(context.get(), &options), "storing many");
 }
 
 std::optional<StoredMessage> NatsConnection::get(const std::string& stream,
                                                  const std::string& subject) {
-  require_connection();
+  const auto session = link_->session();
   jsDirectGetMsgOptions options;
   jsDirectGetMsgOptions_Init(&options);
   options.LastBySubject = subject.c_str();
   natsMsg* made = nullptr;
   const natsStatus status =
-      js_DirectGetMsg(&made, context_.get(), stream.c_str(), nullptr, &options);
+      js_DirectGetMsg(&made, session->context(), stream.c_str(), nullptr, &options);
   if (status == NATS_NOT_FOUND) return {};
   require(status, "reading " + subject);
   const MessagePointer message(made);
@@ -287,16 +284,8 @@ std::optional<StoredMessage> NatsConnection::get(const std::string& stream,
 
 std::vector<std::string> NatsConnection::subjects(const std::string& stream,
                                                   const std::string& filter) {
-  require_connection();
-  jsOptions options;
-  jsOptions_Init(&options);
-  options.Stream.Info.SubjectsFilter = filter.c_str();
-  jsStreamInfo* made = nullptr;
-  jsErrCode error{};
-  const natsStatus status =
-      js_GetStreamInfo(&made, context_.get(), stream.c_str(), &options, &error);
-  require(status, "listing " + filter, error);
-  const std::unique_ptr<jsStreamInfo, Destroy<jsStreamInfo, jsStreamInfo_Destroy>> info(made);
+  const auto session = link_->session();
+  const InfoPointer info = info_of(*session, stream, filter.c_str());
   std::vector<std::string> names;
   if (const jsStreamStateSubjects* const found = info->State.Subjects)
     for (int i = 0; i < found->Count; ++i) names.emplace_back(found->List[i].Subject);
@@ -304,19 +293,19 @@ std::vector<std::string> NatsConnection::subjects(const std::string& stream,
 }
 
 void NatsConnection::purge(const std::string& stream, const std::string& filter) {
-  require_connection();
+  const auto session = link_->session();
   jsOptions options;
   jsOptions_Init(&options);
   options.Stream.Purge.Subject = filter.c_str();
   jsErrCode error{};
-  const natsStatus status = js_PurgeStream(context_.get(), stream.c_str(), &options, &error);
+  const natsStatus status = js_PurgeStream(session->context(), stream.c_str(), &options, &error);
   require(status, "removing " + filter, error);
 }
 
 void NatsConnection::ensure_consumer(const std::string& stream, const std::string& name,
                                      const std::string& filter, const std::string& description,
                                      milliseconds time, std::chrono::seconds longest_idle) {
-  require_connection();
+  const auto session = link_->session();
   constexpr std::int64_t endless = -1;  // what was tried too often is for its result to say
   constexpr std::int64_t most_running = 1'000'000;
   jsConsumerConfig config;
@@ -331,26 +320,26 @@ void NatsConnection::ensure_consumer(const std::string& stream, const std::strin
   config.InactiveThreshold = nanoseconds(longest_idle);
   jsErrCode error{};
   const natsStatus status =
-      js_AddConsumer(nullptr, context_.get(), stream.c_str(), &config, nullptr, &error);
+      js_AddConsumer(nullptr, session->context(), stream.c_str(), &config, nullptr, &error);
   if (error == JSConsumerNameExistErr) return;
   require(status, "handing out tasks", error);
 }
 
 void NatsConnection::remove_consumer(const std::string& stream, const std::string& name) {
-  require_connection();
+  const auto session = link_->session();
   jsErrCode error{};
   const natsStatus status =
-      js_DeleteConsumer(context_.get(), stream.c_str(), name.c_str(), nullptr, &error);
+      js_DeleteConsumer(session->context(), stream.c_str(), name.c_str(), nullptr, &error);
   if (error == JSConsumerNotFoundErr || status == NATS_NOT_FOUND) return;
   require(status, "ending " + name, error);
 }
 
 std::vector<std::string> NatsConnection::consumer_names(const std::string& stream) {
-  require_connection();
+  const auto session = link_->session();
   jsConsumerNamesList* listed = nullptr;
   jsErrCode error{};
   const natsStatus status =
-      js_ConsumerNames(&listed, context_.get(), stream.c_str(), nullptr, &error);
+      js_ConsumerNames(&listed, session->context(), stream.c_str(), nullptr, &error);
   if (status == NATS_NOT_FOUND && error != JSStreamNotFoundErr) return {};
   require(status, "listing what is handed out", error);
   const std::unique_ptr<jsConsumerNamesList,
@@ -369,10 +358,11 @@ std::vector<ConsumerFill> NatsConnection::consumers(const std::string& stream) {
 
 std::optional<ConsumerFill> NatsConnection::consumer(const std::string& stream,
                                                      const std::string& name) {
+  const auto session = link_->session();
   jsConsumerInfo* told = nullptr;
   jsErrCode error{};
   const natsStatus status =
-      js_GetConsumerInfo(&told, context_.get(), stream.c_str(), name.c_str(), nullptr, &error);
+      js_GetConsumerInfo(&told, session->context(), stream.c_str(), name.c_str(), nullptr, &error);
   if (status == NATS_NOT_FOUND) return std::nullopt;
   require(status, "asking what is handed out of " + name, error);
   const std::unique_ptr<jsConsumerInfo, Destroy<jsConsumerInfo, jsConsumerInfo_Destroy>> info(told);
@@ -382,18 +372,15 @@ std::optional<ConsumerFill> NatsConnection::consumer(const std::string& stream,
 }
 
 TaskSource NatsConnection::source(const std::string& stream, const std::string& consumer) {
-  require_connection();
-  return {context_.get(), stream, consumer};
+  return {*link_, stream, consumer};
 }
 
 void NatsConnection::signal(const std::string& subject, std::string_view data) {
-  if (!is_connected()) return;
-  natsConnection_Publish(connection_.get(), subject.c_str(), data.data(),
-                         static_cast<int>(data.size()));
+  link_->publish(subject, data);
 }
 
 std::shared_ptr<const void> NatsConnection::listen(const std::string& subject, Listener listener) {
-  return std::make_shared<const Subscription>(connection_.get(), subject, std::move(listener));
+  return link_->listen(subject, std::move(listener));
 }
 
 }  // namespace raytracer

@@ -18,16 +18,19 @@
 #include <string_view>
 #include <vector>
 
-struct __natsConnection;    // NOLINT: libnats' names
-struct __natsMsg;           // NOLINT
+struct __natsMsg;           // NOLINT: libnats' names
 struct __natsSubscription;  // NOLINT
-struct __jsCtx;             // NOLINT
 
 namespace raytracer {
 
 /// NATS cannot be reached or does not answer now; later it may.
 class NatsUnavailable : public std::runtime_error {
   using runtime_error::runtime_error;
+};
+
+/// NatsUnavailable because there is no connection, or none any more.
+class NatsAway : public NatsUnavailable {
+  using NatsUnavailable::NatsUnavailable;
 };
 
 /// NATS answered, and what it was asked for cannot be had.
@@ -57,6 +60,12 @@ struct StoredMessage {
   std::uint64_t sequence;  ///< its number in the stream, never 0
 };
 
+/// Limits of a stream, whoever made it; nothing: whatever it has.
+struct StreamLimits {
+  std::optional<std::int64_t> most_bytes;
+  std::optional<std::chrono::seconds> longest_kept;
+};
+
 struct StreamFill {
   std::uint64_t bytes = 0;
   std::uint64_t messages_ever = 0;
@@ -70,11 +79,15 @@ struct ConsumerFill {
   std::uint64_t running = 0;  ///< handed out, not acknowledged
 };
 
+class NatsLink;
+class NatsSession;
+
 /// A message that was handed out: whoever holds it works on it, and says so from time to time.
 /// Unless it was settled it goes to others after the consumer's time to acknowledge.
 class TaskMessage {
  public:
-  explicit TaskMessage(__natsMsg* message);
+  /// The link must outlive it.
+  TaskMessage(NatsLink& link, __natsMsg* message);
 
   const std::string& subject() const { return subject_; }
   /// How often it was handed out so far, this time included.
@@ -88,8 +101,9 @@ class TaskMessage {
   void hand_back(std::chrono::milliseconds delay);
 
  private:
-  std::shared_ptr<__natsMsg> message_;
+  NatsLink* link_;
   std::string subject_;
+  std::string reply_;  ///< where NATS hears of it, by whatever connection
   std::uint64_t deliveries_ = 1;
   std::int64_t queued_ms_ = 0;
 };
@@ -97,15 +111,21 @@ class TaskMessage {
 /// Hands out the messages of one consumer; for one thread.
 class TaskSource {
  public:
-  TaskSource(__jsCtx* context, const std::string& stream, const std::string& consumer);
+  /// The link must outlive it.
+  TaskSource(NatsLink& link, const std::string& stream, const std::string& consumer);
 
   /// The next one, if there is one within `longest`. Throws NatsUnavailable, and NatsRefused if the
   /// consumer is gone.
   std::optional<TaskMessage> take(std::chrono::milliseconds longest);
 
  private:
+  NatsLink* link_;
+  std::shared_ptr<const NatsSession> session_;
   std::shared_ptr<__natsSubscription> subscription_;
 };
+
+/// Takes a line for the log.
+using NatsNote = std::function<void(const std::string& text)>;
 
 /// A connection that mends itself; it need not stand when this is made. Every member function may
 /// be called from any thread and, unless it says otherwise, throws NatsUnavailable or NatsRefused.
@@ -114,12 +134,14 @@ class NatsConnection {
   /// `url`: nats://[user:password@]host[:port], or tls://; several with commas. What else NATS's
   /// own programs take from the environment: NATS_CREDS, NATS_CA, NATS_CERT, NATS_KEY, each a
   /// file. Throws std::invalid_argument if the URL or one of the files cannot be used.
-  explicit NatsConnection(const std::string& url);
+  /// `note` is told, on any thread, why it cannot be had, and when it is back.
+  explicit NatsConnection(
+      const std::string& url, NatsNote note = [](const std::string&) {});
   ~NatsConnection();
   NatsConnection(const NatsConnection&) = delete;
   NatsConnection& operator=(const NatsConnection&) = delete;
 
-  /// Whether it stands now. Throws nothing.
+  /// Whether it stands now. Throws nothing, and waits for nothing.
   bool is_connected() const;
 
   /// The bytes of the largest message that NATS takes.
@@ -127,6 +149,9 @@ class NatsConnection {
 
   /// Makes the stream if there is none of that name.
   void ensure_stream(const StreamSpec& spec);
+  StreamLimits limits_of(const std::string& stream);
+  /// Has the stream be so, if there is one. Returns what it was of what that changed.
+  StreamLimits change_stream(const std::string& name, const StreamLimits& wish);
   StreamFill fill_of(const std::string& stream);
 
   /// Stores it in place of what the subject held.
@@ -161,12 +186,10 @@ class NatsConnection {
   std::shared_ptr<const void> listen(const std::string& subject, Listener listener);
 
  private:
-  void require_connection() const;
   /// Nothing if it has ended.
   std::optional<ConsumerFill> consumer(const std::string& stream, const std::string& name);
 
-  std::unique_ptr<__natsConnection, void (*)(__natsConnection*)> connection_;
-  std::unique_ptr<__jsCtx, void (*)(__jsCtx*)> context_;
+  std::unique_ptr<NatsLink> link_;
 };
 
 }  // namespace raytracer

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 #include "server/request_text.h"
 
@@ -17,7 +18,6 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds longest_connect{2000};
-constexpr milliseconds between_connects{250};
 constexpr milliseconds between_pings{2000};
 
 /// libnats takes whatever it is given, and then tries for ever to connect to it.
@@ -72,16 +72,42 @@ void set_credentials(natsOptions* options) {
 
 }  // namespace
 
+std::string nats_last_error() {
+  natsStatus status{};
+  const char* const said = nats_GetLastError(&status);
+  std::string_view text = said != nullptr ? said : "";
+  // It begins with a line of libnats' source: "(conn.c:2088): ".
+  if (text.starts_with('('))
+    if (const std::size_t end = text.find("): "); end != text.npos) text.remove_prefix(end + 3);
+  return std::string(text);
+}
+
+std::string nats_place(const std::string& url) {
+  std::string place;
+  for (std::string_view part : parts_of(url, ',')) {
+    if (const std::size_t scheme = part.find("://"); scheme != part.npos)
+      part.remove_prefix(scheme + 3);
+    part.remove_prefix(part.rfind('@') + 1);  // 0 if there is none
+    place += (place.empty() ? "" : ", ") + std::string(part);
+  }
+  return place;
+}
+
 OptionsPointer nats_options(const std::string& url) {
   natsOptions* made = nullptr;
   if (natsOptions_Create(&made) != NATS_OK) throw std::bad_alloc();
   OptionsPointer options(made);
-  for (const std::string_view part : parts_of(url, ','))
+  std::vector<std::string> urls;
+  for (const std::string_view part : parts_of(url, ',')) {
     if (!is_nats_url(part))
       throw std::invalid_argument(fmt::format(
           "--nats \"{}\" is no URL of NATS, such as nats://127.0.0.1:4222 or tls://host",
           without_credentials(part)));
-  if (natsOptions_SetURL(made, url.c_str()) != NATS_OK)
+    urls.emplace_back(part);
+  }
+  std::vector<const char*> servers;
+  for (const std::string& one : urls) servers.push_back(one.c_str());
+  if (natsOptions_SetServers(made, servers.data(), static_cast<int>(servers.size())) != NATS_OK)
     throw std::invalid_argument(fmt::format("--nats \"{}\" cannot be used: {}",
                                             without_credentials(url), nats_GetLastError(nullptr)));
   set_credentials(made);
@@ -90,13 +116,7 @@ OptionsPointer nats_options(const std::string& url) {
   natsOptions_SetTimeout(made, longest_connect.count());
   natsOptions_SetPingInterval(made, between_pings.count());
   natsOptions_SetMaxPingsOut(made, 2);
-  natsOptions_SetAllowReconnect(made, true);
-  natsOptions_SetMaxReconnect(made, -1);  // endless
-  natsOptions_SetReconnectWait(made, between_connects.count());
-  natsOptions_SetReconnectJitter(made, between_connects.count(), between_connects.count());
-  // With a handler, or the first connect would wait until it succeeds.
-  natsOptions_SetRetryOnFailedConnect(
-      made, true, [](natsConnection*, void*) {}, nullptr);
+  natsOptions_SetAllowReconnect(made, false);  // see NatsLink
   return options;
 }
 

@@ -32,6 +32,19 @@ ServerProcess& ClusterTest::start_worker(Flags flags) {
   return start(std::move(flags));
 }
 
+std::string readiness(const ServerProcess& server) {
+  const Answer answer = get(server, "/readyz");
+  return answer.status == 200 ? json_of(answer).value("status", "") : "";
+}
+
+bool becomes(const ServerProcess& server, const std::string& wanted) {
+  return eventually([&] { return readiness(server) == wanted; });
+}
+
+bool comes_to_say(const ServerProcess& server, const std::string& text) {
+  return eventually([&] { return server.log().find(text) != std::string::npos; });
+}
+
 nlohmann::json cluster_of(const ServerProcess& front) {
   const Answer answer = get(front, "/cluster");
   return answer.status == 200 ? json_of(answer) : nlohmann::json();

@@ -42,6 +42,13 @@ std::size_t worker_count(const ServerProcess& front);
 /// Whether that many workers are there, before long.
 bool has_workers(const ServerProcess& front, std::size_t count);
 
+/// What /readyz says of a server that is ready; empty if it is not.
+std::string readiness(const ServerProcess& server);
+/// Whether /readyz says so before long.
+bool becomes(const ServerProcess& server, const std::string& readiness);
+/// Whether the server's log says so before long.
+bool comes_to_say(const ServerProcess& server, const std::string& text);
+
 nlohmann::json cluster_of(const ServerProcess& front);
 /// Tasks that wait or run.
 std::uint64_t task_count(const ServerProcess& front);

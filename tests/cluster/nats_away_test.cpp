@@ -36,11 +36,6 @@ bool are_all_queued(const ServerProcess& front, const std::string& nats_url) {
   return are_stored && cluster_of(front).is_object();
 }
 
-std::string readiness(const ServerProcess& server) {
-  const Answer answer = get(server, "/readyz");
-  return answer.status == 200 ? json_of(answer).value("status", "") : "";
-}
-
 TEST_F(NatsAway, jobs_go_on_when_it_is_back_and_small_renders_meanwhile) {
   // Every render but the smallest is shared.
   const ServerProcess& working = start({"--share-from", "50"});

@@ -10,6 +10,7 @@
 #include <regex>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "tests/process/patience.h"
 
@@ -55,11 +56,17 @@ void NatsServer::kill() {
   process_.reset();
 }
 
-void NatsServer::start() {
-  process_.emplace(
-      Command{program(),
-              {"--addr", "127.0.0.1", "--port", std::to_string(port_), "--jetstream", "--store_dir",
-               store_.path().string(), "--http_port", std::to_string(monitor_port_)}});
+std::string NatsServer::url_of(const std::string& user, const std::string& password) const {
+  return fmt::format("nats://{}:{}@127.0.0.1:{}", user, password, port_);
+}
+
+void NatsServer::start(const std::vector<std::string>& flags) {
+  std::vector<std::string> arguments{"--addr",      "127.0.0.1",
+                                     "--port",      std::to_string(port_),
+                                     "--store_dir", store_.path().string(),
+                                     "--http_port", std::to_string(monitor_port_)};
+  arguments.insert(arguments.end(), flags.begin(), flags.end());
+  process_.emplace(Command{program(), std::move(arguments)});
   const bool is_ready = eventually([&] {
     return process_->err().find("Server is ready") != std::string::npos ||
            process_->wait({}).has_value();

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tests/process/program.h"
 #include "tests/process/temporary_folder.h"
@@ -28,7 +29,10 @@ class NatsServer {
   /// Ends it at once, as a crash would.
   void kill();
   /// Starts it again: the same port, the same store.
-  void start();
+  void start(const std::vector<std::string>& flags = {"--jetstream"});
+
+  /// The URL for somebody who has to say who it is.
+  std::string url_of(const std::string& user, const std::string& password) const;
 
  private:
   /// The port that it named after `greeting` when it started.
