@@ -223,12 +223,15 @@ void CommandLine::add_cluster(ClusterConfig& cluster) {
   add_number({"--task-timeout", "RAYTRACER_TASK_TIMEOUT"}, "SECONDS",
              "After a worker's last sign of life, others take its tasks", cluster.task_timeout_s,
              0.1, 3600);
-  add_integer({"--keep", "RAYTRACER_KEEP"}, "SECONDS",
-              "How long NATS keeps jobs, their results and scenes", std::to_string(cluster.keep_s),
-              cluster.keep_s, 1, 366LL * 24 * 3600);
-  add_integer({"--max-stored", "RAYTRACER_MAX_STORED"}, "BYTES", "Most that NATS keeps of all that",
-              std::to_string(cluster.max_stored), cluster.max_stored, 64 << 20,
-              std::int64_t{1} << 50);
+  for (const SharedRow& row : shared_table) {
+    add({row.flag, row.variable}, row.unit,
+        fmt::format("Maximum number of {};\na server that is told sets it for all", row.meaning),
+        std::to_string(cluster.*row.value),
+        [&cluster, &row](const std::string& text, const Source& source) {
+          cluster.*row.value = integer_of(text, source, row.least, row.largest);
+          cluster.*row.is_named = true;
+        });
+  }
 }
 
 }  // namespace

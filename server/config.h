@@ -24,6 +24,8 @@ struct ClusterConfig {
   double task_timeout_s = 5;   ///< from a worker's last sign of life until others take its tasks
   std::int64_t keep_s = std::int64_t{24} * 3600;    ///< jobs, results and scenes
   std::int64_t max_stored = std::int64_t{4} << 30;  ///< bytes in NATS
+  bool names_keep = false;                          ///< was told: others' streams are to be so
+  bool names_max_stored = false;
 };
 
 struct Config {
@@ -61,6 +63,25 @@ inline constexpr std::array<SizeRow, 3> size_table{
       1LL << 40},
      {"--max-cache", "RAYTRACER_MAX_CACHE",
       "bytes of images to cache, and as many of parsed scenes", &Config::max_cache, 1LL << 40}}};
+
+/// What all servers of a cluster have together.
+struct SharedRow {
+  const char* flag;
+  const char* variable;
+  const char* meaning;
+  std::int64_t ClusterConfig::*value;
+  bool ClusterConfig::*is_named;
+  const char* unit;
+  std::int64_t least;
+  std::int64_t largest;
+};
+
+inline constexpr std::array<SharedRow, 2> shared_table{
+    {{"--keep", "RAYTRACER_KEEP", "seconds that NATS keeps jobs, their results and scenes",
+      &ClusterConfig::keep_s, &ClusterConfig::names_keep, "SECONDS", 1, 366LL * 24 * 3600},
+     {"--max-stored", "RAYTRACER_MAX_STORED", "bytes of all that in NATS",
+      &ClusterConfig::max_stored, &ClusterConfig::names_max_stored, "BYTES", 64LL << 20,
+      1LL << 50}}};
 
 /// Says which flag and variable, the value, and what is allowed.
 class ConfigError : public std::runtime_error {

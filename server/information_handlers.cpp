@@ -42,6 +42,8 @@ void get_version(Services& services, Call& call) {
   };
   for (const LimitRow& row : limit_table) add(row, config.limits.*row.value);
   for (const SizeRow& row : size_table) add(row, static_cast<std::int64_t>(config.*row.value));
+  if (services.cluster)
+    for (const SharedRow& row : shared_table) add(row, config.cluster.*row.value);
   answer_json(call.response, 200,
               {{"version", version},
                {"build_id", build_id},

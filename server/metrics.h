@@ -77,7 +77,7 @@ inline constexpr std::array<MetricFamily, 37> metric_table{{
     {"cache_evictions_total", "What went because the memory was full.", {"cache"}},
     {"cache_entries", "What is kept now.", {"cache"}},
     {"cache_bytes", "The memory that it takes.", {"cache"}},
-    {"cluster_connected", "1 while NATS can be reached."},
+    {"cluster_connected", "1 while NATS can be reached and holds what is shared."},
     {"cluster_workers", "Servers of the cluster that take tasks and were heard of lately."},
     {"cluster_tasks", "Tasks of the whole cluster that wait, and that were taken.", {"state"}},
     {"cluster_redelivered_total",

@@ -33,6 +33,15 @@ StoreLimits limits_of(const Config& config) {
       std::chrono::seconds(config.cluster.keep_s), config.cluster.max_stored};
 }
 
+/// What this server was told of the streams; of the rest, others may have been told.
+StreamLimits wish_of(const Config& config) {
+  const StoreLimits limits = limits_of(config);
+  StreamLimits wish;
+  if (config.cluster.names_keep) wish.longest_kept = limits.longest_kept;
+  if (config.cluster.names_max_stored) wish.most_bytes = limits.most_bytes;
+  return wish;
+}
+
 /// A front that answers small renders beside large jobs; a worker does nothing else.
 bool works_in_background(const ClusterConfig& config) { return config.works && !config.is_worker; }
 
@@ -64,7 +73,8 @@ Cluster::Cluster(const Parts& parts)
                  [this](const PreparedScene& scene, bool is_8_bit, const RenderProgress& progress) {
                    return foresee(scene, is_8_bit, progress);
                  }}),
-      signs_(store_, [this] { return describe_self(); }) {
+      signs_(
+          store_, [this] { return describe_self(); }, wish_of(parts.config), note_) {
   if (parts.config.cluster.works)
     runner_.emplace(self_, store_, news_, scenes_, task_pool(), parts.metrics, parts.log);
 }

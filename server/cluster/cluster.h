@@ -59,8 +59,9 @@ class Cluster {
 
   Jobs& jobs() { return jobs_; }
 
-  /// Whether NATS cannot be reached.
-  bool is_degraded() const { return !nats_.is_connected(); }
+  /// Whether nothing can be shared: NATS cannot be reached, or does not hold what is shared. Waits
+  /// for nothing.
+  bool is_degraded() const { return !nats_.is_connected() || !store_.has_streams(); }
 
   /// How a render for a client that waits is shared; nothing if it is to be made here, or was
   /// stopped. Throws HttpError 503 if it is too long for this front, and nobody else is there.

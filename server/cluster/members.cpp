@@ -1,5 +1,7 @@
 #include "server/cluster/members.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -37,9 +39,12 @@ bool Attendance::is_silent(const std::string& name) {
   return looked_ - sign.since > longest_silence_;
 }
 
-SignsOfLife::SignsOfLife(ClusterStore& store, std::function<Member()> describe)
+SignsOfLife::SignsOfLife(ClusterStore& store, std::function<Member()> describe,
+                         const StreamLimits& wish, NatsNote note)
     : store_(store),
       describe_(std::move(describe)),
+      wish_(wish),
+      note_(std::move(note)),
       thread_([this](const std::stop_token& end) { say_until_end(end); }) {}
 
 SignsOfLife::~SignsOfLife() {
@@ -58,16 +63,51 @@ void SignsOfLife::say_until_end(const std::stop_token& end) {
   std::condition_variable_any ended;
   while (!end.stop_requested()) {
     try {
-      store_.put_member(describe_());
-    } catch (const std::exception&) {
-      // At the first start, or after its storage was lost, NATS has no streams.
-      try {
-        store_.ensure_streams();
-      } catch (const std::exception&) {  // NOLINT: it is tried again
-      }
+      say();
+    } catch (const std::exception&) {  // NOLINT: it is tried again
     }
+    note_trouble();
     std::unique_lock lock(mutex);
     ended.wait_for(lock, end, period, [&] { return end.stop_requested(); });
+  }
+}
+
+void SignsOfLife::say() {
+  if (!wish_ && store_.has_streams()) {
+    try {
+      return store_.put_member(describe_());
+    } catch (const NatsAway&) {
+      throw;
+    } catch (const std::exception&) {  // NOLINT: its storage may be lost
+    }
+  }
+  if (wish_) change_streams();  // first: smaller ones leave room for those that are missing
+  store_.ensure_streams();
+  store_.put_member(describe_());
+}
+
+void SignsOfLife::change_streams() {
+  try {
+    const std::string changes = store_.change_streams(*wish_);
+    if (!changes.empty()) note_("NATS's streams are changed: " + changes);
+  } catch (const NatsAway&) {
+    throw;
+  } catch (const NatsUnavailable&) {
+    return;  // it is tried again; whoever makes streams says why
+  } catch (const std::exception& error) {
+    note_(fmt::format("NATS's streams stay as they are: {}", error.what()));
+  }
+  wish_.reset();
+}
+
+/// Each trouble once, until there is none.
+void SignsOfLife::note_trouble() {
+  const std::string trouble = store_.trouble();
+  if (trouble.empty()) {
+    if (!said_.empty()) note_("NATS's streams are there");
+    said_.clear();
+  } else if (said_.insert(trouble).second) {
+    note_("jobs are refused: " + trouble);
   }
 }
 

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -47,20 +49,28 @@ class Attendance {
 };
 
 /// Says that this server lives, several times within the tasks' timeout, until it ends; then that
-/// it does not.
+/// it does not. Makes the streams for that and all else, as soon as NATS can be reached.
 class SignsOfLife {
  public:
-  /// `describe` is called each time, on another thread. Both must outlive it.
-  SignsOfLife(ClusterStore& store, std::function<Member()> describe);
+  /// `describe` is called each time, on another thread. All must outlive it. `wish`: how the
+  /// streams are to be at the start; later another server's wish may count.
+  SignsOfLife(ClusterStore& store, std::function<Member()> describe, const StreamLimits& wish,
+              NatsNote note);
   ~SignsOfLife();
   SignsOfLife(const SignsOfLife&) = delete;
   SignsOfLife& operator=(const SignsOfLife&) = delete;
 
  private:
   void say_until_end(const std::stop_token& end);
+  void say();
+  void change_streams();
+  void note_trouble();
 
   ClusterStore& store_;
   std::function<Member()> describe_;
+  std::optional<StreamLimits> wish_;  ///< as long as it was not done
+  NatsNote note_;
+  std::set<std::string> said_;  ///< of the streams, since they were there
   std::jthread thread_;
 };
 

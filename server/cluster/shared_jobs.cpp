@@ -84,16 +84,17 @@ SharedJobs::~SharedJobs() {
 }
 
 void SharedJobs::require_room(const JobRecord& record) {
+  parts_.store.require_streams();
   if (parts_.store.open_job_count() >= parts_.most_open)
     refuse(429, "The queue of the cluster is full; try again later", {{"Retry-After", "2"}});
   const auto most = static_cast<std::uint64_t>(parts_.store.most_result_bytes());
   const std::uint64_t bytes = parts_.store.result_bytes();
   if (bytes + picture_bytes(record) > most)
-    throw StreamFull(fmt::format(
-        "the cluster's store is full: {} of {} bytes of results are taken, and the picture may "
-        "take "
-        "{}: delete jobs, wait until they are forgotten (--keep), or give it more (--max-stored)",
-        bytes, most, picture_bytes(record)));
+    throw StreamFull(
+        fmt::format("the cluster's store is full: {} of {} bytes of results are taken, and the "
+                    "picture may take {}: delete jobs, wait until they are forgotten (--keep), or "
+                    "give it more (--max-stored)",
+                    bytes, most, picture_bytes(record)));
 }
 
 JobRecord SharedJobs::new_record(JobTask task, const SceneView& view,

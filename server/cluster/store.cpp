@@ -24,7 +24,6 @@ constexpr std::size_t header_bytes = 1024;
 constexpr const char* news_of_tasks = "raytracer.news.tasks";
 constexpr const char* news_of_results = "raytracer.news.results";
 constexpr const char* removals = "raytracer.removed";
-constexpr std::chrono::seconds longest_silence{60};  // then a member is forgotten
 
 std::string consumer_of(const std::string& renderer, const std::string& id) {
   return renderer + "_" + id;
@@ -47,44 +46,6 @@ std::string random_token() {
 std::string in_parts(std::size_t count) { return fmt::format("parts {}", count); }
 
 }  // namespace
-
-void ClusterStore::ensure_streams() {
-  const auto kept = limits_.longest_kept;
-  const std::int64_t all = limits_.most_bytes;
-  nats_.ensure_stream({.name = "raytracer_scenes",
-                       .subjects = "raytracer.scene.>",
-                       .most_bytes = all / 4,
-                       .longest_kept = kept});
-  nats_.ensure_stream({.name = "raytracer_kept",
-                       .subjects = "raytracer.kept.>",
-                       .most_bytes = all / 16,
-                       .longest_kept = kept,
-                       .drops_oldest = true});
-  nats_.ensure_stream({.name = "raytracer_jobs",
-                       .subjects = "raytracer.job.>",
-                       .most_bytes = all / 8,
-                       .longest_kept = kept});
-  nats_.ensure_stream({.name = "raytracer_tasks",
-                       .subjects = "raytracer.task.>",
-                       .most_bytes = all / 16,
-                       .longest_kept = kept,
-                       .is_queue = true});
-  nats_.ensure_stream({.name = "raytracer_results",
-                       .subjects = "raytracer.result.>",
-                       .most_bytes = most_result_bytes(),
-                       .longest_kept = kept});
-  nats_.ensure_stream({.name = "raytracer_workers",
-                       .subjects = "raytracer.worker.>",
-                       .most_bytes = 16 << 20,
-                       .longest_kept = longest_silence,
-                       .is_in_memory = true});
-  nats_.ensure_stream({.name = "raytracer_redelivered",
-                       .subjects = "raytracer.redelivered.>",
-                       .most_bytes = 1 << 20,
-                       .longest_kept = kept,
-                       .drops_oldest = true,
-                       .most_messages = 1});
-}
 
 std::string ClusterStore::digest_of(std::string_view document) {
   return sha256_hex(document).substr(0, 32);

@@ -18,11 +18,13 @@
 // done twice, by whomever, counts once.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -78,6 +80,16 @@ class ClusterStore {
 
   /// Makes the streams that are missing.
   void ensure_streams();
+  /// Has all streams that there are be as wished, whoever made them; `wish.most_bytes` counts for
+  /// all together. Returns what that changed, for people; nothing if they were so.
+  std::string change_streams(const StreamLimits& wish);
+  /// Why the streams could not be made when that was last tried, while there was a connection;
+  /// empty if they are there.
+  std::string trouble() const;
+  /// Whether there is none. Waits for nothing.
+  bool has_streams() const { return has_streams_; }
+  /// Throws NatsUnavailable with the trouble if there is one.
+  void require_streams() const;
 
   /// The digest under which a text is stored.
   static std::string digest_of(std::string_view document);
@@ -153,6 +165,8 @@ class ClusterStore {
  private:
   StoredText document_at(const std::string& digest) const;
   StoredText kept_at(const std::string& id) const;
+  std::vector<StreamSpec> streams() const;
+  void note_trouble(const std::string& trouble);
   bool is_wanted(const std::string& id);
   /// Whether something of it is still to be made.
   bool is_open(const JobRecord& record);
@@ -161,6 +175,9 @@ class ClusterStore {
 
   NatsConnection& nats_;
   const StoreLimits limits_;
+  mutable std::mutex mutex_;
+  std::string trouble_;
+  std::atomic<bool> has_streams_ = true;  ///< as far as is known
 };
 
 }  // namespace raytracer

@@ -91,5 +91,19 @@ TEST_F(NatsTrouble, one_of_several_urls_is_enough) {
   EXPECT_TRUE(eventually([&] { return get(front, "/cluster").status == 200; }));
 }
 
+TEST_F(NatsTrouble, nats_without_jetstream_is_degraded) {
+  restart({});
+  const ServerProcess& front = start_front();
+  EXPECT_TRUE(becomes(front, "degraded"));
+  EXPECT_EQ(metric_of(front, "raytracer_cluster_connected"), 0);
+  EXPECT_TRUE(comes_to_say(front, "has no JetStream")) << front.log();
+  expect_problem(post(front, "/jobs", small_scene), 503, "JetStream");
+  std::this_thread::sleep_for(1500ms);  // several tries
+  EXPECT_EQ(count(front.log(), "note="), 1U) << front.log();
+  restart({"--jetstream"});
+  EXPECT_TRUE(becomes(front, "ok"));
+  EXPECT_EQ(metric_of(front, "raytracer_cluster_connected"), 1);
+}
+
 }  // namespace
 }  // namespace raytracer::test

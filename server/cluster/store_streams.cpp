@@ -1,0 +1,100 @@
+// The streams of a cluster's store: made where they are missing, changed where somebody says so.
+#include <fmt/format.h>
+
+#include "server/cluster/store.h"
+
+namespace raytracer {
+namespace {
+
+constexpr std::chrono::seconds longest_silence{60};  // then a member is forgotten
+
+}  // namespace
+
+std::vector<StreamSpec> ClusterStore::streams() const {
+  const auto kept = limits_.longest_kept;
+  const std::int64_t all = limits_.most_bytes;
+  return {{.name = "raytracer_scenes",
+           .subjects = "raytracer.scene.>",
+           .most_bytes = all / 4,
+           .longest_kept = kept},
+          {.name = "raytracer_kept",
+           .subjects = "raytracer.kept.>",
+           .most_bytes = all / 16,
+           .longest_kept = kept,
+           .drops_oldest = true},
+          {.name = "raytracer_jobs",
+           .subjects = "raytracer.job.>",
+           .most_bytes = all / 8,
+           .longest_kept = kept},
+          {.name = "raytracer_tasks",
+           .subjects = "raytracer.task.>",
+           .most_bytes = all / 16,
+           .longest_kept = kept,
+           .is_queue = true},
+          {.name = "raytracer_results",
+           .subjects = "raytracer.result.>",
+           .most_bytes = most_result_bytes(),
+           .longest_kept = kept},
+          {.name = "raytracer_workers",
+           .subjects = "raytracer.worker.>",
+           .most_bytes = 16 << 20,
+           .longest_kept = longest_silence,
+           .is_in_memory = true},
+          {.name = "raytracer_redelivered",
+           .subjects = "raytracer.redelivered.>",
+           .most_bytes = 1 << 20,
+           .longest_kept = kept,
+           .drops_oldest = true,
+           .most_messages = 1}};
+}
+
+void ClusterStore::ensure_streams() {
+  try {
+    for (const StreamSpec& stream : streams()) nats_.ensure_stream(stream);
+    note_trouble("");
+  } catch (const NatsAway&) {
+    throw;  // nothing is known of them
+  } catch (const std::exception& error) {
+    note_trouble(error.what());
+    throw;
+  }
+}
+
+std::string ClusterStore::change_streams(const StreamLimits& wish) {
+  StreamLimits before;
+  for (const StreamSpec& stream : streams()) {
+    if (stream.is_in_memory) continue;  // signs of life: they need what they have
+    StreamLimits own = wish;
+    if (own.most_bytes) own.most_bytes = stream.most_bytes;
+    const StreamLimits changed = nats_.change_stream(stream.name, own);
+    if (changed.longest_kept) before.longest_kept = changed.longest_kept;
+    // As the flag would have to be for that.
+    if (changed.most_bytes)
+      before.most_bytes = *changed.most_bytes * (limits_.most_bytes / stream.most_bytes);
+  }
+  std::string text;
+  if (before.longest_kept)
+    text = fmt::format("--keep {} (before: {})", limits_.longest_kept.count(),
+                       before.longest_kept->count());
+  if (before.most_bytes)
+    text += fmt::format("{}--max-stored {} (before: {})", text.empty() ? "" : ", ",
+                        limits_.most_bytes, *before.most_bytes);
+  return text;
+}
+
+void ClusterStore::note_trouble(const std::string& trouble) {
+  const std::scoped_lock lock(mutex_);
+  trouble_ = trouble;
+  has_streams_ = trouble.empty();
+}
+
+std::string ClusterStore::trouble() const {
+  const std::scoped_lock lock(mutex_);
+  return trouble_;
+}
+
+void ClusterStore::require_streams() const {
+  if (const std::string reason = trouble(); !reason.empty()) throw NatsUnavailable(reason);
+}
+
+}  // namespace raytracer
