@@ -19,6 +19,7 @@ void set_load(Metrics& metrics, Services& services) {
   metrics.set("queue_length", static_cast<double>(load.waiting));
   metrics.set("queue_limit", static_cast<double>(services.config.max_queue));
   metrics.set("event_streams_open", static_cast<double>(services.event_streams.taken()));
+  if (services.cluster) return services.cluster->set_metrics();
   std::map<JobStatus, std::size_t> jobs = services.jobs().counts();
   for (const JobStatus status : job_statuses)
     metrics.set("jobs", static_cast<double>(jobs[status]), {name_of(status)});
@@ -62,7 +63,6 @@ void get_metrics(Services& services, Call& call) {
   set_load(services.metrics, services);
   set_caches(services.metrics, services);
   set_process(services.metrics, services);
-  if (services.cluster) services.cluster->set_metrics(services.metrics);
   answer_bytes(call.response, services.metrics.text(), "text/plain; version=0.0.4; charset=utf-8");
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "server/cluster/answered.h"
 #include "server/cluster/shared_job.h"
@@ -74,7 +75,8 @@ Cluster::Cluster(const Parts& parts)
                    return foresee(scene, is_8_bit, progress);
                  }}),
       signs_(
-          store_, [this] { return describe_self(); }, wish_of(parts.config), note_) {
+          store_, [this] { return describe_self(); }, wish_of(parts.config), note_),
+      metrics_([this] { look_up_metrics(); }) {
   if (parts.config.cluster.works)
     runner_.emplace(self_, store_, news_, scenes_, task_pool(), parts.metrics, parts.log);
 }
@@ -186,14 +188,23 @@ ClusterState Cluster::state() {
   });
 }
 
-void Cluster::set_metrics(Metrics& metrics) {
-  metrics.set("cluster_connected", is_degraded() ? 0 : 1);
+void Cluster::set_metrics() {
+  constexpr std::chrono::milliseconds longest{500};
+  parts_.metrics.set("cluster_connected", is_degraded() ? 0 : 1);
+  metrics_.refresh(longest);
+}
+
+void Cluster::look_up_metrics() {
+  Metrics& metrics = parts_.metrics;
   ClusterState now;
   try {
     now = state();
   } catch (const std::exception&) {
-    return;  // what was known last stays
+    return;
   }
+  std::map<JobStatus, std::size_t> jobs = jobs_.counts();
+  for (const JobStatus status : job_statuses)
+    metrics.set("jobs", static_cast<double>(jobs[status]), {name_of(status)});
   const auto workers = std::count_if(
       now.members.begin(), now.members.end(),
       [&](const Member& member) { return member.works && is_alive(member, store_.limits()); });

@@ -14,6 +14,7 @@
 #include "server/cluster/nats.h"
 #include "server/cluster/news.h"
 #include "server/cluster/prepared_scenes.h"
+#include "server/cluster/refresher.h"
 #include "server/cluster/shared_jobs.h"
 #include "server/cluster/store.h"
 #include "server/cluster/task_runner.h"
@@ -84,7 +85,8 @@ class Cluster {
 
   /// Throws HttpError 503.
   ClusterState state();
-  void set_metrics(Metrics& metrics);
+  /// As they are now; while NATS does not answer, as they were known last.
+  void set_metrics();
 
   /// Takes no more tasks; what runs has so long to finish, the rest is handed back.
   void drain(std::chrono::milliseconds longest);
@@ -93,6 +95,7 @@ class Cluster {
   std::optional<TaskCut> foresee(const PreparedScene& scene, bool is_8_bit,
                                  const RenderProgress& progress) const;
   Member describe_self() const;
+  void look_up_metrics();
   /// That traces what tasks are of.
   WorkerPool& task_pool() { return background_ ? *background_ : parts_.pool; }
 
@@ -107,6 +110,7 @@ class Cluster {
   std::optional<TaskRunner> runner_;
   SharedJobs jobs_;
   SignsOfLife signs_;
+  Refresher metrics_;
 };
 
 }  // namespace raytracer

@@ -105,5 +105,26 @@ TEST_F(NatsTrouble, nats_without_jetstream_is_degraded) {
   EXPECT_EQ(metric_of(front, "raytracer_cluster_connected"), 1);
 }
 
+TEST_F(NatsTrouble, health_is_said_at_once_while_it_hangs) {
+  const ServerProcess& front = start_front();
+  ASSERT_TRUE(becomes(front, "ok"));
+  nats().signal(SIGSTOP);
+  const auto begin = std::chrono::steady_clock::now();
+  auto longest = 0ns;
+  // What is asked while libnats tries to connect counts, too.
+  while (std::chrono::steady_clock::now() - begin < 13s) {
+    for (const char* const path : {"/healthz", "/readyz", "/metrics"}) {
+      const auto asked = std::chrono::steady_clock::now();
+      EXPECT_EQ(get(front, path).status, 200);
+      longest = std::max(longest, std::chrono::steady_clock::now() - asked);
+    }
+    std::this_thread::sleep_for(20ms);
+  }
+  EXPECT_LT(longest, patience(1s));
+  EXPECT_EQ(readiness(front), "degraded");
+  nats().signal(SIGCONT);
+  EXPECT_TRUE(becomes(front, "ok"));
+}
+
 }  // namespace
 }  // namespace raytracer::test
