@@ -18,6 +18,7 @@ void get_cluster(Services& services, Call& call) {
         .push_back({{"name", member.name},
                     {"build", member.build},
                     {"instruction_set", member.instruction_set},
+                    {"renderer", member.renderer},
                     {"threads", member.threads},
                     {"tasks_done", member.tasks_done},
                     {"last_heard_s", member.silence_s}});

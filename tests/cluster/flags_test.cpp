@@ -107,6 +107,7 @@ TEST_F(ClusterRoutes, cluster_names_its_members) {
     EXPECT_NE(member.at("name"), "");
     EXPECT_EQ(member.at("build"), version.at("build_id"));
     EXPECT_EQ(member.at("instruction_set"), version.at("instruction_set"));
+    EXPECT_EQ(member.at("renderer"), cluster.at("fronts").at(0).at("renderer"));
     EXPECT_EQ(member.at("threads"), threads);
     EXPECT_EQ(member.at("tasks_done"), 0);
     EXPECT_LT(member.at("last_heard_s"), 5);
@@ -119,6 +120,18 @@ TEST_F(ClusterRoutes, cluster_names_its_members) {
       done += member.at("tasks_done").get<std::uint64_t>();
     return done > 0;
   }));
+}
+
+TEST_F(ClusterRoutes, job_that_waits_for_a_build_names_it_as_the_cluster_does) {
+  const ServerProcess& front = start_front();
+  ASSERT_TRUE(eventually([&] { return cluster_of(front).is_object(); }));
+  const std::string job = post_job(front, "", small_scene);
+  EXPECT_TRUE(eventually([&] {
+    const nlohmann::json fronts = cluster_of(front).at("fronts");
+    return !fronts.empty() &&
+           json_of(get(front, job)).value("detail", "").find(fronts.at(0).at("renderer")) !=
+               std::string::npos;
+  })) << get(front, job).body;
 }
 
 }  // namespace
