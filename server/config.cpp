@@ -116,7 +116,7 @@ class CommandLine {
   void add_flag(const Source& source, std::string_view help, const std::function<void(bool)>& set) {
     app_.add_flag_function(
             source.flag, [set](std::int64_t count) { set(count > 0); },
-            fmt::format("{} (or {}=1)", help, source.variable))
+            fmt::format("{}\n[0] (or {})", help, source.variable))
         ->envname(source.variable)
         ->check(CLI::IsMember({"1", "0", "true", "false"}));
   }
