@@ -132,6 +132,7 @@ void Caretaker::look_at(const std::string& id, const std::vector<OpenJob>& open)
   }
   is(record->task_count == 0 ? JobStatus::queued : JobStatus::running);
   if (record->task_count == 0) {
+    if (record->has_client) return;  // its front is about to cut it
     // Its front has it in work, but for what it was told was not stored when NATS went away.
     if ((is_of_this || !front_lives) && !parts_.is_in_work(id)) parts_.take_over(*record);
     return;

@@ -24,7 +24,9 @@ bool has_worker(const std::vector<Member>& members, const std::string& renderer,
 void Attendance::look(const std::vector<Member>& members) {
   const auto now = Clock::now();
   constexpr std::chrono::seconds between_any_looks{2};
-  if (now - looked_ > std::max<Clock::duration>(longest_silence_, between_any_looks)) interrupt();
+  // Longer than rounds take: this server stood still.
+  if (now - looked_ > std::max<Clock::duration>(4 * longest_silence_, between_any_looks))
+    interrupt();
   looked_ = now;
   std::map<std::string, std::int64_t> heard;
   for (const Member& member : members) heard[member.name] = member.heard_ms;

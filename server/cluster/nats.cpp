@@ -206,7 +206,14 @@ StreamLimits NatsConnection::change_stream(const std::string& name, const Stream
   if (before.longest_kept == wish.longest_kept || !wish.longest_kept) before.longest_kept.reset();
   if (before.most_bytes == wish.most_bytes || !wish.most_bytes) before.most_bytes.reset();
   if (!before.longest_kept && !before.most_bytes) return {};
-  if (wish.longest_kept) config.MaxAge = nanoseconds(*wish.longest_kept);
+  // NATS would make room by dropping what was promised to be kept.
+  if (before.most_bytes && *wish.most_bytes < static_cast<std::int64_t>(info->State.Bytes))
+    throw NatsRefused(fmt::format("the stream {} holds {} bytes, more than the {} wished", name,
+                                  info->State.Bytes, *wish.most_bytes));
+  if (wish.longest_kept) {
+    config.MaxAge = nanoseconds(*wish.longest_kept);
+    config.Duplicates = std::min(config.Duplicates, config.MaxAge);  // or it is refused
+  }
   if (wish.most_bytes) config.MaxBytes = *wish.most_bytes;
   jsErrCode error{};
   const natsStatus status = js_UpdateStream(nullptr, session->context(), &config, nullptr, &error);
@@ -219,7 +226,8 @@ StreamLimits NatsConnection::change_stream(const std::string& name, const Stream
 StreamFill NatsConnection::fill_of(const std::string& stream) {
   const auto session = link_->session();
   const InfoPointer info = info_of(*session, stream);
-  return {info->State.Bytes, info->State.LastSeq};
+  const auto most = static_cast<std::uint64_t>(std::max(info->Config->MaxBytes, std::int64_t{0}));
+  return {info->State.Bytes, most, info->State.LastSeq};
 }
 
 void NatsConnection::put(const std::string& subject, std::string_view data) {

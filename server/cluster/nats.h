@@ -68,6 +68,7 @@ struct StreamLimits {
 
 struct StreamFill {
   std::uint64_t bytes = 0;
+  std::uint64_t most_bytes = 0;  ///< as the stream has it, whoever wished it so
   std::uint64_t messages_ever = 0;
 };
 

@@ -49,7 +49,7 @@ JobRecord read_record(std::string_view text) try {
       .predicted_ms = json.at("predicted_ms"),
       .plan_ms = json.at("plan_ms"),
       .build_ms = json.at("build_ms"),
-      .task_timeout_s = json.at("task_timeout_s"),
+      .task_timeout_s = json.value("task_timeout_s", JobRecord{}.task_timeout_s),
       .width = json.at("width"),
       .height = json.at("height"),
       .channels = json.at("channels"),
@@ -59,7 +59,8 @@ JobRecord read_record(std::string_view text) try {
       .task_count = json.at("task_count"),
       .failure = json.at("failure"),
       .lacked_room = json.at("lacked_room")};
-  for (const LimitRow& row : limit_table) record.limits.*row.value = json.at("limits").at(row.flag);
+  if (json.contains("limits"))  // records of earlier builds have none
+    for (const LimitRow& row : limit_table) record.limits.*row.value = json["limits"].at(row.flag);
   if (json.contains("picture_digest")) record.picture_digest = json["picture_digest"];
   return record;
 } catch (const nlohmann::json::exception& error) {

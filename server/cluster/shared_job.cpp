@@ -84,7 +84,7 @@ JobStatus SharedJob::status() const {
 }
 
 std::string SharedJob::detail() const {
-  if (removed_ms_ > 0) return "deleted";
+  if (removed_ms_ > 0) return "deleted, or forgotten (--keep)";
   if (!record_.failure.empty()) return record_.failure;
   if (result_ || has_workers_) return "";
   return fmt::format("It waits for a worker: none of its build ({}) has been heard of",

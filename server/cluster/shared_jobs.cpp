@@ -19,14 +19,13 @@ using std::chrono::milliseconds;
 constexpr std::size_t most_watched_bytes = 512 << 20;
 constexpr milliseconds before_another_call{250};
 
-std::size_t picture_bytes(const JobRecord& record) {
-  const std::size_t value_bytes = record.is_8_bit ? sizeof(unsigned char) : sizeof(float);
-  return value_bytes * static_cast<std::size_t>(record.channels) *
-         static_cast<std::size_t>(record.width) * static_cast<std::size_t>(record.height);
-}
-
 /// What it takes to watch a job: its picture.
-std::size_t bytes_of(const JobRecord& record) { return sizeof(SharedJob) + picture_bytes(record); }
+std::size_t bytes_of(const JobRecord& record) {
+  const std::size_t value_bytes = record.is_8_bit ? sizeof(unsigned char) : sizeof(float);
+  return sizeof(SharedJob) + value_bytes * static_cast<std::size_t>(record.channels) *
+                                 static_cast<std::size_t>(record.width) *
+                                 static_cast<std::size_t>(record.height);
+}
 
 /// Whether the picture in 8 bits says the same of its error as one in floats: by its samples, not
 /// by its pixels.
@@ -87,14 +86,21 @@ void SharedJobs::require_room(const JobRecord& record) {
   parts_.store.require_streams();
   if (parts_.store.open_job_count() >= parts_.most_open)
     refuse(429, "The queue of the cluster is full; try again later", {{"Retry-After", "2"}});
-  const auto most = static_cast<std::uint64_t>(parts_.store.most_result_bytes());
-  const std::uint64_t bytes = parts_.store.result_bytes();
-  if (bytes + picture_bytes(record) > most)
-    throw StreamFull(
-        fmt::format("the cluster's store is full: {} of {} bytes of results are taken, and the "
-                    "picture may take {}: delete jobs, wait until they are forgotten (--keep), or "
-                    "give it more (--max-stored)",
-                    bytes, most, picture_bytes(record)));
+  if (record.task == JobTask::tradeoff) return;  // a few kilobytes
+  // Whole results are floats, whatever they are shown in.
+  const std::uint64_t bytes = sizeof(float) * static_cast<std::uint64_t>(record.channels) *
+                              static_cast<std::uint64_t>(record.width) *
+                              static_cast<std::uint64_t>(record.height);
+  const StreamFill fill = parts_.store.fill_of_results();
+  if (bytes > fill.most_bytes)
+    refuse(413, fmt::format("The picture takes {} bytes, but the cluster keeps {} of all results "
+                            "(half of --max-stored)",
+                            bytes, fill.most_bytes));
+  if (fill.bytes + bytes > fill.most_bytes)
+    throw StreamFull(fmt::format(
+        "the cluster's store is full: results have {} of {} bytes, and this picture may take {}: "
+        "delete jobs, wait until they are forgotten (--keep), or give it more (--max-stored)",
+        fill.bytes, fill.most_bytes, bytes));
 }
 
 JobRecord SharedJobs::new_record(JobTask task, const SceneView& view,
@@ -155,7 +161,6 @@ JobRecord SharedJobs::begin_render(const SceneView& view, const httplib::Params&
     JobRecord record = new_record(JobTask::render, view, query);
     record.has_client = true;
     record.is_8_bit = is_8_bit;
-    note_cut(record, cut);
     require_room(record);
     {
       const std::scoped_lock lock(mutex_);
@@ -164,6 +169,8 @@ JobRecord SharedJobs::begin_render(const SceneView& view, const httplib::Params&
     try {
       parts_.store.put_job(record);
       parts_.store.put_document(record.document, *view.document);
+      note_cut(record, cut);  // with tasks in it, others would queue them
+      parts_.store.put_job(record);
       queue_all(record);
     } catch (...) {
       end_render(record.id);
@@ -272,7 +279,7 @@ void SharedJobs::cut_or_render(JobRecord record, const SceneView& view, Own& own
 }
 
 void SharedJobs::render_here(JobRecord& record, const PreparedScene& scene, Own& own) {
-  Rendering rendering = render(scene, parts_.limits, parts_.pool, own.progress);
+  Rendering rendering = render(scene, record.limits, parts_.pool, own.progress);
   if (rendering.stop == Stop::cancelled) return;
   parts_.metrics.rendered(rendering, record.picture_digest);
   const std::string bytes = to_bytes(TaskResult{parts_.self.name, std::move(rendering)});

@@ -78,7 +78,8 @@ class SharedJobs : public Jobs {
  private:
   struct Own;
 
-  /// Throws HttpError: 429 if too much is queued, StreamFull if the picture would have no room.
+  /// Throws HttpError, 429 if too much is queued and 413 if the picture can never be kept, and
+  /// StreamFull if it has no room now.
   void require_room(const JobRecord& record);
   JobRecord new_record(JobTask task, const SceneView& view, const httplib::Params& query);
   void queue_all(const JobRecord& record);

@@ -71,24 +71,42 @@ void ClusterStore::put_document(const std::string& digest, std::string_view docu
 }
 
 void ClusterStore::remove_unused_documents() {
+  // What comes after this list stays, and so does what a job of the last moment uses.
+  const std::set<std::string> candidates =
+      StoredText::names(nats_, "raytracer_scenes", "raytracer.scene");
+  std::set<std::string> looked_at;
   std::set<std::string> used;
-  for (const std::string& id : job_ids()) try {
-      if (const auto record = job(id); record && is_open(*record)) used.insert(record->document);
-    } catch (const UnreadableRecord&) {  // NOLINT: of another build, whose scenes go as they age
+  const auto look = [&] {
+    for (const std::string& id : job_ids()) {
+      if (!looked_at.insert(id).second) continue;
+      const auto record = job(id);
+      if (record && !used.contains(record->document) && is_open(*record))
+        used.insert(record->document);
     }
-  for (const std::string& digest : StoredText::names(nats_, "raytracer_scenes", "raytracer.scene"))
+  };
+  try {
+    look();
+    look();
+  } catch (const UnreadableRecord&) {
+    return;  // of another build: who knows what it needs
+  }
+  for (const std::string& digest : candidates)
     if (!used.contains(digest)) document_at(digest).remove();
 }
 
 std::string ClusterStore::document(const std::string& digest) {
-  if (std::optional<std::string> text = document_at(digest).get()) return *std::move(text);
+  std::optional<std::string> text = document_at(digest).get();
+  if (text && digest_of(*text) == digest) return *std::move(text);
   throw NatsRefused(fmt::format(
       "the scene {} is no longer stored: others needed the memory (--max-stored)", digest));
 }
 
 void ClusterStore::keep_scene(const std::string& id, std::string_view document) {
+  if (2 * static_cast<std::int64_t>(document.size()) > most_kept_bytes()) return;  // for all others
+  // Texts of one id may differ in white space: of two that came at a time, parts may be mixed.
   const StoredText text = kept_at(id);
-  if (!text.is_stored(document, limits_.longest_kept / 2)) text.put(document);
+  if (text.is_stored(document, limits_.longest_kept / 2) && text.get() == document) return;
+  text.put(document);
 }
 
 std::optional<std::string> ClusterStore::kept_scene(const std::string& id) {

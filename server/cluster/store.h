@@ -99,7 +99,7 @@ class ClusterStore {
   void put_document(const std::string& digest, std::string_view document);
   /// Throws NatsRefused if it is no longer there.
   std::string document(const std::string& digest);
-  /// Stores a posted scene.
+  /// Stores a posted scene, unless it would push out most of the others.
   void keep_scene(const std::string& id, std::string_view document);
   std::optional<std::string> kept_scene(const std::string& id);
 
@@ -152,9 +152,7 @@ class ClusterStore {
   void note_redelivery(const std::string& id, int task);
   std::uint64_t redelivered();
 
-  /// Bytes of results.
-  std::uint64_t result_bytes() { return nats_.fill_of("raytracer_results").bytes; }
-  std::int64_t most_result_bytes() const { return limits_.most_bytes / 2; }
+  StreamFill fill_of_results() { return nats_.fill_of("raytracer_results"); }
 
   /// Calls `heard` on another thread when tasks were queued or a job has changed, and for fronts
   /// also when a result was stored.
@@ -166,6 +164,7 @@ class ClusterStore {
   StoredText document_at(const std::string& digest) const;
   StoredText kept_at(const std::string& id) const;
   std::vector<StreamSpec> streams() const;
+  std::int64_t most_kept_bytes() const { return limits_.most_bytes / 16; }  ///< of posted scenes
   void note_trouble(const std::string& trouble);
   bool is_wanted(const std::string& id);
   /// Whether something of it is still to be made.

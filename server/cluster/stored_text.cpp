@@ -11,9 +11,11 @@
 namespace raytracer {
 namespace {
 
+constexpr std::string_view before_count = "parts ";  // alone with the count, of earlier builds
+
 /// What the head says: two texts of one name may have been stored at a time.
 std::string description_of(std::string_view text) {
-  return fmt::format("{} {}", chunks_in(text.size()), sha256_hex(text));
+  return fmt::format("{}{} {}", before_count, chunks_in(text.size()), sha256_hex(text));
 }
 
 }  // namespace
@@ -55,14 +57,17 @@ std::optional<std::string> StoredText::get() const {
   const auto found = nats_.get(stream_, head());
   if (!found) return {};
   std::size_t count = 0;
-  std::from_chars(found->data.data(), found->data.data() + found->data.size(), count);
+  if (!found->data.starts_with(before_count)) return {};
+  const char* const end = found->data.data() + found->data.size();
+  const char* const stop =
+      std::from_chars(found->data.data() + before_count.size(), end, count).ptr;
   std::string text;
   for (std::size_t i = 0; i < count; ++i) {
     const auto part = nats_.get(stream_, chunk_at(std::to_string(i)));
     if (!part) return {};
     text += part->data;
   }
-  if (description_of(text) != found->data) return {};
+  if (stop != end && description_of(text) != found->data) return {};
   return text;
 }
 

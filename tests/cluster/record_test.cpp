@@ -77,6 +77,19 @@ TEST(JobRecords, with_a_reason_that_is_no_text_can_be_stored) {
       EXPECT_NE(read_record(to_text(record)).failure.find("of bytes"), std::string::npos));
 }
 
+TEST(JobRecords, of_builds_that_stored_no_limits_are_read) {
+  std::string text = to_text(full_record());
+  const std::size_t begin = text.find("\"limits\":{");
+  text.erase(begin, text.find("},", begin) + 2 - begin);
+  const std::size_t timeout = text.find("\"task_timeout_s\":0.75,");
+  ASSERT_NE(timeout, std::string::npos);
+  text.erase(timeout, std::string("\"task_timeout_s\":0.75,").size());
+  const JobRecord read = read_record(text);
+  EXPECT_EQ(read.id, full_record().id);
+  EXPECT_EQ(read.limits.pixels, Limits{}.pixels);
+  EXPECT_EQ(read.task_timeout_s, JobRecord{}.task_timeout_s);
+}
+
 TEST(JobRecords, damaged_ones_are_refused) {
   const std::string text = to_text(full_record());
   for (std::size_t length = 0; length < text.size(); ++length)

@@ -32,6 +32,26 @@ TEST_F(ClusterStoreTest, scene_that_lost_some_chunks_is_stored_again) {
   EXPECT_EQ(stored.store.document(digest), text);
 }
 
+TEST_F(ClusterStoreTest, scene_that_an_earlier_build_stored_is_read) {
+  Stored stored(nats().url());
+  stored.store.ensure_streams();
+  const std::string text = "a scene";
+  const std::string digest = ClusterStore::digest_of(text);
+  stored.connection.put("raytracer.scene.chunk." + digest + ".0", text);
+  stored.connection.put("raytracer.scene.text." + digest, "parts 1");
+  EXPECT_EQ(stored.store.document(digest), text);
+}
+
+TEST_F(ClusterStoreTest, posted_scene_whose_parts_were_mixed_is_mended_when_it_comes_again) {
+  Stored stored(nats().url());
+  stored.store.ensure_streams();
+  stored.store.keep_scene("id", "a scene");
+  stored.connection.put("raytracer.kept.chunk.id.0", "a  scene");
+  EXPECT_EQ(stored.store.kept_scene("id"), std::nullopt);
+  stored.store.keep_scene("id", "a scene");
+  EXPECT_EQ(stored.store.kept_scene("id"), "a scene");
+}
+
 TEST_F(ClusterStoreTest, scene_that_an_open_job_needs_stays_when_room_is_wanted) {
   StoreLimits limits;
   limits.most_bytes = 16 << 20;  // a quarter of it for scenes

@@ -93,5 +93,30 @@ TEST_F(ClusterStreams, limits_are_among_those_of_the_version) {
   EXPECT_NE(version.find(R"("--max-stored")"), std::string::npos) << version;
 }
 
+TEST_F(ClusterStreams, hold_what_they_hold_when_less_is_wished) {
+  StoreLimits limits;
+  Stored stored(nats().url(), limits);
+  stored.store.ensure_streams();
+  ASSERT_TRUE(eventually([&] {  // more than half of 64 MB
+    stored.connection.put(
+        "raytracer.result.of.one." + std::to_string(stored.store.fill_of_results().messages_ever),
+        std::string(500'000, 'x'));
+    return stored.store.fill_of_results().bytes > least_stored / 2;
+  }));
+  const std::uint64_t before = stored.store.fill_of_results().bytes;
+  const ServerProcess& modest =
+      start_worker({"--keep", "60", "--max-stored", std::to_string(least_stored)});
+  EXPECT_TRUE(comes_to_say(modest, "raytracer_results holds")) << modest.log();
+  EXPECT_TRUE(becomes(modest, "ok"));
+  EXPECT_EQ(stored.store.fill_of_results().bytes, before);
+}
+
+TEST_F(ClusterStreams, may_be_told_to_keep_for_less_than_two_minutes) {
+  const ServerProcess& first = start_worker();
+  EXPECT_TRUE(becomes(first, "ok"));
+  const ServerProcess& second = start_worker({"--keep", "60"});
+  EXPECT_TRUE(comes_to_say(second, "--keep 60 (before: 86400)")) << second.log();
+}
+
 }  // namespace
 }  // namespace raytracer::test
