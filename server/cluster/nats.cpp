@@ -226,8 +226,10 @@ StreamLimits NatsConnection::change_stream(const std::string& name, const Stream
 StreamFill NatsConnection::fill_of(const std::string& stream) {
   const auto session = link_->session();
   const InfoPointer info = info_of(*session, stream);
-  const auto most = static_cast<std::uint64_t>(std::max(info->Config->MaxBytes, std::int64_t{0}));
-  return {info->State.Bytes, most, info->State.LastSeq};
+  const std::int64_t most =
+      info->Config->MaxBytes;  // -1, as an operator may have made it: no limit
+  return {info->State.Bytes, static_cast<std::uint64_t>(most < 0 ? INT64_MAX : most),
+          info->State.LastSeq};
 }
 
 void NatsConnection::put(const std::string& subject, std::string_view data) {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <optional>
 #include <string>
 #include <thread>
@@ -143,19 +144,27 @@ TEST_F(NatsAway, render_that_its_client_gave_up_meanwhile_is_forgotten) {
       << testing::PrintToString(stored.of_jobs());
 }
 
+/// A client that waits for the front's picture of the scene gets it, whatever `disturb()` does once
+/// all of its tasks are queued: half a job would be refused.
+void expect_picture_though(const ServerProcess& front, const std::string& nats_url,
+                           const std::string& scene, const std::function<void()>& disturb) {
+  Answer image;
+  std::thread client([&] { image = post(front, "/render", scene); });
+  EXPECT_TRUE(are_all_queued(front, nats_url));
+  disturb();
+  client.join();
+  ASSERT_EQ(image.status, 200) << image.body;
+  EXPECT_TRUE(image.body == alone("/render", scene));
+}
+
 TEST_F(NatsAway, client_that_waits_for_a_shared_render_gets_it) {
   const ServerProcess& front = start_front();
   start_worker();
   ASSERT_TRUE(has_workers(front, 1));
-  const std::string scene = long_scene(60);
-  Answer image;
-  std::thread client([&] { image = post(front, "/render", scene); });
-  EXPECT_TRUE(are_all_queued(front, nats().url())) << "half a job is refused";
-  nats().kill();
-  nats().start();
-  client.join();
-  ASSERT_EQ(image.status, 200) << image.body;
-  EXPECT_TRUE(image.body == alone("/render", scene));
+  expect_picture_though(front, nats().url(), long_scene(60), [&] {
+    nats().kill();
+    nats().start();
+  });
 }
 
 TEST_F(NatsAway, client_gets_its_render_though_another_front_hears_nothing_of_its_own) {
@@ -166,15 +175,11 @@ TEST_F(NatsAway, client_gets_its_render_though_another_front_hears_nothing_of_it
     ASSERT_TRUE(has_workers(front, 1));
     ASSERT_TRUE(has_workers(other, 1));
     const std::string scene = long_scene(60 + static_cast<int>(away.count()));  // one not cached
-    Answer image;
-    std::thread client([&] { image = post(front, "/render", scene); });
-    EXPECT_TRUE(are_all_queued(front, nats().url()));
-    nats().kill();
-    std::this_thread::sleep_for(away);
-    nats().start();
-    client.join();
-    ASSERT_EQ(image.status, 200) << image.body;
-    EXPECT_TRUE(image.body == alone("/render", scene));
+    expect_picture_though(front, nats().url(), scene, [&] {
+      nats().kill();
+      std::this_thread::sleep_for(away);
+      nats().start();
+    });
   }
 }
 
@@ -182,15 +187,10 @@ TEST_F(NatsAway, render_whose_record_is_lost_is_shared_again) {
   const ServerProcess& front = start_front();
   start_worker();
   ASSERT_TRUE(has_workers(front, 1));
-  const std::string scene = long_scene(60);
-  Answer image;
-  std::thread client([&] { image = post(front, "/render", scene); });
-  EXPECT_TRUE(are_all_queued(front, nats().url()));
-  Stored stored(nats().url());
-  for (const std::string& id : stored.store.job_ids()) stored.store.remove_job(id);
-  client.join();
-  ASSERT_EQ(image.status, 200) << image.body;
-  EXPECT_TRUE(image.body == alone("/render", scene));
+  expect_picture_though(front, nats().url(), long_scene(60), [&] {
+    Stored stored(nats().url());
+    for (const std::string& id : stored.store.job_ids()) stored.store.remove_job(id);
+  });
 }
 
 }  // namespace

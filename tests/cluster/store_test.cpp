@@ -18,9 +18,7 @@ using namespace std::chrono_literals;
 class ClusterStoreTest : public ClusterTest {};
 
 TEST_F(ClusterStoreTest, scene_that_lost_some_chunks_is_stored_again) {
-  StoreLimits limits;
-  limits.most_bytes = 16 << 20;  // a quarter of it for scenes
-  Stored stored(nats().url(), limits);
+  Stored stored(nats().url());
   stored.store.ensure_streams();
   const std::string text(2'500'000, 'a');
   const std::string digest = ClusterStore::digest_of(text);

@@ -138,8 +138,8 @@ TEST_F(Tasks, one_that_takes_long_is_said_to_be_in_progress_as_often_as_its_fron
   start_worker({"--task-timeout", "60"});
   ASSERT_TRUE(has_workers(front, 1));
   Stored stored(nats().url());
-  JobRecord record = stored.new_job("long", stored.renderer(), long_scene(100), 350, 352, 1);
-  record.samples = 400;  // as the scene has them
+  JobRecord record = stored.new_job("long", stored.renderer(), endless_scene(), 350, 0, 1);
+  record.query = {{"budget_ms", "2500"}};  // five times as long as may be silence
   record.task_timeout_s = 0.5;
   stored.queue(record);
   ASSERT_TRUE(ends_done(front, "/jobs/long"));
