@@ -51,7 +51,6 @@ std::string BrowserPage::downloaded(const std::string& name) {
 void BrowserPage::open_in_new_tab(const std::string& url) {
   browser().change_tab();
   browser().console();  // forgets what was before
-  browser().requested();
   browser().open(url);
 }
 
@@ -63,7 +62,6 @@ void BrowserPage::open(const std::string& address) {
     browser().open(server().url() + "/healthz");  // what is no page, in whose place it may
     browser().run("sessionStorage.clear()");
     browser().console();
-    browser().requested();
     browser().open(server().url() + address);
   }
   await("done");

@@ -76,7 +76,7 @@ json capabilities(const fs::path& profile, const fs::path& downloads) {
             {"args", arguments},
             {"prefs", preferences},
             {"excludeSwitches", {"enable-automation"}}}},
-          {"goog:loggingPrefs", {{"browser", "ALL"}, {"performance", "ALL"}}}};
+          {"goog:loggingPrefs", {{"browser", "ALL"}}}};
 }
 
 }  // namespace
@@ -141,7 +141,10 @@ json WebDriver::command(const std::string& method, const std::string& path, cons
   return value;
 }
 
-void WebDriver::open(const std::string& url) { command("POST", session_ + "/url", {{"url", url}}); }
+void WebDriver::open(const std::string& url) {
+  command("POST", session_ + "/url", {{"url", url}});
+  run("performance.setResourceTimingBufferSize(100000)");
+}
 
 void WebDriver::change_tab() {
   const json tab = command("POST", session_ + "/window/new", {{"type", "tab"}}).at("handle");
@@ -225,20 +228,14 @@ void WebDriver::drop(const fs::path& file) {
     devtools("Input.dispatchDragEvent", {{"type", type}, {"x", 400}, {"y", 300}, {"data", data}});
 }
 
-std::vector<json> WebDriver::log(const std::string& type) {
-  return command("POST", session_ + "/se/log", {{"type", type}}).get<std::vector<json>>();
+std::vector<json> WebDriver::console() {
+  return command("POST", session_ + "/se/log", {{"type", "browser"}}).get<std::vector<json>>();
 }
 
-std::vector<json> WebDriver::console() { return log("browser"); }
-
 std::vector<std::string> WebDriver::requested() {
-  std::vector<std::string> addresses;
-  for (const json& entry : log("performance")) {
-    const json event = json::parse(entry.at("message").get<std::string>()).at("message");
-    if (event.at("method") == "Network.requestWillBeSent")
-      addresses.push_back(event.at("params").at("request").at("url"));
-  }
-  return addresses;
+  return run(R"(const timings = performance.getEntriesByType('resource');
+                performance.clearResourceTimings();
+                return timings.map((timing) => timing.name);)");
 }
 
 }  // namespace raytracer::test

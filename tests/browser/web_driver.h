@@ -64,7 +64,8 @@ class WebDriver {
 
   /// Entries of the console since the last call: {"level", "message", ...}.
   std::vector<nlohmann::json> console();
-  /// The addresses of all requests since the last call.
+  /// The addresses that the page asked for since the last call, of what has been answered or has
+  /// failed.
   std::vector<std::string> requested();
 
  private:
@@ -75,7 +76,6 @@ class WebDriver {
   std::string element(const std::string& selector);
   /// A method of the Chrome DevTools Protocol.
   void devtools(const std::string& method, const nlohmann::json& parameters);
-  std::vector<nlohmann::json> log(const std::string& type);
 
   TemporaryFolder profile_;
   TemporaryFolder downloads_;
