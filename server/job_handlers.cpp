@@ -91,9 +91,10 @@ void answer_image_so_far(Services& services, Call& call, const Image& image, Ima
 
 /// Takes `task` out of the query, which is known to jobs only.
 JobTask take_task(httplib::Params& params) {
-  const auto [begin, end] = params.equal_range("task");
-  const std::string name = begin == end ? "render" : begin->second;
-  if (begin != end) params.erase(begin);
+  require_given_once(params, "task");
+  const auto given = params.find("task");
+  const std::string name = given == params.end() ? "render" : given->second;
+  params.erase("task");
   for (const JobTask task : {JobTask::render, JobTask::tradeoff})
     if (name == name_of(task)) return task;
   refuse(400, fmt::format("The query parameter \"task\" is \"{}\" but must be render or "
@@ -106,10 +107,8 @@ JobTask take_task(httplib::Params& params) {
 void post_job(Services& services, Call& call) {
   httplib::Params params = call.request.params;
   const JobTask task = take_task(params);
-  const bool is_curve = task == JobTask::tradeoff;
-  const RenderQuery query = is_curve ? read_curve_query(params) : read_query(params);
-  SceneView view = read_scene_request(call, query, services);
-  if (is_curve) {
+  SceneView view = read_scene_request(call, read_job_query(task, params), services);
+  if (task == JobTask::tradeoff) {
     require_valid_settings(params, view.scene);
     require_room_for_curve(view.scene, services.config.limits);
   }

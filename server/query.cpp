@@ -99,11 +99,15 @@ std::vector<std::string_view> query_names() {
   return names;
 }
 
+void require_given_once(const httplib::Params& params, const std::string& name) {
+  if (params.count(name) > 1)
+    refuse(400, fmt::format("The query parameter \"{}\" is given more than once", name));
+}
+
 RenderQuery read_query(const httplib::Params& params) {
   RenderQuery query;
   for (const auto& [name, text] : params) {
-    if (params.count(name) > 1)
-      refuse(400, fmt::format("The query parameter \"{}\" is given more than once", name));
+    require_given_once(params, name);
     const Row& row = row_of(name);
     if (row.needs_scene && params.count("scene") == 0)
       refuse(400, fmt::format("The query parameter \"{}\" goes with \"scene=NAME\" only: "

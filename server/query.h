@@ -14,6 +14,7 @@
 
 namespace raytracer {
 
+/// What a query says.
 struct RenderQuery {
   std::optional<std::string> scene;  ///< a name or an id; without it the body is the scene
   Overrides overrides;
@@ -21,6 +22,9 @@ struct RenderQuery {
 
 /// The names that read_query knows.
 std::vector<std::string_view> query_names();
+
+/// Throws HttpError 400 if the query has this parameter more than once.
+void require_given_once(const httplib::Params& params, const std::string& name);
 
 /// Reads what httplib has decoded. Throws HttpError 400 whose detail names the parameter. Integers
 /// beyond int become the nearest int, which is beyond every limit, so that the limits answer.

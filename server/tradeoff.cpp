@@ -67,6 +67,10 @@ RenderQuery read_curve_query(const httplib::Params& params) {
   return query;
 }
 
+RenderQuery read_job_query(JobTask task, const httplib::Params& params) {
+  return task == JobTask::tradeoff ? read_curve_query(params) : read_query(params);
+}
+
 void require_valid_settings(const httplib::Params& params, const Scene& scene) {
   ErrorList errors;  // of rules only: as a document's own samples, they ask for no work
   check_view_rules(with_overrides(scene, read_query(params).overrides), errors);

@@ -14,6 +14,10 @@ inline constexpr double most_curve_ms = 30'000;
 /// and in the query alike. Throws HttpError 400 as read_query() does.
 RenderQuery read_curve_query(const httplib::Params& params);
 
+/// The query to read a job's scene with, whatever its task. Throws HttpError 400 as read_query()
+/// does.
+RenderQuery read_job_query(JobTask task, const httplib::Params& params);
+
 /// Throws HttpError 422 if the query has values that no document of this scene could have, also of
 /// what a curve varies itself.
 void require_valid_settings(const httplib::Params& params, const Scene& scene);
@@ -21,6 +25,7 @@ void require_valid_settings(const httplib::Params& params, const Scene& scene);
 /// Throws HttpError 413 if the shortest curve of this scene is more than the limits allow.
 void require_room_for_curve(const Scene& scene, const Limits& limits);
 
+/// The curve as GET /jobs/ID/result answers it.
 CurveText text_of(const Curve& curve);
 
 }  // namespace raytracer
