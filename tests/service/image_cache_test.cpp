@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "tests/process/patience.h"
 #include "tests/service/documents.h"
 #include "tests/service/server_timing.h"
 #include "tests/service/service.h"
@@ -21,7 +22,6 @@ class ImageMemory : public testing::Test {
     return answer;
   }
 
- private:
   const ServerProcess server_;
 };
 
@@ -50,7 +50,7 @@ TEST_F(ImageMemory, it_counts_what_the_picture_is_not_how_it_was_asked_for) {
 
 TEST_F(ImageMemory, insisting_client_gets_it_rendered) {
   const Answer first = render(small_scene);
-  const Answer anew = render(small_scene, "", {{"Cache-Control", "no-cache"}});
+  const Answer anew = render(small_scene, "", without_cache);
   EXPECT_EQ(cache_entry(anew), "");
   EXPECT_GT(stage_ms(anew, "trace"), 0);
   EXPECT_EQ(anew.body, first.body);
@@ -62,10 +62,14 @@ TEST_F(ImageMemory, image_under_a_time_budget_is_made_each_time) {
 }
 
 TEST_F(ImageMemory, head_and_jobs_say_the_same_tag) {
-  const Answer first = render(small_scene);
-  const Answer known = render(small_scene, "", {{"If-None-Match", "\"other\""}, {"Accept", "*/*"}});
-  EXPECT_EQ(cache_entry(known), "hit");
-  EXPECT_EQ(known.get_header_value("ETag"), first.get_header_value("ETag"));
+  const std::string tag = render(small_scene).get_header_value("ETag");
+  const std::string id = json_of(post(server_, "/scenes", small_scene)).at("id");
+  EXPECT_EQ(request(server_, "HEAD", "/render?scene=" + id).get_header_value("ETag"), tag);
+  const std::string job = post(server_, "/jobs", small_scene).get_header_value("Location");
+  const std::string image = job + "/image";
+  EXPECT_TRUE(eventually([&] { return get(server_, image).has_header("ETag"); }));
+  for (const char* const method : {"HEAD", "GET"})
+    EXPECT_EQ(request(server_, method, image).get_header_value("ETag"), tag) << method;
 }
 
 TEST(ImageMemoryBound, least_recently_used_image_goes) {

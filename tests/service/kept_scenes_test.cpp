@@ -87,7 +87,7 @@ TEST_F(KeptScenes, view_in_the_query_is_that_of_a_document) {
   const std::string target = "/render?scene=" + keep(small_scene) +
                              "&origin=1,2,-4&look_at=0,0,0&up=0,1,0&fov=0.9&width=30&height=8";
   for (const std::string method : {"GET", "POST"}) {
-    const Answer view = request(method, target);
+    const Answer view = request(method, target, without_cache);
     ASSERT_EQ(view.status, 200) << view.body;
     EXPECT_EQ(view.body, posted.body);
     EXPECT_EQ(view.get_header_value("ETag"), posted.get_header_value("ETag"));

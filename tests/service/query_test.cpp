@@ -26,7 +26,7 @@ const std::string mirrors = R"({
 class Query : public Service {
  protected:
   static Picture picture(const std::string& query, const std::string& document = mirrors) {
-    const Answer answer = post("/render" + query, document);
+    const Answer answer = post("/render" + query, document, without_cache);
     EXPECT_EQ(answer.status, 200) << query << ": " << answer.body;
     return decode_png(answer.body);
   }

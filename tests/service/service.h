@@ -16,6 +16,9 @@ namespace raytracer::test {
 using Answer = httplib::Response;
 using Headers = httplib::Headers;
 
+/// For a picture that is to be rendered, not taken from the server's cache.
+inline const Headers without_cache{{"Cache-Control", "no-cache"}};
+
 /// Sends one request on a connection of its own. Throws std::runtime_error without an answer.
 Answer request(const ServerProcess& server, const std::string& method, const std::string& target,
                const Headers& headers = {}, const std::string& body = {});
