@@ -34,7 +34,4 @@ std::string entity_tag_of_bytes(std::string_view bytes);
 /// Whether an If-None-Match field names `tag`, by weak comparison (RFC 9110, 13.1.2), or is "*".
 bool matches_tag(std::string_view if_none_match, std::string_view tag);
 
-/// SHA-256 in hexadecimal. Throws std::runtime_error if OpenSSL has no SHA-256.
-std::string sha256_hex(std::string_view bytes);
-
 }  // namespace raytracer

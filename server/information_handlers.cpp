@@ -58,7 +58,7 @@ void get_scene_schema(Services&, Call& call) {
 }
 
 void get_file(const EmbeddedFile& file, Call& call) {
-  const std::string tag = '"' + sha256_hex(file.bytes) + '"';
+  const std::string tag = entity_tag_of_bytes(file.bytes);
   // Weak: the bytes that are sent depend on what the client can decompress.
   call.response.set_header("ETag", "W/" + tag);
   // May be stored, but is to be asked for again: another version has other files.

@@ -8,7 +8,7 @@
 
 #include "server/body.h"
 #include "server/cross_origin.h"
-#include "server/etag.h"
+#include "server/digest.h"
 #include "server/problem.h"
 #include "server/request_text.h"
 

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "server/digest.h"
 #include "server/etag.h"
 #include "server/problem.h"
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "server/cluster/stored_text.h"
-#include "server/etag.h"
+#include "server/digest.h"
 
 namespace raytracer {
 namespace {

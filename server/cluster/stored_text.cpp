@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "server/cluster/record.h"
-#include "server/etag.h"
+#include "server/digest.h"
 
 namespace raytracer {
 namespace {

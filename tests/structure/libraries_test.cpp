@@ -38,7 +38,7 @@ TEST(Libraries, json_is_where_json_is_read_or_written) {
            path == "server/cluster/record.cpp" ||        // reads and writes what NATS keeps
            path == "server/cluster/result.cpp" ||        //
            path == "server/cluster/store.cpp" ||         //
-           path == "server/cluster/handler.cpp" ||       // writes who is in the cluster
+           path == "server/cluster_handler.cpp" ||       // writes who is in the cluster
            path == "server/request_text.cpp" ||          // reads numbers as JSON writes them
            path == "client/api.cpp" ||                   // reads answers
            path == "client/plan_command.cpp" ||          // reads plans
@@ -78,7 +78,7 @@ TEST(Libraries, compression_is_in_one_file) {
 
 TEST(Libraries, digests_are_in_two_files) {
   expect_users("openssl/", [](const std::string& path) {
-    return path == "server/etag.cpp" || path == "server/request_validation.cpp";
+    return path == "server/digest.cpp" || path == "server/request_validation.cpp";
   });
 }
 
