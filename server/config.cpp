@@ -121,6 +121,9 @@ class CommandLine {
         ->check(CLI::IsMember({"1", "0", "true", "false"}));
   }
 
+  void add_listening(Config& config);
+  void add_limits(Config& config);
+  void add_access(Config& config);
   void add_cluster(ClusterConfig& cluster);
 
   template <typename Integer>
@@ -142,6 +145,22 @@ CommandLine::CommandLine(Config& config) {
                         fmt::format("raytracer-server {} (build {})", version, build_id));
   add_flag({"--quiet", "RAYTRACER_QUIET"}, "Do not log requests to standard error",
            [&config](bool is_quiet) { config.quiet = is_quiet; });
+  add_listening(config);
+  add_limits(config);
+  add_access(config);
+  add_integer({"--drain-delay", "RAYTRACER_DRAIN_DELAY"}, "MS",
+              "Milliseconds between a signal to end, when /readyz says draining, and the refusal\n"
+              "of new work: time for a load balancer to notice",
+              std::to_string(config.drain_delay_ms), config.drain_delay_ms, 0, 60'000);
+  add_cluster(config.cluster);
+  app_.footer(
+      fmt::format("SIGTERM and SIGINT: no new work; what runs has {} s to finish, and a job's "
+                  "result {} s to be "
+                  "fetched. A second signal ends both.\n",
+                  time_to_finish.count(), time_to_fetch.count()));
+}
+
+void CommandLine::add_listening(Config& config) {
   add({"--host", "RAYTRACER_HOST"}, "ADDRESS",
       "Address to listen on; beyond loopback --token is required", config.host,
       [&config](const std::string& text, const Source& source) {
@@ -152,6 +171,9 @@ CommandLine::CommandLine(Config& config) {
               std::to_string(config.port), config.port, 0, 65'535);
   add_integer({"--threads", "RAYTRACER_THREADS"}, "COUNT", "Number of threads that trace",
               "every core", config.threads, 1, 1024);
+}
+
+void CommandLine::add_limits(Config& config) {
   for (const LimitRow& row : limit_table) {
     std::int64_t& limit = config.limits.*row.value;
     add_integer({row.flag, row.variable}, "COUNT", fmt::format("Maximum number of {}", row.meaning),
@@ -162,6 +184,9 @@ CommandLine::CommandLine(Config& config) {
     add_integer({row.flag, row.variable}, "COUNT", fmt::format("Maximum number of {}", row.meaning),
                 std::to_string(size), size, 0, row.largest);
   }
+}
+
+void CommandLine::add_access(Config& config) {
   add({"--token", "RAYTRACER_TOKEN"}, "TOKEN",
       "Bearer token that requests must carry; other users can list it here,\nbut not in its "
       "variable",
@@ -190,16 +215,6 @@ CommandLine::CommandLine(Config& config) {
       })
       ->expected(1, CLI::detail::expected_max_vector_size)
       ->allow_extra_args(false);
-  add_integer({"--drain-delay", "RAYTRACER_DRAIN_DELAY"}, "MS",
-              "Milliseconds between a signal to end, when /readyz says draining, and the refusal\n"
-              "of new work: time for a load balancer to notice",
-              std::to_string(config.drain_delay_ms), config.drain_delay_ms, 0, 60'000);
-  add_cluster(config.cluster);
-  app_.footer(
-      fmt::format("SIGTERM and SIGINT: no new work; what runs has {} s to finish, and a job's "
-                  "result {} s to be "
-                  "fetched. A second signal ends both.\n",
-                  time_to_finish.count(), time_to_fetch.count()));
 }
 
 void CommandLine::add_cluster(ClusterConfig& cluster) {

@@ -60,6 +60,13 @@ bool end_is(int socket, NameFunction name_of_end, const std::string& address, in
   return end && end->port() == port && end->host() == address;  // the text last: it takes longest
 }
 
+/// How many descriptors the process may open, or `most` if that is less.
+std::size_t descriptor_limit(std::size_t most) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return most;
+  return std::min<std::size_t>(limit.rlim_cur, most);
+}
+
 /// The first descriptor that this process has open and that visit(descriptor) is true of, or -1.
 template <typename Visit>
 int find_descriptor(const Visit& visit) {
@@ -73,7 +80,7 @@ int find_descriptor(const Visit& visit) {
       return descriptor;
   if (!error) return -1;
   // Without a descriptor left to list them by, or without the list.
-  const auto limit = static_cast<int>(descriptor_limit());
+  const auto limit = static_cast<int>(descriptor_limit(65'536));
   for (int descriptor = 0; descriptor < limit; ++descriptor)
     if (visit(descriptor)) return descriptor;
   return -1;
@@ -81,11 +88,7 @@ int find_descriptor(const Visit& visit) {
 
 }  // namespace
 
-std::size_t descriptor_limit(std::size_t most) {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return most;
-  return std::min<std::size_t>(limit.rlim_cur, most);
-}
+std::size_t most_connections() { return descriptor_limit(2048); }
 
 int find_socket(const httplib::Request& request) {
   return find_descriptor([&](int socket) {

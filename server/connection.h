@@ -16,8 +16,9 @@
 
 namespace raytracer {
 
-/// How many descriptors the process may open, or `most` if that is less.
-std::size_t descriptor_limit(std::size_t most = 65'536);
+/// How many connections are served at a time, each of which takes a descriptor; more wait for one
+/// of them to end.
+std::size_t most_connections();
 
 /// The descriptor of the request's connection, or -1 if this process has none such any more.
 int find_socket(const httplib::Request& request);

@@ -10,7 +10,7 @@ namespace {
 
 /// What HTTP's contract has names for: of mixed precision, which a plan explains, what most of it
 /// is.
-Precision told(Precision precision) {
+Precision reported_precision(Precision precision) {
   return precision == Precision::mixed ? Precision::single_precision : precision;
 }
 
@@ -30,7 +30,7 @@ FinishedImage finish_image(const BasicRendering<Channel>& rendering, double queu
                            : rendering.stop == Stop::budget ? "budget"
                                                             : "samples";
   image.fields = {{"Render-Samples", fmt::format("{:.6g}", rendering.samples_per_pixel)},
-                  {"Render-Precision", name_of(told(rendering.precision))},
+                  {"Render-Precision", name_of(reported_precision(rendering.precision))},
                   {"Render-Stop", stop}};
   if (rendering.light_samples > 0)
     image.fields.emplace_back("Render-Light-Samples", std::to_string(rendering.light_samples));

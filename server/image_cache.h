@@ -17,6 +17,7 @@
 
 #include "engine/engine.h"
 #include "server/admission.h"
+#include "server/connection.h"
 #include "server/disconnect_watch.h"
 #include "server/finished_image.h"
 #include "server/lru_cache.h"
@@ -39,7 +40,9 @@ class ImageCache {
       : admission_(admission),
         disconnect_watch_(disconnect_watch),
         memory_(most_bytes),
-        sharers_(most_sharers, "Too many wait for pictures that others asked for; try again later",
+        // Half of the connections: the others go on being answered.
+        sharers_(static_cast<std::int64_t>(most_connections() / 2),
+                 "Too many wait for pictures that others asked for; try again later",
                  [&admission] { return admission.retry_after_s(); }) {}
 
   /// Makes the picture; throws HttpError, also if `progress.stop` was set before it was done.
@@ -56,9 +59,6 @@ class ImageCache {
  private:
   struct SingleFlight;
   class Waiter;
-
-  /// Half of the connections that a server may have: the others go on being answered.
-  static constexpr std::int64_t most_sharers = 1024;
 
   Delivery make_for_all(const std::optional<std::string>& tag, const Make& make,
                         SingleFlight& flight);

@@ -24,7 +24,8 @@
 namespace raytracer {
 namespace {
 
-constexpr std::size_t most_connections = 2048;  // more wait for one of them to end
+using httplib::Request;
+using httplib::Response;
 
 // Nothing but this server's own files runs in the page; nobody else's page may frame it.
 constexpr const char* content_security_policy =
@@ -79,11 +80,14 @@ Listener::Listener(const Config& config, const RouteTable& routes, RequestLog& l
                    Metrics& metrics)
     : config_(config), routes_(routes), log_(log), metrics_(metrics) {
   set_options();
-  set_handlers();
+  set_validation();
+  set_dispatch();
+  set_refusals();
+  set_completion();
 }
 
 void Listener::set_options() {
-  server_.new_task_queue = [] { return new ThreadPerTask(descriptor_limit(most_connections)); };
+  server_.new_task_queue = [] { return new ThreadPerTask(most_connections()); };
   // Without SO_REUSEPORT, httplib's default: a second server would share the port in silence.
   server_.set_socket_options([this](socket_t socket) {
     const int yes = 1;
@@ -101,32 +105,32 @@ void Listener::set_options() {
                                {"Content-Security-Policy", content_security_policy}});
 }
 
-void Listener::set_handlers() {
-  using httplib::ContentReader;
-  using httplib::Request;
-  using httplib::Response;
+/// Before the body is asked for, and before it is read.
+void Listener::set_validation() {
   using HandlerResponse = httplib::Server::HandlerResponse;
-
   server_.set_expect_100_continue_handler([this](const Request& request, Response& response) {
     return is_valid(request, response) ? 100 : response.status;
   });
   server_.set_pre_routing_handler([this](const Request& request, Response& response) {
     return is_valid(request, response) ? HandlerResponse::Unhandled : HandlerResponse::Handled;
   });
+}
 
-  // Validation has found the route already; these are the ways to get there with and without a
-  // body.
+/// Validation has found the route already; these are the ways to get there with and without a body.
+void Listener::set_dispatch() {
   const httplib::Server::Handler bodiless = [this](const Request& request, Response& response) {
     dispatch({request, response});
   };
   server_.Options("/.*", [](const Request&, Response& response) { answer_preflight(response); });
   server_.Get("/.*", bodiless);
   server_.Delete("/.*", bodiless);
-  server_.Post("/.*",
-               [this](const Request& request, Response& response, const ContentReader& content) {
-                 dispatch({request, response, {}, &content});
-               });
+  server_.Post("/.*", [this](const Request& request, Response& response,
+                             const httplib::ContentReader& content) {
+    dispatch({request, response, {}, &content});
+  });
+}
 
+void Listener::set_refusals() {
   const httplib::Server::Handler unrouted = [this](const Request& request, Response& response) {
     answer_unrouted(request, response);
   };
@@ -136,22 +140,11 @@ void Listener::set_handlers() {
     log_.note("a request failed outside its handler");
     answer_problem(response, internal_error(), after_refusal({request, response}));
   });
-  server_.set_post_routing_handler([this](const Request& request, Response& response) {
-    response.set_header("X-Request-Id", log_.begin(request));
-    if (closes_connection(response)) response.headers.erase("Keep-Alive");
-    // httplib says "Content-Length: 0" where HTTP wants the length of the GET's body or nothing.
-    const bool has_no_length = response.status == 204 || response.status == 304 ||
-                               (request.method == "HEAD" && response.status == 200 &&
-                                response.get_header_value("Content-Length") == "0");
-    if (has_no_length) response.headers.erase("Content-Length");
-    response.headers.erase("Accept-Ranges");
-    // What a handler says nothing about is true for a moment.
-    if (!response.has_header("Cache-Control")) response.set_header("Cache-Control", "no-store");
-    // Texts are compressed for those who accept it; images, which are not, vary by Accept.
-    const bool is_of_body = response.status == 200 || response.status == 304;
-    if (is_of_body && !response.has_header("Vary")) response.set_header("Vary", "Accept-Encoding");
-    add_cross_origin_fields(request, response, config_.allowed_origins);
-  });
+}
+
+void Listener::set_completion() {
+  server_.set_post_routing_handler(
+      [this](const Request& request, Response& response) { complete_fields(request, response); });
   server_.set_logger(
       [this](const Request& request, const Response& response) { finish(request, response); });
 }
@@ -192,6 +185,24 @@ void Listener::dispatch(Call call) {
     call.captured = std::move(match.captured);
     match.route.handler(call);
   });
+}
+
+/// What the fields of every answer are to say, whoever gave it.
+void Listener::complete_fields(const httplib::Request& request, httplib::Response& response) {
+  response.set_header("X-Request-Id", log_.begin(request));
+  if (closes_connection(response)) response.headers.erase("Keep-Alive");
+  // httplib says "Content-Length: 0" where HTTP wants the length of the GET's body or nothing.
+  const bool has_no_length = response.status == 204 || response.status == 304 ||
+                             (request.method == "HEAD" && response.status == 200 &&
+                              response.get_header_value("Content-Length") == "0");
+  if (has_no_length) response.headers.erase("Content-Length");
+  response.headers.erase("Accept-Ranges");
+  // What a handler says nothing about is true for a moment.
+  if (!response.has_header("Cache-Control")) response.set_header("Cache-Control", "no-store");
+  // Texts are compressed for those who accept it; images, which are not, vary by Accept.
+  const bool is_of_body = response.status == 200 || response.status == 304;
+  if (is_of_body && !response.has_header("Vary")) response.set_header("Vary", "Accept-Encoding");
+  add_cross_origin_fields(request, response, config_.allowed_origins);
 }
 
 /// Answers of httplib's own, before any handler: a request that it could not read. Where the next

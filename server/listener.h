@@ -17,6 +17,7 @@
 
 namespace raytracer {
 
+/// Answers requests from bind() and run() to stop(), each with a line in the log and its metrics.
 class Listener {
  public:
   /// All four must outlive the listener.
@@ -34,12 +35,16 @@ class Listener {
 
  private:
   void set_options();
-  void set_handlers();
+  void set_validation();
+  void set_dispatch();
+  void set_refusals();
+  void set_completion();
   /// Whether the step does not throw; what it throws is the answer.
   template <typename Step>
   bool succeeds(Call& call, const Step& step);
   bool is_valid(const httplib::Request& request, httplib::Response& response);
   void dispatch(Call call);
+  void complete_fields(const httplib::Request& request, httplib::Response& response);
   void answer_unrouted(const httplib::Request& request, httplib::Response& response);
   void finish(const httplib::Request& request, const httplib::Response& response);
 

@@ -105,10 +105,10 @@ void Metrics::rendered(const RenderReport& report, const std::optional<std::stri
   add("samples_rendered_total", pixels * report.samples_per_pixel);
   add("pixels_clamped_total", static_cast<double>(report.beyond.clamped));
   add("pixels_nan_total", static_cast<double>(report.beyond.not_numbers));
-  const auto foreseen_ms = digest ? predicted_ms_.find(*digest) : nullptr;
-  if (!foreseen_ms || *foreseen_ms <= 0) return;
-  observe("trace_actual_to_predicted_ratio", report.trace_ms / *foreseen_ms);
-  add("trace_predicted_seconds_total", *foreseen_ms / 1000);
+  const auto predicted_ms = digest ? predicted_ms_.find(*digest) : nullptr;
+  if (!predicted_ms || *predicted_ms <= 0) return;
+  observe("trace_actual_to_predicted_ratio", report.trace_ms / *predicted_ms);
+  add("trace_predicted_seconds_total", *predicted_ms / 1000);
   add("trace_actual_seconds_total", report.trace_ms / 1000);
 }
 

@@ -15,14 +15,14 @@ void post_plan(Services& services, Call& call) {
   RenderProgress progress;
   const auto watched =
       services.disconnect_watch.watch(call.request, [&] { services.admission.stop(progress); });
-  std::optional<Forecast> foreseen;
+  std::optional<Forecast> made;
   run_admitted(services, progress, [&] {
-    foreseen = forecast(view.scene, services.config.limits, services.machine_costs(), services.pool,
-                        progress);
-    return foreseen.has_value();
+    made = forecast(view.scene, services.config.limits, services.machine_costs(), services.pool,
+                    progress);
+    return made.has_value();
   });
-  services.metrics.predicted(view.picture_digest(), foreseen->prediction);
-  answer_bytes(call.response, explain(view.scene, foreseen->plan, foreseen->prediction),
+  services.metrics.predicted(view.picture_digest(), made->prediction);
+  answer_bytes(call.response, explain(view.scene, made->plan, made->prediction),
                "application/json");
 }
 

@@ -1,6 +1,7 @@
 #include "server/render_answer.h"
 
 #include <optional>
+#include <type_traits>
 
 #include "engine/engine.h"
 #include "server/run_admitted.h"
@@ -8,13 +9,14 @@
 namespace raytracer {
 namespace {
 
-Rendering render_as(const float*, const PreparedScene& scene, const Limits& limits,
-                    WorkerPool& pool, RenderProgress& progress) {
-  return render(scene, limits, pool, progress);
-}
-ByteRendering render_as(const unsigned char*, const PreparedScene& scene, const Limits& limits,
-                        WorkerPool& pool, RenderProgress& progress) {
-  return render_bytes(scene, limits, pool, progress);
+template <typename Channel>
+BasicRendering<Channel> render_here(Services& services, const PreparedScene& scene,
+                                    RenderProgress& progress) {
+  const Limits& limits = services.config.limits;
+  if constexpr (std::is_same_v<Channel, float>)
+    return render(scene, limits, services.pool, progress);
+  else
+    return render_bytes(scene, limits, services.pool, progress);
 }
 
 /// Here, or by all if there is a cluster and it takes long.
@@ -27,8 +29,7 @@ FinishedImage make_image(Services& services, const SceneView& view, const httpli
     const PreparedScene scene(view.scene, services.pool);
     if (services.cluster) cut = services.cluster->choose_cut(scene, sizeof(Channel) == 1, progress);
     if (cut) return true;
-    rendering = render_as(static_cast<const Channel*>(nullptr), scene, services.config.limits,
-                          services.pool, progress);
+    rendering = render_here<Channel>(services, scene, progress);
     return rendering.stop != Stop::cancelled;
   });
   Sharing sharing;

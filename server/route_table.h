@@ -15,14 +15,17 @@ namespace raytracer {
 /// What may follow a request's header.
 enum class RequestBody { none, scene };
 
+/// A row of the table: which requests, and what answers them.
 struct Route {
   std::string method;   ///< GET also answers HEAD
   std::string pattern;  ///< a path; one {name} in it is a segment, not empty
   RequestBody body = RequestBody::none;
   Handler handler;
-  bool is_public = false;  ///< needs no token
+  bool is_public = false;   ///< needs no token
+  bool on_workers = false;  ///< is there on a cluster's workers too
 };
 
+/// All routes, of which the first that fits answers.
 class RouteTable {
  public:
   explicit RouteTable(std::vector<Route> routes) : routes_(std::move(routes)) {}

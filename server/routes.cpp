@@ -12,6 +12,7 @@ RouteTable make_routes(Services& services) {
     return [&services, handler](Call& call) { handler(services, call); };
   };
   constexpr bool is_public = true;
+  constexpr bool on_workers = true;
   constexpr auto none = RequestBody::none;
   constexpr auto scene = RequestBody::scene;
   std::vector<Route> routes{
@@ -28,18 +29,15 @@ RouteTable make_routes(Services& services) {
       {"POST", "/scenes", scene, with(post_scene)},
       {"GET", "/scenes/{name}", none, with(get_scene)},
       {"GET", "/cluster", none, with(get_cluster)},
-      {"GET", "/healthz", none, with(get_health), is_public},
-      {"GET", "/readyz", none, with(get_readiness), is_public},
-      {"GET", "/metrics", none, with(get_metrics)},
-      {"GET", "/version", none, with(get_version)},
+      {"GET", "/healthz", none, with(get_health), is_public, on_workers},
+      {"GET", "/readyz", none, with(get_readiness), is_public, on_workers},
+      {"GET", "/metrics", none, with(get_metrics), !is_public, on_workers},
+      {"GET", "/version", none, with(get_version), !is_public, on_workers},
       {"GET", "/schema/scene.json", none, with(get_scene_schema)},
       {"GET", "/openapi.json", none, with(get_openapi)},
   };
   if (services.config.cluster.is_worker) {
-    std::erase_if(routes, [](const Route& route) {
-      return !(route.pattern == "/healthz" || route.pattern == "/readyz" ||
-               route.pattern == "/metrics" || route.pattern == "/version");
-    });
+    std::erase_if(routes, [](const Route& route) { return !route.on_workers; });
     return RouteTable(std::move(routes));
   }
   // The page is no secret: it asks for the token and sends it with what it asks of the service.
