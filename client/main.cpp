@@ -28,7 +28,8 @@ constexpr const char* footer =
     "failed; 128 + N interrupted by signal N.";
 
 /// Standard streams that are closed: the next file or socket would take their numbers, and with
-/// them what is said there. What uses them fails as before.
+/// them what is said there. What uses them fails as before. As in the server's main, with which
+/// this program shares no code.
 void hold_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) == -1)

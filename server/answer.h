@@ -20,12 +20,14 @@ enum class ConnectionReuse { keep, close };
 void answer_problem(httplib::Response& response, const Problem& problem,
                     ConnectionReuse afterwards);
 
+/// 200 with these bytes.
 void answer_bytes(httplib::Response& response, std::string bytes, std::string_view media_type);
 
 /// The same for bytes that others use too: they are not copied.
 void answer_shared_bytes(httplib::Response& response, std::shared_ptr<const std::string> bytes,
                          std::string_view media_type);
 
+/// The status with this JSON, indented.
 void answer_json(httplib::Response& response, int status, const nlohmann::ordered_json& json);
 
 /// Whether this response ends its connection; see answer_problem.

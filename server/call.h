@@ -9,6 +9,7 @@
 
 namespace raytracer {
 
+/// One request to be answered.
 struct Call {
   const httplib::Request& request;
   httplib::Response& response;

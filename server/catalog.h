@@ -7,6 +7,7 @@
 
 namespace raytracer {
 
+/// A scene that is compiled in.
 struct ShippedScene {
   std::string name;           ///< as in ?scene=NAME
   std::string_view document;  ///< its own bytes
@@ -23,6 +24,7 @@ struct SceneDescription {
 /// Throws std::logic_error if the document lacks something: then the build is broken.
 SceneDescription describe(const ShippedScene& scene);
 
+/// All shipped scenes.
 class Catalog {
  public:
   /// Reads no document: most servers of a client's own render one scene of its.

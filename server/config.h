@@ -28,6 +28,7 @@ struct ClusterConfig {
   bool names_max_stored = false;
 };
 
+/// Every setting; those that no flag or variable names are the defaults here.
 struct Config {
   std::string host = "127.0.0.1";
   int port = 8080;  ///< 0: one that is free

@@ -15,6 +15,7 @@
 
 namespace raytracer {
 
+/// A thread that looks after the connections of requests that wait.
 class DisconnectWatch {
  public:
   DisconnectWatch();

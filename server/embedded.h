@@ -7,6 +7,7 @@
 
 namespace raytracer {
 
+/// A file that is compiled in.
 struct EmbeddedFile {
   std::string_view path;  ///< "scenes/demo.json", "web/index.html", "openapi.json"
   std::string_view bytes;

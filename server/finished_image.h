@@ -21,6 +21,7 @@ struct Stages {
   double encode_ms = 0;
 };
 
+/// A picture as it is answered.
 struct FinishedImage {
   std::string bytes;
   std::vector<std::pair<std::string, std::string>> fields;  ///< Render-Samples and so on

@@ -12,6 +12,7 @@
 
 namespace raytracer {
 
+/// As Content-Type and Accept name the format.
 std::string_view media_type(ImageFormat format);
 
 /// The format that the request's Accept prefers (RFC 9110, 12.5.1): the highest weight, the most
@@ -28,6 +29,9 @@ struct Representation {
   ImageFormat format;
   std::optional<std::string> tag{};  ///< of the picture, if the same request would give it again
 };
+
+/// The picture in this format, with the tag that it has as `renderer_id` draws it. Without a digest
+/// it has none, since the next render gives other bytes.
 Representation represent(const std::optional<std::string>& picture_digest, ImageFormat format,
                          std::string_view renderer_id);
 

@@ -52,8 +52,8 @@ struct Services {
                                      admission, pool, scenes, metrics, log});
   }
 
-  /// Measured when a forecast first needs it, which takes some milliseconds; with threads of its
-  /// own, which renders do not keep.
+  /// Measured at the first call, which takes some milliseconds: in a cluster at the start, else for
+  /// the first forecast. With threads of its own, which renders do not keep.
   const MachineCosts& machine_costs() {
     std::call_once(costs_measured, [&] {
       WorkerPool idle(config.threads);
