@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <vector>
 
 #include "client/formats/printable.h"
@@ -20,15 +19,6 @@ std::string overriding_option(const std::string& pointer, const Overrides& overr
   if (!in_place || !overrides.contains(name)) return {};
   std::replace(name.begin(), name.end(), '_', '-');
   return "--" + name;
-}
-
-/// What is wrong with the whole text, behind its line if it is not JSON: ":2: not JSON: line 2,
-/// ...".
-std::string at_line(const std::string& detail) {
-  static const std::regex place(R"(not JSON: line (\d+),)");
-  std::smatch part;
-  return fmt::format("{}: {}", std::regex_search(detail, part, place) ? ":" + part.str(1) : "",
-                     detail);
 }
 
 }  // namespace
@@ -51,10 +41,15 @@ std::string explain(const std::string& problem, const SceneText& scene,
     const auto line = lines.find(pointer);
     return line == lines.end() ? scene.label : fmt::format("{}:{}", scene.label, line->second);
   };
+  // What is wrong with the whole text has a line if that is not JSON.
+  const auto place_in_text = [&](const nlohmann::json& error) {
+    const int line = error.value("line", 0);
+    return line > 0 ? fmt::format("{}:{}", scene.label, line) : scene.label;
+  };
   std::vector<std::string> text;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const std::string detail = printable(errors[i].value("detail", ""));
-    text.push_back(pointers[i].empty() ? scene.label + at_line(detail)
+    text.push_back(pointers[i].empty() ? fmt::format("{}: {}", place_in_text(errors[i]), detail)
                                        : fmt::format("{}: {}: {}", place_of(pointers[i]),
                                                      printable(pointers[i]), detail));
   }

@@ -1,6 +1,7 @@
 // The service described for programs: OpenAPI 3.1.
 //
-// openapi.json says what is particular to each route, openapi.components.json what several share;
+// openapi.json says what is particular to each route, openapi.components.json what several share,
+// openapi.schemas.json what bodies and answers look like;
 // what is the same for all is added here, so that it is said once: the request's id, the refusals
 // that any request may meet, that refusals are problem+json, and the schema of scenes.
 #include <nlohmann/json.hpp>
@@ -66,6 +67,7 @@ Json openapi_document() {
   Json& components = document["components"];
   components = Json::parse(embedded_file("openapi.components.json").bytes);
   complete_components(components["responses"]);
+  components["schemas"] = Json::parse(embedded_file("openapi.schemas.json").bytes);
   components["schemas"]["scene"] = scene_component();
   Json& paths = document["paths"];
   for (auto& [path, item] : paths.items())
@@ -76,6 +78,9 @@ Json openapi_document() {
 
 }  // namespace
 
-void get_openapi(Services&, Call& call) { answer_json(call.response, 200, openapi_document()); }
+void get_openapi(Services&, Call& call) {
+  static const std::string text = openapi_document().dump(2) + "\n";
+  answer_bytes(call.response, text, "application/json");
+}
 
 }  // namespace raytracer

@@ -35,6 +35,16 @@ std::string_view title_of(int status) {
   return "Internal Server Error";
 }
 
+nlohmann::ordered_json to_json(const Error& error) {
+  nlohmann::ordered_json json{{"pointer", error.pointer}, {"detail", error.detail}};
+  if (error.is_about_key) json["about"] = "key";
+  if (!error.syntax) return json;
+  json["line"] = error.syntax->line;
+  json["column"] = error.syntax->column;
+  json["reason"] = error.syntax->reason;
+  return json;
+}
+
 }  // namespace
 
 void refuse(int status, std::string detail,
@@ -68,8 +78,7 @@ std::string to_json(const Problem& problem) {
                               {"title", title_of(problem.status)},
                               {"status", problem.status},
                               {"detail", problem.detail}};
-  for (const Error& error : problem.errors)
-    json["errors"].push_back({{"pointer", error.pointer}, {"detail", error.detail}});
+  for (const Error& error : problem.errors) json["errors"].push_back(to_json(error));
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -4,32 +4,29 @@ import { lineAndColumn, locator, offsetOf } from "./json_pointer.js";
 import { pluralised } from "./units.js";
 
 const most_listed = 200;  // errors; nobody reads further, and each is a mark in the editor
-const about_keys = /^unknown key|stands twice/;  // the name is wrong then, whatever its value is
 
 /// The errors of a Problem as marks in `text`, the document that it is about:
 /// [{start, end, line, message, pointer}], with a {column} where the text is no JSON, in the order of the text. `overriding`: the controls
 /// that stood over the document, by pointer; an error of theirs gets {control} and no place.
 export function marksOf(problem, text, overriding) {
-  const syntax = syntaxMark(problem, text);
+  const syntax = syntaxMark(problem.errors[0], text);
   if (syntax) return [syntax];
   const place = locator(text);
-  const marks = problem.errors.slice(0, most_listed).map(({ pointer, detail }) => {
+  const marks = problem.errors.slice(0, most_listed).map(({ pointer, detail, about }) => {
     const control = overriding.get(pointer);
     if (control) return { control, pointer, message: detail };
     const { key, value } = place(pointer);
-    const { start, end } = key && about_keys.test(detail) ? key : value;
+    const { start, end } = key && about === "key" ? key : value;
     return { start, end, pointer, message: detail, line: lineAndColumn(text, start).line };
   });
   return marks.sort((a, b) => rank(a) - rank(b));
 }
 
-// Text that is not JSON has no pointers: the detail says where it stops being JSON, then why.
-function syntaxMark({ status, detail }, text) {
-  const said = status === 400 && /line (\d+), column (\d+)[:\s]*(.*)/s.exec(detail);
-  if (!said) return null;
-  const [, line, column, message] = said;
-  const start = offsetOf(text, Number(line), Number(column));
-  return { start, end: start, pointer: "", message, ...lineAndColumn(text, start) };
+// Text that is not JSON has no pointers: its one error says where it stops being JSON.
+function syntaxMark(error, text) {
+  if (!error?.line) return null;
+  const start = offsetOf(text, error.line, error.column);
+  return { start, end: start, pointer: "", message: error.reason, ...lineAndColumn(text, start) };
 }
 
 // The controls stand above the text; what is said of the whole document comes last.

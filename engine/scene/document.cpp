@@ -98,7 +98,7 @@ class Inspection {
     });
     for (std::size_t i = 1; i < keys_.size(); ++i)
       if (keys_[i] == keys_[i - 1])
-        errors_.add(ErrorKind::invalid, path.child(keys_[i]), [&] {
+        errors_.add_about_key(path.child(keys_[i]), [&] {
           return fmt::format("\"{}\" stands twice in the same object; keep one", keys_[i]);
         });
     for (const auto& member : object) visit(member.value, path.child(member.key), depth);

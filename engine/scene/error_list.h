@@ -28,6 +28,14 @@ class ErrorList {
       add(kind, path, describe());
   }
 
+  /// An error of kind `invalid` that is about the name at the path's end.
+  template <std::invocable Describe>
+  void add_about_key(const Path& path, const Describe& describe) {
+    const std::size_t listed = errors_.size();
+    add(ErrorKind::invalid, path, describe);
+    if (errors_.size() > listed) errors_.back().is_about_key = true;
+  }
+
   bool empty() const { return count_ == 0; }
 
   /// The errors in the order found; a last one says how many more there were.

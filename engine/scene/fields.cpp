@@ -126,7 +126,7 @@ void ObjectReader::refuse_keys_but(std::span<const std::string_view> known) cons
   for_each([&](std::string_view key, const Field& member) {
     if (std::find(known.begin(), known.end(), key) != known.end()) return;
     if (!unknown.insert(key).second) return;
-    member.refuse([&] {
+    member.errors.add_about_key(member.path, [&] {
       return fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key, nearest_key(key, known));
     });
   });

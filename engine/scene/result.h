@@ -1,6 +1,8 @@
 // The outcome of reading something from outside: a value, or everything that is wrong with it.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -15,10 +17,19 @@ enum class ErrorKind {
   limit,    ///< valid, but more than this service was told to accept
 };
 
+/// Where and why a text is not JSON.
+struct SyntaxError {
+  std::int64_t line = 1;    ///< from 1
+  std::int64_t column = 1;  ///< from 1, in characters
+  std::string reason;
+};
+
 struct Error {
   ErrorKind kind = ErrorKind::invalid;
-  std::string pointer;  ///< JSON Pointer (RFC 6901) into the document; empty is the whole
-  std::string detail;   ///< a sentence for a person: what is wrong and what would be right
+  std::string pointer;        ///< JSON Pointer (RFC 6901) into the document; empty is the whole
+  std::string detail;         ///< a sentence for a person: what is wrong and what would be right
+  bool is_about_key = false;  ///< the name at the pointer's end is wrong, whatever its value is
+  std::optional<SyntaxError> syntax{};  ///< of text that is not JSON; the detail says the same
 };
 
 /// Either a T or a non-empty list of errors.

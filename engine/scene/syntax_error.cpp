@@ -13,8 +13,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Line and column, both from 1 and in characters, of a byte in a text.
-std::string describe_position(std::string_view text, std::size_t byte) {
+/// The error at a byte of the text.
+Error not_json(std::string_view text, std::size_t byte, std::string_view reason) {
   const std::string_view before = text.substr(0, std::min(byte, text.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::string_view in_line = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0
@@ -22,12 +22,10 @@ std::string describe_position(std::string_view text, std::size_t byte) {
       1 + std::count_if(in_line.begin(), in_line.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;  // UTF-8's first bytes
       });
-  return fmt::format("line {}, column {}", line, column);
-}
-
-Error not_json(std::string_view text, std::size_t byte, std::string_view reason) {
-  return {ErrorKind::syntax, "",
-          fmt::format("not JSON: {}: {}", describe_position(text, byte), reason)};
+  Error error{ErrorKind::syntax, "",
+              fmt::format("not JSON: line {}, column {}: {}", line, column, reason)};
+  error.syntax = {line, column, std::string(reason)};
+  return error;
 }
 
 constexpr std::string_view white_space = " \t\n\r";  // RFC 8259, section 2

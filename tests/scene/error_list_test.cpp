@@ -31,6 +31,8 @@ TEST(Validation, reports_all_errors_of_a_document_together) {
             (std::vector<std::string>{"/camera/fvo", "/lights/1/position", "/objects/0/radius",
                                       "/objects/1/material", "/render/samples"}))
       << describe(errors);
+  for (const Error& error : errors)
+    EXPECT_EQ(error.is_about_key, error.pointer == "/camera/fvo") << error.pointer;
 }
 
 TEST(Validation, an_unknown_type_hides_no_error_in_what_all_types_have) {

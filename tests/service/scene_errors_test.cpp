@@ -1,6 +1,7 @@
 // What is wrong with a posted document: everything at once, each with its place.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "tests/service/documents.h"
@@ -32,9 +33,26 @@ TEST_F(SceneErrors, typo_radius_and_material_are_reported_together) {
   EXPECT_NE(lines.find("\"red\"?"), std::string::npos) << lines;
 }
 
+TEST_F(SceneErrors, wrong_keys_are_told_from_wrong_values) {
+  const Answer answer = post("/render", R"({"ambient": 1, "ambient": 1, "shadow": "off",
+    "objects": 7, "camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 1, "width": 70,
+    "height": 50}})");
+  const nlohmann::json errors = json_of(answer).at("errors");
+  std::map<std::string, std::string> about;
+  for (const nlohmann::json& error : errors)
+    about[error.at("pointer")] = error.value("about", "value");
+  EXPECT_EQ(about, (std::map<std::string, std::string>{
+                       {"/ambient", "key"}, {"/shadow", "key"}, {"/objects", "value"}}));
+}
+
 TEST_F(SceneErrors, text_that_is_not_json_is_400_with_line_and_column) {
   const Answer answer = post("/render", "{\n  \"camera\": {\n    \"fov\" 1\n  }\n}");
-  expect_problem(answer, 400, "line 3, column 11");
+  expect_problem(answer, 400, "line 3, column 11: ");
+  const nlohmann::json error = json_of(answer).at("errors").at(0);
+  EXPECT_EQ(error.value("line", 0), 3);
+  EXPECT_EQ(error.value("column", 0), 11);
+  EXPECT_EQ(error.value("detail", ""),
+            "not JSON: line 3, column 11: " + error.value("reason", "?"));
   EXPECT_EQ(errors_of(answer).find("/camera"), std::string::npos);
 }
 
