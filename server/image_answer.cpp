@@ -16,23 +16,6 @@ namespace {
 
 constexpr const char* if_none_match = "If-None-Match";
 
-/// Like JSON's numbers, but that no digit need follow the point (RFC 9110, 12.4.2).
-std::optional<double> read_weight(std::string_view text) {
-  if (text == "0." || text == "1.") text.remove_suffix(1);
-  return read_double(text);
-}
-
-/// The weight that a media range's parameters give it, 1 if they say none; nothing if it cannot be
-/// read.
-std::optional<double> weight_of(std::span<const std::string_view> parameters) {
-  for (const std::string_view parameter : parameters)
-    if (lower_case(parameter.substr(0, 2)) == "q=") {
-      const std::optional<double> weight = read_weight(parameter.substr(2));
-      return weight && *weight >= 0 && *weight <= 1 ? weight : std::nullopt;
-    }
-  return 1;
-}
-
 /// 3 for the type itself, 2 for its family, 1 for anything, 0 if the range is about other types.
 int specificity(std::string_view range, std::string_view type) {
   if (range == type) return 3;

@@ -10,14 +10,17 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <span>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "server/answer.h"
 #include "server/body.h"
 #include "server/connection.h"
 #include "server/cross_origin.h"
 #include "server/problem.h"
+#include "server/request_text.h"
 #include "server/request_validation.h"
 #include "server/thread_per_task.h"
 
@@ -38,6 +41,21 @@ constexpr const char* content_security_policy =
 /// overlapping ranges in memory.
 void ignore_ranges(const httplib::Request& request) {
   const_cast<httplib::Request&>(request).ranges.clear();
+}
+
+/// httplib compresses for whoever names a coding, also with the weight 0, which refuses it.
+void drop_refused_codings(const Request& request) {
+  constexpr const char* field = "Accept-Encoding";
+  const std::string codings = header_list(request, field);
+  std::string accepted;
+  for (const std::string_view coding : parts_of(codings, ',')) {
+    const std::vector<std::string_view> parts = parts_of(coding, ';');
+    if (weight_of(std::span(parts).subspan(1)) == 0.0) continue;
+    accepted.append(accepted.empty() ? "" : ", ").append(parts[0]);
+  }
+  httplib::Headers& headers = const_cast<Request&>(request).headers;
+  headers.erase(field);
+  if (!accepted.empty()) headers.emplace(field, accepted);
 }
 
 /// "/path" of "http://host/path", which every server must understand (RFC 9112, 3.2.2).
@@ -122,6 +140,10 @@ void Listener::set_dispatch() {
     dispatch({request, response});
   };
   server_.Options("/.*", [](const Request&, Response& response) { answer_preflight(response); });
+  server_.Options(R"(\*)", [this](const Request&, Response& response) {
+    response.status = 204;
+    response.set_header("Allow", routes_.methods());
+  });
   server_.Get("/.*", bodiless);
   server_.Delete("/.*", bodiless);
   server_.Post("/.*", [this](const Request& request, Response& response,
@@ -174,6 +196,7 @@ bool Listener::is_valid(const httplib::Request& request, httplib::Response& resp
   return succeeds(call, [&] {
     log_.begin(request);
     ignore_ranges(request);
+    drop_refused_codings(request);
     drop_authority(request);
     validate_request(request, routes_, config_);
   });
@@ -190,7 +213,11 @@ void Listener::dispatch(Call call) {
 /// What the fields of every answer are to say, whoever gave it.
 void Listener::complete_fields(const httplib::Request& request, httplib::Response& response) {
   response.set_header("X-Request-Id", log_.begin(request));
-  if (closes_connection(response)) response.headers.erase("Keep-Alive");
+  if (closes_connection(response)) {
+    response.headers.erase("Keep-Alive");
+    response.headers.erase("Connection");  // httplib adds its own to this server's
+    response.set_header("Connection", "close");
+  }
   // httplib says "Content-Length: 0" where HTTP wants the length of the GET's body or nothing.
   const bool has_no_length = response.status == 204 || response.status == 304 ||
                              (request.method == "HEAD" && response.status == 200 &&
@@ -209,8 +236,15 @@ void Listener::complete_fields(const httplib::Request& request, httplib::Respons
 /// one would begin is unknown then.
 void Listener::answer_unrouted(const httplib::Request& request, httplib::Response& response) {
   if (response.has_header("Content-Type")) return;
-  ignore_ranges(request);
   const int status = response.status;
+  // A Range that httplib cannot read may be ignored as any other; a POST's body could not be read
+  // here.
+  if (status == 416 && request.method != "POST") {
+    response.status = -1;  // as before any handler
+    if (is_valid(request, response)) dispatch({request, response});
+    return;
+  }
+  ignore_ranges(request);
   // Of a method that httplib does not know it has read the first line alone, and so no token.
   if (status == 400 && is_method_name(request.method) && request.version == "HTTP/1.1" &&
       config_.token.empty()) {

@@ -5,6 +5,15 @@
 #include <nlohmann/json.hpp>
 
 namespace raytracer {
+namespace {
+
+/// Like JSON's numbers, but that no digit need follow the point (RFC 9110, 12.4.2).
+std::optional<double> read_weight(std::string_view text) {
+  if (text == "0." || text == "1.") text.remove_suffix(1);
+  return read_double(text);
+}
+
+}  // namespace
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t");
@@ -35,6 +44,15 @@ std::optional<double> read_double(std::string_view text) {
   const auto value = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
   if (!value.is_number()) return {};
   return value.get<double>();
+}
+
+std::optional<double> weight_of(std::span<const std::string_view> parameters) {
+  for (const std::string_view parameter : parameters)
+    if (lower_case(parameter.substr(0, 2)) == "q=") {
+      const std::optional<double> weight = read_weight(parameter.substr(2));
+      return weight && *weight >= 0 && *weight <= 1 ? weight : std::nullopt;
+    }
+  return 1;
 }
 
 std::optional<int> read_int(std::string_view text) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,10 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator);
 
 /// A JSON number, whatever the locale; nothing for anything else, "nan" and "1e999" included.
 std::optional<double> read_double(std::string_view text);
+
+/// The weight that an element's parameters give it (RFC 9110, 12.4.2), 1 if they say none; nothing
+/// if it cannot be read.
+std::optional<double> weight_of(std::span<const std::string_view> parameters);
 
 /// Decimal digits with an optional "-"; beyond int, the nearest int.
 std::optional<int> read_int(std::string_view text);

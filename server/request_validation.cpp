@@ -70,6 +70,11 @@ void require_no_body(const httplib::Request& request) {
     refuse(400, fmt::format("{} takes no body here; send it without one", request.method));
 }
 
+/// What the server can do as a whole (RFC 9110, 9.3.7).
+bool asks_for_server_options(const httplib::Request& request) {
+  return request.method == "OPTIONS" && request.path == "*";
+}
+
 /// For requests whose body is a scene, unless the query names one.
 void require_scene_body(const httplib::Request& request, std::int64_t most_bytes) {
   if (request.has_header("Transfer-Encoding"))
@@ -104,6 +109,7 @@ void validate_request(const httplib::Request& request, const RouteTable& routes,
   if (is_preflight(request, config.allowed_origins)) return require_no_body(request);
   const Route* const route = routes.find(request.method, request.path);
   if (!route || !route->is_public) require_token(request, config.token);
+  if (asks_for_server_options(request)) return require_no_body(request);
   const RouteTable::Match match = routes.match(request.method, request.path);
   if (match.route.body == RequestBody::none)
     require_no_body(request);

@@ -24,12 +24,25 @@ std::optional<std::string> fit(std::string_view pattern, std::string_view path) 
   return std::string(inside);
 }
 
+/// Adds the route's methods to a list, as Allow has them.
+void add_methods(std::string& list, const Route& route) {
+  const std::string_view methods = route.method == "GET" ? "GET, HEAD" : route.method;
+  if (list.find(methods) != std::string::npos) return;
+  list.append(list.empty() ? "" : ", ").append(methods);
+}
+
 /// A GET's route answers HEAD too.
 std::string_view method_of_route(std::string_view method) {
   return method == "HEAD" ? "GET" : method;
 }
 
 }  // namespace
+
+std::string RouteTable::methods() const {
+  std::string list;
+  for (const Route& route : routes_) add_methods(list, route);
+  return list;
+}
 
 const Route* RouteTable::find(std::string_view method, std::string_view path) const {
   const std::string_view wanted = method_of_route(method);
@@ -45,8 +58,7 @@ RouteTable::Match RouteTable::match(std::string_view method, std::string_view pa
     std::optional<std::string> captured = fit(route.pattern, path);
     if (!captured) continue;
     if (route.method == wanted) return {route, *std::move(captured)};
-    if (!allowed.empty()) allowed += ", ";
-    allowed += route.method == "GET" ? "GET, HEAD" : route.method;
+    add_methods(allowed, route);
   }
   if (allowed.empty())
     refuse(404, fmt::format("There is nothing at {}{}", path,

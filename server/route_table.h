@@ -37,6 +37,9 @@ class RouteTable {
 
   const std::vector<Route>& routes() const { return routes_; }
 
+  /// Every method that some route has, as Allow lists them.
+  std::string methods() const;
+
   /// The route, or null if there is none.
   const Route* find(std::string_view method, std::string_view path) const;
 

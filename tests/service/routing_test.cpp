@@ -151,9 +151,44 @@ TEST_F(Routing, slow_header_does_not_hold_a_connection_for_ever) {
 }
 
 TEST_F(Routing, range_requests_are_answered_whole) {
-  const Answer answer = get("/schema/scene.json", {{"Range", "bytes=0-9,0-9,5-20"}});
-  EXPECT_EQ(answer.status, 200);
-  EXPECT_EQ(answer.body, get("/schema/scene.json").body);
+  for (const char* const range : {"bytes=0-9,0-9,5-20", "lines=1-2", "nonsense"}) {
+    const Answer answer = get("/schema/scene.json", {{"Range", range}});
+    EXPECT_EQ(answer.status, 200) << range;
+    EXPECT_EQ(request("HEAD", "/schema/scene.json", {{"Range", range}}).status, 200) << range;
+    EXPECT_EQ(answer.body, get("/schema/scene.json").body) << range;
+    const Answer nothing = get("/nothing", {{"Range", range}});
+    expect_problem(nothing, 404, "/nothing");
+    EXPECT_EQ(nothing.get_header_value_count("X-Request-Id"), 1U);
+  }
+}
+
+TEST_F(Routing, server_as_a_whole_says_its_methods) {
+  const std::string answer = raw("OPTIONS * HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n");
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 204 ")) << answer;
+  EXPECT_NE(answer.find("\r\nAllow: POST, GET, HEAD, DELETE\r\n"), std::string::npos) << answer;
+}
+
+TEST_F(Routing, closed_connection_is_announced_once) {
+  for (const char* const target : {"GET /healthz", "POST /render"}) {
+    const std::string answer =
+        raw(fmt::format("{} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n", target));
+    const std::size_t first = answer.find("\r\nConnection: close\r\n");
+    ASSERT_NE(first, std::string::npos) << answer;
+    EXPECT_EQ(answer.find("\r\nConnection: ", first + 1), std::string::npos) << answer;
+  }
+}
+
+TEST_F(Routing, texts_are_compressed_for_those_who_accept_it) {
+  const auto coding = [](const char* accepted) {
+    return raw(fmt::format("GET /scenes HTTP/1.1\r\nHost: x\r\nConnection: close\r\n"
+                           "Accept-Encoding: {}\r\n\r\n",
+                           accepted))
+               .find("\r\nContent-Encoding: ") != std::string::npos;
+  };
+  EXPECT_TRUE(coding("gzip"));
+  EXPECT_TRUE(coding("br;q=0, gzip;q=0.5"));
+  for (const char* const none : {"gzip;q=0", "br;q=0, gzip;q=0.000", "identity"})
+    EXPECT_FALSE(coding(none)) << none;
 }
 
 }  // namespace
