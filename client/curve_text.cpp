@@ -6,16 +6,21 @@
 namespace raytracer::client {
 namespace {
 
+/// To the hundredth, and the shortest times to three digits.
+std::string time_text(double ms) {
+  return ms < 1 ? fmt::format("{:.3g}", ms) : fmt::format("{:.2f}", ms);
+}
+
 std::string table(const Curve& curve) {
   std::string text = fmt::format("  {:>9}  {:>9}  {:>7}  {:>14}  {}\n", "trace, ms", "rmse",
                                  "largest", "off by > 1/255", "settings");
   for (const CurvePoint& point : curve.points)
-    text +=
-        fmt::format("{} {:>9.2f}  {:>9.2g}  {:>7.2g}  {:>12.2f} %  {}\n",
-                    point.changes_picture ? '~'
-                    : point.pareto        ? '*'
-                                          : ' ',
-                    point.trace_ms, point.rmse, point.max_error, 100 * point.off_share, point.name);
+    text += fmt::format("{} {:>9}  {:>9.2g}  {:>7.2g}  {:>12.2f} %  {}\n",
+                        point.changes_picture ? '~'
+                        : point.pareto        ? '*'
+                                              : ' ',
+                        time_text(point.trace_ms), point.rmse, point.max_error,
+                        100 * point.off_share, point.name);
   return text;
 }
 
@@ -23,9 +28,9 @@ std::string choices(const Curve& curve) {
   std::string text = "The cheapest for an error of at most\n";
   for (const double wanted : {0.03, 0.01, 0.003, 0.001, 0.0005}) {
     const CurvePoint* const point = cheapest(curve, wanted);
-    text += point
-                ? fmt::format("  {:<7g} {:>9.2f} ms  {}\n", wanted, point->trace_ms, point->options)
-                : fmt::format("  {:<7g} nothing that was measured\n", wanted);
+    text += point ? fmt::format("  {:<7g} {:>9} ms  {}\n", wanted, time_text(point->trace_ms),
+                                point->options)
+                  : fmt::format("  {:<7g} nothing that was measured\n", wanted);
   }
   return text;
 }

@@ -103,6 +103,9 @@ TEST_F(TradeoffCommand, without_a_file_it_is_text) {
         "1 sample, no shadows", "The cheapest for an error of at most", "  0.03 "})
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part << " is not in\n" << outcome.out;
   EXPECT_TRUE(std::regex_search(outcome.out, std::regex(R"(ms  --(samples|target-rmse) )")));
+  EXPECT_FALSE(std::regex_search(outcome.out, std::regex(R"(\n[*~ ] +0\.0+ | 0\.0+ ms)")))
+      << "a time that says nothing in\n"
+      << outcome.out;
   std::istringstream lines(outcome.out);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
 }
