@@ -18,7 +18,7 @@ bool Collector::collect(const JobRecord& record) {
     add(record, std::move(*message));
     done_.insert(task);
   }
-  if (record.side_px == 0 && done_.empty()) whole_progress_ = store_.progress(record.id);
+  if (record.is_whole() && done_.empty()) whole_progress_ = store_.progress(record.id);
   return done_.size() > before;
 }
 
@@ -35,7 +35,7 @@ bool Collector::is_complete(const JobRecord& record) const {
 
 double Collector::progress(const JobRecord& record) const {
   if (record.task_count == 0) return 0;
-  if (record.side_px == 0 && done_.empty()) return whole_progress_;
+  if (record.is_whole() && done_.empty()) return whole_progress_;
   return static_cast<double>(done_.size()) / record.task_count;
 }
 

@@ -113,9 +113,9 @@ TaskMessage::TaskMessage(NatsLink& link, natsMsg* message)
 
 // https://docs.nats.io/reference/reference-protocols/nats_api_reference: libnats would answer by
 // the connection that the message came by, and that may be lost.
-void TaskMessage::acknowledge() { link_->publish(reply_, "+ACK"); }
-void TaskMessage::say_in_progress() { link_->publish(reply_, "+WPI"); }
-void TaskMessage::hand_back(milliseconds delay) {
+void TaskMessage::acknowledge() const { link_->publish(reply_, "+ACK"); }
+void TaskMessage::say_in_progress() const { link_->publish(reply_, "+WPI"); }
+void TaskMessage::hand_back(milliseconds delay) const {
   link_->publish(reply_, fmt::format(R"(-NAK {{"delay": {}}})", nanoseconds(delay)));
 }
 

@@ -83,7 +83,8 @@ struct ConsumerFill {
 class NatsLink;
 class NatsSession;
 
-/// A message that was handed out: whoever holds it works on it, and says so from time to time.
+/// A message that was handed out: whoever holds it works on it, and says so from time to time, on
+/// any thread.
 /// Unless it was settled it goes to others after the consumer's time to acknowledge.
 class TaskMessage {
  public:
@@ -97,9 +98,9 @@ class TaskMessage {
   std::int64_t queued_ms() const { return queued_ms_; }
 
   /// It is done. Like the two below it does nothing if NATS is away: then others do it again.
-  void acknowledge();
-  void say_in_progress();
-  void hand_back(std::chrono::milliseconds delay);
+  void acknowledge() const;
+  void say_in_progress() const;
+  void hand_back(std::chrono::milliseconds delay) const;
 
  private:
   NatsLink* link_;

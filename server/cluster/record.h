@@ -42,6 +42,8 @@ struct JobRecord {
   std::uint64_t sequence = 0;    ///< of what is stored; 0: nothing yet
   std::int64_t stored_ms = 0;    ///< when it was, since 1970, of one that was read
 
+  /// Whether one task makes all of it.
+  bool is_whole() const { return side_px == 0; }
   std::chrono::milliseconds task_timeout() const {
     return std::chrono::milliseconds(static_cast<std::int64_t>(1000 * task_timeout_s));
   }

@@ -151,29 +151,26 @@ void TaskRunner::work_on(TaskMessage message) {
         running_.emplace(running_.end(), std::move(message), id, store_.limits().task_timeout);
     if (is_handing_back_) running->progress.stop = true;
   }
-  const auto settle = [&](const auto& how) {
-    const std::scoped_lock lock(running->mutex);
-    how(running->message);
-  };
-  const auto acknowledge = [](TaskMessage& own) { own.acknowledge(); };
   try {
     const std::optional<JobRecord> record = store_.job(id);
     if (record) {
       const std::scoped_lock lock(mutex_);
       running->timeout = record->task_timeout();
+      running->is_whole = record->is_whole();
       changed_.notify_all();
     }
     if (!record || !record->failure.empty()) {
-      settle(acknowledge);  // nobody wants it any more
+      running->message.acknowledge();  // nobody wants it any more
     } else if (is_to_be_tried(*record, task, *running)) {
       try {
         const TaskResult result = make(*record, task, *running);
         if (running->progress.stop) {
-          running->is_removed ? settle(acknowledge) : hand_back(task, *running, milliseconds(0));
+          running->is_removed ? running->message.acknowledge()
+                              : hand_back(task, *running, milliseconds(0));
         } else {
           const std::string bytes = to_bytes(result);
           if (!persist([&] { store_.put_result(id, task, bytes); })) throw NatsUnavailable("ended");
-          settle(acknowledge);
+          running->message.acknowledge();
           ++tasks_done_;
           metrics_.add("cluster_tasks_total");
         }
@@ -182,7 +179,7 @@ void TaskRunner::work_on(TaskMessage message) {
       } catch (const StreamFull& error) {
         log_.note(fmt::format("job {} failed: {}", id, error.what()));
         store_.fail_job(id, error.what(), true);  // so it is for others
-        settle(acknowledge);
+        running->message.acknowledge();
       } catch (const std::exception& error) {
         give_up(*record, task, *running, error.what());
       }
@@ -238,7 +235,6 @@ bool TaskRunner::is_to_be_tried(const JobRecord& record, int task, Running& runn
 
 void TaskRunner::hand_back(int task, Running& running, milliseconds delay) {
   store_.note_hand_back(running.job, task, running.message.deliveries());
-  const std::scoped_lock lock(running.mutex);
   running.message.hand_back(delay);
 }
 
@@ -257,7 +253,6 @@ bool TaskRunner::persist(const std::function<void()>& step) {
 
 TaskResult TaskRunner::make(const JobRecord& record, int task, Running& running) {
   if (record.task == JobTask::tradeoff) {
-    running.is_whole = true;
     const SceneView view = scenes_.view_of(record);
     CurveProgress progress{running.progress};
     std::optional<Curve> curve =
@@ -265,10 +260,8 @@ TaskResult TaskRunner::make(const JobRecord& record, int task, Running& running)
     return {self_.name, curve ? text_of(*curve) : CurveText{}};
   }
   const std::shared_ptr<const PreparedView> scene = scenes_.prepare(record);
-  if (record.side_px == 0) {
-    running.is_whole = true;
+  if (record.is_whole())
     return {self_.name, render(scene->prepared, record.limits, pool_, running.progress)};
-  }
   const std::vector<Tile> regions = regions_of(record.width, record.height, record.side_px);
   const Tile& region = regions.at(static_cast<std::size_t>(task));
   const auto made = [&]<typename Channel>(std::optional<RegionRendering<Channel>> part) {
@@ -312,7 +305,6 @@ void TaskRunner::say_in_progress() {
       if (fraction != running.fraction_said) running.moved = Clock::now();
       running.fraction_said = fraction;
       if (Clock::now() - running.moved > longest_standstill) continue;
-      const std::scoped_lock message_lock(running.mutex);
       running.message.say_in_progress();
       if (running.is_whole) said.emplace_back(running.job, fraction);
     }

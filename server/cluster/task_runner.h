@@ -56,12 +56,11 @@ class TaskRunner {
   struct Running {
     Running(TaskMessage task_message, std::string job_id, std::chrono::milliseconds first_timeout)
         : message(std::move(task_message)), job(std::move(job_id)), timeout(first_timeout) {}
-    std::mutex mutex;  ///< of the message
-    TaskMessage message;
+    const TaskMessage message;
     const std::string job;
     std::chrono::milliseconds timeout;  ///< of its job: others take it when nothing is said
-    bool is_whole = false;
-    bool is_removed = false;
+    bool is_whole = false;              ///< how far it is, is how far its job is
+    std::atomic<bool> is_removed = false;
     RenderProgress progress{};
     double fraction_said = 0;
     Clock::time_point moved = Clock::now();  ///< when progress was last seen
