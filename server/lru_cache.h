@@ -46,6 +46,12 @@ class LruCache {
     return place->second->value;
   }
 
+  /// Whether it is kept; it was not used by that.
+  bool contains(std::string_view key) const {
+    const std::scoped_lock lock(mutex_);
+    return places_.contains(key);
+  }
+
   /// Keeps the value, in place of another with the same key; does nothing and returns false if it
   /// is larger than all that may be kept. `bytes` is what it takes, its key included.
   bool keep(std::string key, std::shared_ptr<const Value> value, std::size_t bytes) {

@@ -47,7 +47,7 @@ class PreparedScenes {
   std::shared_ptr<const PreparedView> prepare(const JobRecord& record);
 
   /// Whether a scene with this document is here.
-  bool has(const std::string& document) { return read_.find(document) != nullptr; }
+  bool has(const std::string& document) const { return read_.contains(document); }
 
  private:
   ClusterStore& store_;

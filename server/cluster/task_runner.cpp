@@ -82,30 +82,47 @@ void TaskRunner::take_and_work() {
     }
     news_.wait(seen, between_searches);
     const std::scoped_lock lock(mutex_);
-    looked_ = {};  // whatever happened, it is to be looked at
+    changed_at_ = Clock::now();  // whatever happened, it is to be looked at
   }
 }
 
-std::vector<OpenJob> TaskRunner::jobs_in_order() {
+void TaskRunner::look_for_jobs() {
   constexpr seconds recently{1};
-  const std::scoped_lock lock(mutex_);
-  if (Clock::now() - looked_ > recently) {
-    open_ = store_.open_jobs();
-    std::erase_if(open_, [this](const OpenJob& job) { return job.renderer != self_.renderer; });
-    looked_ = Clock::now();
-    std::erase_if(served_, [this](const auto& entry) {
-      return std::none_of(open_.begin(), open_.end(),
-                          [&](const OpenJob& job) { return job.id == entry.first; });
-    });
+  const auto asked = Clock::now();
+  {
+    const std::scoped_lock lock(mutex_);
+    if (looked_ > changed_at_ && asked - looked_ <= recently) return;
   }
-  std::vector<OpenJob> jobs = open_;
-  std::stable_sort(jobs.begin(), jobs.end(), [this](const OpenJob& a, const OpenJob& b) {
-    const auto due = [this](const OpenJob& job) {
-      const auto served = served_.try_emplace(job.id, Clock::now()).first->second;
-      return scenes_.has(job.document) ? served : served + to_fetch_scene;
-    };
-    return due(a) < due(b);
+  // Without the lock: NATS may take seconds, and meanwhile all that runs is to be heard of.
+  std::vector<OpenJob> open = store_.open_jobs();
+  std::erase_if(open, [this](const OpenJob& job) { return job.renderer != self_.renderer; });
+  const std::scoped_lock lock(mutex_);
+  if (asked < looked_) return;  // another thread has asked later
+  open_ = std::move(open);
+  looked_ = asked;
+  std::erase_if(served_, [this](const auto& entry) {
+    return std::none_of(open_.begin(), open_.end(),
+                        [&](const OpenJob& job) { return job.id == entry.first; });
   });
+}
+
+std::vector<OpenJob> TaskRunner::jobs_in_order() {
+  look_for_jobs();
+  struct Due {
+    Clock::time_point at;
+    OpenJob job;
+  };
+  std::vector<Due> due;
+  {
+    const std::scoped_lock lock(mutex_);
+    for (const OpenJob& job : open_) {
+      const auto served = served_.try_emplace(job.id, Clock::now()).first->second;
+      due.push_back({scenes_.has(job.document) ? served : served + to_fetch_scene, job});
+    }
+  }
+  std::stable_sort(due.begin(), due.end(), [](const Due& a, const Due& b) { return a.at < b.at; });
+  std::vector<OpenJob> jobs;
+  for (Due& one : due) jobs.push_back(std::move(one.job));
   return jobs;
 }
 
@@ -134,7 +151,7 @@ std::optional<TaskMessage> TaskRunner::next_task(Sources& sources) {
     } catch (const NatsRefused&) {
       sources.erase(job.id);  // it was removed
       const std::scoped_lock lock(mutex_);
-      looked_ = {};
+      changed_at_ = Clock::now();
     }
   }
   return {};

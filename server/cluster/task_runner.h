@@ -69,6 +69,8 @@ class TaskRunner {
 
   void take_and_work();
   std::optional<TaskMessage> next_task(Sources& sources);
+  /// Asks NATS what is open, unless that was a moment ago.
+  void look_for_jobs();
   std::vector<OpenJob> jobs_in_order();
   void work_on(TaskMessage message);
   /// Whether the task is to be tried here and now; settles it if not.
@@ -98,7 +100,8 @@ class TaskRunner {
   std::atomic<bool> is_handing_back_{false};
   std::list<Running> running_;
   std::vector<OpenJob> open_{};                      ///< as far as is known
-  Clock::time_point looked_{};                       ///< when that was
+  Clock::time_point looked_{};                       ///< when NATS was asked for that
+  Clock::time_point changed_at_ = Clock::now();      ///< what was asked for before is out of date
   std::map<std::string, Clock::time_point> served_;  ///< or seen first
   std::atomic<std::uint64_t> tasks_done_{0};
   std::shared_ptr<const void> removals_;
