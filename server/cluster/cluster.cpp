@@ -59,6 +59,10 @@ Cluster::Cluster(const Parts& parts)
                       ? std::make_optional<WorkerPool>(parts.config.threads, Priority::background)
                       : std::nullopt),
       scenes_(store_, parts.scenes, task_pool(), parts.metrics, parts.config.max_kept),
+      runner_(parts.config.cluster.works
+                  ? std::make_optional<TaskRunner>(self_, store_, news_, scenes_, task_pool(),
+                                                   parts.metrics, parts.log)
+                  : std::nullopt),
       jobs_({.self = self_,
              .store = store_,
              .news = news_,
@@ -76,10 +80,7 @@ Cluster::Cluster(const Parts& parts)
                  }}),
       signs_(
           store_, [this] { return describe_self(); }, wish_of(parts.config), note_),
-      metrics_([this] { look_up_metrics(); }) {
-  if (parts.config.cluster.works)
-    runner_.emplace(self_, store_, news_, scenes_, task_pool(), parts.metrics, parts.log);
-}
+      metrics_([this] { look_up_metrics(); }) {}
 
 Member Cluster::describe_self() const {
   return {.name = self_.name,
