@@ -44,9 +44,24 @@ void note_cut(JobRecord& record, const TaskCut& cut) {
 
 }  // namespace
 
-/// A job that this front foresees or renders.
+/// A job that this front foresees or renders, and has in work as long as this lives.
 struct SharedJobs::Own {
-  explicit Own(Admission& admission) : slot(admission, progress) {}
+  /// Throws HttpError as Admission::Slot.
+  Own(SharedJobs& shared_jobs, std::string job)
+      : jobs(shared_jobs), id(std::move(job)), slot(jobs.parts_.admission, progress) {
+    const std::scoped_lock lock(jobs.mutex_);
+    if (jobs.closing_) progress.stop = true;
+    jobs.own_.emplace(id, this);
+  }
+  ~Own() {
+    const std::scoped_lock lock(jobs.mutex_);
+    jobs.own_.erase(id);
+  }
+  Own(const Own&) = delete;
+  Own& operator=(const Own&) = delete;
+
+  SharedJobs& jobs;
+  const std::string id;
   RenderProgress progress;
   Admission::Slot slot;
 };
@@ -103,11 +118,11 @@ void SharedJobs::require_room(const JobRecord& record) {
         fill.bytes, fill.most_bytes, bytes));
 }
 
-JobRecord SharedJobs::new_record(JobTask task, const SceneView& view,
+JobRecord SharedJobs::new_record(std::string id, JobTask task, const SceneView& view,
                                  const httplib::Params& query) {
   if (!view.document) throw std::logic_error("a scene without its text cannot be shared");
   JobRecord record{
-      .id = random_id(),
+      .id = std::move(id),
       .task = task,
       .document = ClusterStore::digest_of(*view.document),
       .query = {query.begin(), query.end()},
@@ -129,36 +144,30 @@ JobRecord SharedJobs::new_record(JobTask task, const SceneView& view,
 std::shared_ptr<const Job> SharedJobs::accept(JobTask task, SceneView view,
                                               const httplib::Params& query, bool as_floats) {
   return answered([&] {
-    const auto own = std::make_shared<Own>(parts_.admission);
-    JobRecord record = new_record(task, view, query);
+    const auto own = std::make_shared<Own>(*this, random_id());
+    JobRecord record = new_record(own->id, task, view, query);
     record.is_8_bit = task == JobTask::render && !as_floats && tells_error_in_8_bit(view);
     require_room(record);
-    {
-      const std::scoped_lock lock(mutex_);
-      own_.emplace(record.id, own);
-    }
     try {
       parts_.store.put_job(record);
       parts_.store.put_document(record.document, *view.document);
+      const auto job = std::make_shared<const SharedJob>(record, parts_.store, parts_.news);
+      watched_.keep(record.id, job, bytes_of(record));
+      threads_.enqueue([this, record, view = std::move(view), own]() mutable {
+        cut_or_render(std::move(record), view, *own);
+      });
+      return std::shared_ptr<const Job>(job);
     } catch (...) {
-      if (caretaker_) caretaker_->remove_soon(record.id);
-      const std::scoped_lock lock(mutex_);
-      own_.erase(record.id);
+      if (caretaker_) caretaker_->remove_soon(own->id);
       throw;
     }
-    const auto job = std::make_shared<const SharedJob>(record, parts_.store, parts_.news);
-    watched_.keep(record.id, job, bytes_of(record));
-    threads_.enqueue([this, record, view = std::move(view), own]() mutable {
-      cut_or_render(std::move(record), view, *own);
-    });
-    return std::shared_ptr<const Job>(job);
   });
 }
 
 JobRecord SharedJobs::begin_render(const SceneView& view, const httplib::Params& query,
                                    const TaskCut& cut, bool is_8_bit) {
   return answered([&] {
-    JobRecord record = new_record(JobTask::render, view, query);
+    JobRecord record = new_record(random_id(), JobTask::render, view, query);
     record.has_client = true;
     record.is_8_bit = is_8_bit;
     require_room(record);
@@ -274,8 +283,6 @@ void SharedJobs::cut_or_render(JobRecord record, const SceneView& view, Own& own
   } catch (const std::exception& error) {
     fail(record.id, fmt::format("The render failed inside the server: {}", error.what()), own);
   }
-  const std::scoped_lock lock(mutex_);
-  own_.erase(record.id);
 }
 
 void SharedJobs::render_here(JobRecord& record, const PreparedScene& scene, Own& own) {
@@ -303,15 +310,11 @@ bool SharedJobs::is_awaited(const std::string& id) const {
 void SharedJobs::take_over(JobRecord record) {
   std::shared_ptr<Own> own;
   try {
-    own = std::make_shared<Own>(parts_.admission);
+    own = std::make_shared<Own>(*this, record.id);
   } catch (const HttpError&) {
     return;  // no room here now
   }
-  {
-    const std::scoped_lock lock(mutex_);
-    if (closing_) return;
-    own_.emplace(record.id, own);
-  }
+  if (own->progress.stop) return;  // this front shuts down
   parts_.log.note(fmt::format("job {} is taken over from {}", record.id, record.front));
   threads_.enqueue([this, record, own]() mutable {
     try {
@@ -324,14 +327,11 @@ void SharedJobs::take_over(JobRecord record) {
       if (persist(*own, [&] { return parts_.store.put_job(record); }) && record.task_count == 0) {
         const SceneView view = parts_.scenes.view_of(record);
         cut_or_render(std::move(record), view, *own);
-        return;
       }
     } catch (const NatsUnavailable&) {  // NOLINT: it is tried again
     } catch (const std::exception& error) {
       fail(record.id, error.what(), *own);
     }
-    const std::scoped_lock lock(mutex_);
-    own_.erase(record.id);
   });
 }
 

@@ -81,7 +81,8 @@ class SharedJobs : public Jobs {
   /// Throws HttpError, 429 if too much is queued and 413 if the picture can never be kept, and
   /// StreamFull if it has no room now.
   void require_room(const JobRecord& record);
-  JobRecord new_record(JobTask task, const SceneView& view, const httplib::Params& query);
+  JobRecord new_record(std::string id, JobTask task, const SceneView& view,
+                       const httplib::Params& query);
   void queue_all(const JobRecord& record);
   void cut_or_render(JobRecord record, const SceneView& view, Own& own);
   void render_here(JobRecord& record, const PreparedScene& scene, Own& own);
@@ -97,8 +98,8 @@ class SharedJobs : public Jobs {
   const Parts parts_;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
-  std::map<std::string, std::shared_ptr<Own>> own_;  ///< foreseen or rendered here now
-  std::set<std::string> awaited_;                    ///< renders that a client waits for here
+  std::map<std::string, Own*> own_;  ///< foreseen or rendered here now
+  std::set<std::string> awaited_;    ///< renders that a client waits for here
   bool closing_ = false;
   LruCache<SharedJob> watched_;
   std::shared_ptr<const void> removals_;
