@@ -25,6 +25,7 @@ struct JobRecord {
   bool is_8_bit = false;                       ///< its regions' channels are; else floats
   std::optional<std::string> picture_digest{};
   double parse_ms = 0;
+  double queue_ms = 0;        ///< that it waited to be admitted on the front that cut it
   double predicted_ms = 0;    ///< that it traces for, on the front that cut it
   double plan_ms = 0;         ///< that it took to plan there
   double build_ms = 0;        ///< and to build its structures

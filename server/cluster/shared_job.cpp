@@ -102,6 +102,7 @@ JobState SharedJob::state() const {
   return {.status = now,
           .progress = result_ ? 1 : collector_.progress(record_),
           .elapsed_ms = static_cast<double>(std::max(until - record_.accepted_ms, std::int64_t{0})),
+          .queue_ms = record_.queue_ms,
           .detail = detail()};
 }
 

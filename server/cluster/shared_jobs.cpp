@@ -223,8 +223,11 @@ std::shared_ptr<const Job> SharedJobs::at(const std::string& id) {
 
 void SharedJobs::remove(const std::string& id) {
   answered([&] {
-    if (!parts_.store.job(id)) refuse_unknown_job(id);
+    const auto record = parts_.store.job(id);
+    if (!record) refuse_unknown_job(id);
+    const bool is_open = parts_.store.is_open(*record);
     parts_.store.remove_job(id);
+    if (is_open) parts_.metrics.add("renders_cancelled_total");
   });
 }
 
@@ -261,6 +264,8 @@ void SharedJobs::cut_or_render(JobRecord record, const SceneView& view, Own& own
   try {
     // A front that shuts down leaves it to the others.
     if (own.slot.wait_until_admitted()) {
+      record.queue_ms = own.slot.queue_ms();
+      parts_.metrics.observe("queue_duration_seconds", record.queue_ms / 1000);
       if (record.task == JobTask::tradeoff) {
         record.task_count = 1;
       } else {

@@ -115,6 +115,8 @@ class ClusterStore {
   /// Removes what is stored for it beside its record, its consumer last: as long as that is there,
   /// something may be left of a removal that was cut off.
   void remove_rest(const std::string& id, const std::string& renderer);
+  /// Whether something of it is still to be made.
+  bool is_open(const JobRecord& record);
   /// Takes what is queued of it back: it needs no more.
   void close_job(const JobRecord& record);
 
@@ -167,8 +169,6 @@ class ClusterStore {
   std::int64_t most_kept_bytes() const { return limits_.most_bytes / 16; }  ///< of posted scenes
   void note_trouble(const std::string& trouble);
   bool is_wanted(const std::string& id);
-  /// Whether something of it is still to be made.
-  bool is_open(const JobRecord& record);
   void remove_unused_documents();
   void remove_results(const std::string& id);
 

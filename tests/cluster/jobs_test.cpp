@@ -86,6 +86,21 @@ TEST_F(ClusterJobs, answer_says_how_long_each_stage_took) {
   }
 }
 
+TEST_F(ClusterJobs, count_in_the_metrics_as_those_of_one_server_do) {
+  const ServerProcess& front = start_front();
+  start_worker();
+  ASSERT_TRUE(has_workers(front, 1));
+  const std::string first = post_job(front, "?budget_ms=50", small_scene);
+  ASSERT_TRUE(ends_done(front, first));
+  EXPECT_EQ(metric_of(front, "raytracer_queue_duration_seconds_count"), 1);
+  EXPECT_GT(Stored(nats().url()).store.job(first.substr(6))->queue_ms, 0);
+  EXPECT_EQ(request(front, "DELETE", first).status, 204);
+  EXPECT_EQ(metric_of(front, "raytracer_renders_cancelled_total"), 0) << "it was done";
+  const std::string endless = post_job(front, "", endless_scene());
+  EXPECT_EQ(request(front, "DELETE", endless).status, 204);
+  EXPECT_EQ(metric_of(front, "raytracer_renders_cancelled_total"), 1);
+}
+
 TEST_F(ClusterJobs, floats_are_to_be_had_announced_or_not) {
   const ServerProcess& front = start_front();
   const ServerProcess& worker = start_worker();

@@ -22,6 +22,7 @@ JobRecord full_record() {
           .is_8_bit = true,
           .picture_digest = "0123",
           .parse_ms = 0.1,
+          .queue_ms = 12.5,
           .predicted_ms = 1e300,
           .plan_ms = 0.25,
           .build_ms = 1.5,
@@ -51,6 +52,7 @@ TEST(JobRecords, are_read_as_they_were_written) {
   EXPECT_EQ(read.is_8_bit, record.is_8_bit);
   EXPECT_EQ(read.picture_digest, record.picture_digest);
   EXPECT_EQ(read.parse_ms, record.parse_ms);
+  EXPECT_EQ(read.queue_ms, record.queue_ms);
   EXPECT_EQ(read.predicted_ms, record.predicted_ms);
   EXPECT_EQ(read.plan_ms, record.plan_ms);
   EXPECT_EQ(read.build_ms, record.build_ms);
