@@ -60,10 +60,10 @@ std::shared_ptr<const void> Admission::add_waiter(RenderProgress& progress) {
   const std::scoped_lock lock(mutex_);
   if (closed_) refuse_closed();
   require_place();
-  elsewhere_.push_back(&progress);
+  elsewhere_.push_back({&progress, Clock::now()});
   return {&progress, [this](const RenderProgress* own) {
             const std::scoped_lock lock_at_end(mutex_);
-            std::erase(elsewhere_, own);
+            std::erase_if(elsewhere_, [&](const Elsewhere& one) { return one.progress == own; });
             emptied_.notify_all();
           }};
 }
@@ -98,7 +98,7 @@ void Admission::stop_running() {
   const std::scoped_lock lock(mutex_);
   for (Slot* const slot : running_) slot->progress_.stop = true;
   for (Slot* const slot : waiting_) slot->progress_.stop = true;
-  for (RenderProgress* const progress : elsewhere_) progress->stop = true;
+  for (const Elsewhere& one : elsewhere_) one.progress->stop = true;
 }
 
 Admission::Load Admission::load() const {
@@ -108,7 +108,8 @@ Admission::Load Admission::load() const {
 
 bool Admission::is_full() const {
   const std::scoped_lock lock(mutex_);
-  return running_.size() >= most_running_ && !may_wait();
+  // Who would be made elsewhere always needs a place.
+  return !may_wait() && (running_.size() >= most_running_ || !elsewhere_.empty());
 }
 
 bool Admission::wait_until_empty(std::chrono::milliseconds timeout) const {
@@ -133,21 +134,33 @@ long Admission::retry_after_s() const {
   return seconds_until_served();
 }
 
-long Admission::seconds_until_served() const {
+/// How long it will take in all.
+double Admission::whole_s(const RenderProgress& progress, double so_far_s) const {
   constexpr double tells_from = 0.01;  // a render's fraction, of the time that it will take
+  const double fraction = progress.fraction;
+  // One that has been at it for longer than most, and does not tell, will take as long again.
+  return fraction < tells_from ? std::max(mean_render_s_, 2 * so_far_s)
+                               : so_far_s / std::min(fraction, 1.0);
+}
+
+long Admission::seconds_until_served() const {
   double longest_s = mean_render_s_;
   double longest_left_s = 0;
   double running_s = 0;
+  const auto now = Clock::now();
+  const auto seconds_since = [&](Clock::time_point begin) {
+    return std::chrono::duration<double>(now - begin).count();
+  };
   for (const Slot* const slot : running_) {
-    const std::chrono::duration<double> so_far = Clock::now() - slot->started_;
-    const double fraction = slot->progress_.fraction;
-    // One that has been at it for longer than most, and does not tell, will take as long again.
-    const double whole_s = fraction < tells_from ? std::max(mean_render_s_, 2 * so_far.count())
-                                                 : so_far.count() / std::min(fraction, 1.0);
-    const double left_s = whole_s - so_far.count();
-    running_s += left_s;
-    longest_left_s = std::max(longest_left_s, left_s);
-    longest_s = std::max(longest_s, whole_s);
+    const double so_far_s = seconds_since(slot->started_);
+    const double all_s = whole_s(slot->progress_, so_far_s);
+    running_s += all_s - so_far_s;
+    longest_left_s = std::max(longest_left_s, all_s - so_far_s);
+    longest_s = std::max(longest_s, all_s);
+  }
+  for (const Elsewhere& one : elsewhere_) {
+    const double so_far_s = seconds_since(one.began);
+    longest_left_s = std::max(longest_left_s, whole_s(*one.progress, so_far_s) - so_far_s);
   }
   const double waiting_s = longest_s * static_cast<double>(waiting_.size());
   const double all_s =

@@ -66,8 +66,9 @@ class Admission {
   /// Throws the 503 of a closed queue: for a look before a body is read.
   void require_open() const;
 
-  /// When those who run and wait now will have been served, in seconds from now, if those who run
-  /// go on as they did and those who wait take as long: what clients that are refused are told.
+  /// When those who run and wait now will have been served, in seconds from now, if those who run,
+  /// here or elsewhere, go on as they did and those who wait take as long: what clients that are
+  /// refused are told.
   long retry_after_s() const;
 
   /// close() comes soon: readiness ends, all else goes on.
@@ -85,16 +86,24 @@ class Admission {
 
   bool is_closed() const { return closed_; }
   bool is_closing() const { return closing_ || closed_; }
+  /// Whether somebody who comes now is refused.
   bool is_full() const;
   /// True once nobody runs or waits; false if that takes longer than `timeout`.
   bool wait_until_empty(std::chrono::milliseconds timeout) const;
 
  private:
+  /// A render that others make.
+  struct Elsewhere {
+    RenderProgress* progress;
+    Clock::time_point began;
+  };
+
   // With the mutex held.
   [[noreturn]] void refuse_closed() const;
   void require_place() const;
   bool may_wait() const { return waiting_.size() + elsewhere_.size() < most_waiting_; }
   void let_in_next();
+  double whole_s(const RenderProgress& progress, double so_far_s) const;
   long seconds_until_served() const;
 
   const std::size_t most_running_;
@@ -103,7 +112,7 @@ class Admission {
   mutable std::condition_variable emptied_;
   std::vector<Slot*> running_;
   std::deque<Slot*> waiting_;
-  std::vector<RenderProgress*> elsewhere_;  ///< made by others
+  std::vector<Elsewhere> elsewhere_;
   std::atomic<bool> closing_{false};
   std::atomic<bool> closed_{false};  ///< set with the mutex held
   double mean_render_s_ = 1;         ///< of late, the newest counting most

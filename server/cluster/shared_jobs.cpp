@@ -100,7 +100,8 @@ SharedJobs::~SharedJobs() {
 void SharedJobs::require_room(const JobRecord& record) {
   parts_.store.require_streams();
   if (parts_.store.open_job_count() >= parts_.most_open)
-    refuse(429, "The queue of the cluster is full; try again later", {{"Retry-After", "2"}});
+    refuse(429, "The queue of the cluster is full; try again later",
+           {{"Retry-After", std::to_string(parts_.admission.retry_after_s())}});
   if (record.task == JobTask::tradeoff) return;  // a few kilobytes
   // Whole results are floats, whatever they are shown in.
   const std::uint64_t bytes = sizeof(float) * static_cast<std::uint64_t>(record.channels) *

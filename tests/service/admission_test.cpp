@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "server/problem.h"
 #include "tests/process/patience.h"
 #include "tests/service/documents.h"
 #include "tests/service/service.h"
@@ -55,6 +56,27 @@ TEST(Admission, foresees_by_what_renders_that_run_have_done) {
   EXPECT_GE(admission.retry_after_s(), 3);
   running.fraction = 1;
   EXPECT_LE(admission.retry_after_s(), 3);
+}
+
+TEST(Admission, those_who_wait_for_others_fill_it_and_tell_how_long) {
+  Admission admission(1, 1);
+  EXPECT_FALSE(admission.is_full());
+  RenderProgress elsewhere;
+  const auto waiter = admission.add_waiter(elsewhere);
+  EXPECT_TRUE(admission.is_full()) << "another would be refused";
+  elsewhere.fraction = 0.02;
+  std::this_thread::sleep_for(100ms);
+  EXPECT_GE(admission.retry_after_s(), 5);
+  RenderProgress another;
+  EXPECT_THROW(admission.add_waiter(another), HttpError);
+}
+
+TEST(Admission, without_a_queue_is_full_only_while_somebody_runs) {
+  Admission admission(1, 0);
+  EXPECT_FALSE(admission.is_full());
+  RenderProgress running;
+  const Admission::Slot slot(admission, running);
+  EXPECT_TRUE(admission.is_full());
 }
 
 TEST_F(FullServer, is_healthy_but_not_ready) {
