@@ -69,13 +69,13 @@ class NatsLink::Subscription {
       ++threads_;
   }
 
-  /// No listener is called afterwards.
+  /// No listener is called afterwards; one that is called now is waited for.
   void end() {
     std::unique_lock lock(mutex_);
     has_ended_ = true;
     if (subscription_ != nullptr) natsSubscription_Unsubscribe(subscription_);
     drop();
-    changed_.wait_for(lock, NatsSession::longest_answer, [this] { return threads_ == 0; });
+    changed_.wait(lock, [this] { return threads_ == 0; });
   }
 
  private:
