@@ -41,7 +41,9 @@ void SharedJob::look() const {
   if (Clock::now() < due()) return;
   try {
     look_now();
-  } catch (const NatsUnavailable&) {  // NOLINT: what was known last is said
+  } catch (const NatsUnavailable&) {
+    // What was known last is said: NATS may have taken seconds, which others need not wait again.
+    looked_ = Clock::now();
   }
 }
 

@@ -42,11 +42,11 @@ int NatsServer::port_after(const std::string& greeting) const {
   return std::stoi(match[1]);
 }
 
-std::uint64_t NatsServer::sent_bytes() const {
+std::uint64_t NatsServer::monitored(const std::string& counter) const {
   const auto answer = httplib::Client("127.0.0.1", monitor_port_).Get("/varz");
-  const std::string name = "\"out_bytes\":";
+  const std::string name = fmt::format("\"{}\":", counter);
   const std::size_t at = answer ? answer->body.find(name) : std::string::npos;
-  if (at == std::string::npos) throw std::runtime_error("nats-server does not say what it sent");
+  if (at == std::string::npos) throw std::runtime_error("nats-server does not say its " + counter);
   return std::stoull(answer->body.substr(at + name.size()));
 }
 

@@ -23,7 +23,9 @@ class NatsServer {
   const std::string& url() const { return url_; }
 
   /// The bytes of all messages that it has sent so far, by its own count.
-  std::uint64_t sent_bytes() const;
+  std::uint64_t sent_bytes() const { return monitored("out_bytes"); }
+  /// How many messages it was sent so far.
+  std::uint64_t received_messages() const { return monitored("in_msgs"); }
 
   void signal(int number) const { process_->signal(number); }
   /// Ends it at once, as a crash would.
@@ -37,6 +39,7 @@ class NatsServer {
  private:
   /// The port that it named after `greeting` when it started.
   int port_after(const std::string& greeting) const;
+  std::uint64_t monitored(const std::string& counter) const;
 
   static constexpr int any_port = -1;
 

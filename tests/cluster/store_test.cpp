@@ -7,6 +7,8 @@
 #include <string>
 #include <thread>
 
+#include "server/cluster/news.h"
+#include "server/cluster/shared_job.h"
 #include "tests/cluster/cluster_test.h"
 #include "tests/cluster/stored.h"
 
@@ -142,6 +144,18 @@ TEST_F(ClusterStoreTest, task_is_queued_once) {
   stored.store.queue_tasks(record, {3, 4, 5});
   ASSERT_EQ(stored.store.open_jobs().size(), 1U);
   EXPECT_EQ(stored.store.open_jobs().front().waiting, 16U);
+}
+
+TEST_F(ClusterStoreTest, job_is_not_asked_for_again_at_once_when_nats_does_not_answer) {
+  Stored stored(nats().url());
+  News news(stored.store, true);
+  const JobRecord record = stored.new_job("job", "build", "", 16, 16, 1);  // there is no stream yet
+  const SharedJob job(record, stored.store, news);
+  const std::uint64_t before = nats().received_messages();
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 200; ++i) EXPECT_EQ(job.state().status, JobStatus::running);
+  const auto most = (std::chrono::steady_clock::now() - begin) / 10ms + 5;
+  EXPECT_LE(nats().received_messages() - before, static_cast<std::uint64_t>(most));
 }
 
 TEST_F(ClusterStoreTest, jobs_are_listed_while_others_end) {
