@@ -25,11 +25,18 @@ struct LruCounts {
   std::size_t bytes = 0;
 };
 
+/// What becomes of a value that is larger than all that may be kept.
+enum class Oversized {
+  forgotten,
+  kept_alone,  ///< until another comes: where it is used again and again, and dear to make
+};
+
 /// Every member function may be called from any thread.
 template <typename Value>
 class LruCache {
  public:
-  explicit LruCache(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+  explicit LruCache(std::size_t most_bytes, Oversized oversized = Oversized::forgotten)
+      : most_bytes_(most_bytes), oversized_(oversized) {}
 
   std::size_t most_bytes() const { return most_bytes_; }
 
@@ -53,9 +60,9 @@ class LruCache {
   }
 
   /// Keeps the value, in place of another with the same key; does nothing and returns false if it
-  /// is larger than all that may be kept. `bytes` is what it takes, its key included.
+  /// is oversized, and such are forgotten. `bytes` is what it takes, its key included.
   bool keep(std::string key, std::shared_ptr<const Value> value, std::size_t bytes) {
-    if (bytes > most_bytes_) return false;
+    if (bytes > most_bytes_ && oversized_ == Oversized::forgotten) return false;
     std::list<Entry> forgotten;  // large ones take long to destroy: after the lock
     const std::scoped_lock lock(mutex_);
     if (const auto before = places_.find(key); before != places_.end())
@@ -63,7 +70,7 @@ class LruCache {
     entries_.push_front({std::move(key), std::move(value), bytes});
     counts_.bytes += bytes;
     places_.emplace(entries_.front().key, entries_.begin());
-    while (counts_.bytes > most_bytes_) {
+    while (counts_.bytes > most_bytes_ && entries_.size() > 1) {
       forget(std::prev(entries_.end()), forgotten);
       ++counts_.evictions;
     }
@@ -92,6 +99,7 @@ class LruCache {
   }
 
   const std::size_t most_bytes_;
+  const Oversized oversized_;
   mutable std::mutex mutex_;
   std::list<Entry> entries_;                            ///< the most recently used first
   std::unordered_map<std::string_view, Place> places_;  ///< by the entries' own keys

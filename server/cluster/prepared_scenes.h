@@ -30,16 +30,16 @@ struct PreparedView {
 /// Every member function may be called from any thread.
 class PreparedScenes {
  public:
-  /// Keeps about so many bytes of each: scenes as they were read, and structures. The others must
-  /// outlive it.
+  /// Keeps about so many bytes of each: scenes as they were read, and structures; the newest
+  /// whatever its size, as it is of all tasks of its job. The others must outlive it.
   PreparedScenes(ClusterStore& store, Scenes& scenes, WorkerPool& pool, Metrics& metrics,
                  std::size_t most_bytes)
       : store_(store),
         scenes_(scenes),
         pool_(pool),
         metrics_(metrics),
-        read_(most_bytes),
-        prepared_(most_bytes) {}
+        read_(most_bytes, Oversized::kept_alone),
+        prepared_(most_bytes, Oversized::kept_alone) {}
 
   /// The view that the job is of. Throws NatsUnavailable, NatsRefused if its scene is gone, and
   /// HttpError if the limits of the job's front refuse it.

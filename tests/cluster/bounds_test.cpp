@@ -19,6 +19,21 @@ using namespace std::chrono_literals;
 
 class ClusterBounds : public ClusterTest {};
 
+/// One sphere, and so many that nobody sees.
+std::string unseen_spheres(int count) {
+  std::string scene = R"({"camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.5,
+    "width": 1000, "height": 700}, "lights": [{"type": "distant", "direction": [-1, -1, 2]}],
+    "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1})";
+  for (int i = 0; i < count; ++i)
+    scene += fmt::format(
+        R"(,{{"type": "sphere", "center": [{}, 900.125, -90.25], "radius": 0.25}})", i - count / 2);
+  return scene + "]}";
+}
+
+double fetched(const ServerProcess& worker) {
+  return metric_of(worker, "raytracer_cluster_scene_bytes_total");
+}
+
 TEST_F(ClusterBounds, queue_is_bounded) {
   for (const char* const most : {"0", "1"}) {
     const ServerProcess& front = start_front({"--max-queue", most});
@@ -114,18 +129,8 @@ TEST_F(ClusterBounds, scene_reaches_each_worker_once) {
   const ServerProcess& one = start_worker();
   const ServerProcess& other = start_worker();
   ASSERT_TRUE(has_workers(front, 2));
-  // Some megabytes of spheres that nobody sees.
-  std::string scene = R"({"camera": {"origin": [0, 0, -5], "look_at": [0, 0, 0], "fov": 0.5,
-    "width": 1000, "height": 700}, "lights": [{"type": "distant", "direction": [-1, -1, 2]}],
-    "objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1})";
-  for (int i = 0; i < 30'000; ++i)
-    scene += fmt::format(
-        R"(,{{"type": "sphere", "center": [{}, 900.125, -90.25], "radius": 0.25}})", i - 15'000);
-  scene += "]}";
+  const std::string scene = unseen_spheres(30'000);
   ASSERT_GT(scene.size(), std::size_t{2} << 20);
-  const auto fetched = [&](const ServerProcess& worker) {
-    return metric_of(worker, "raytracer_cluster_scene_bytes_total");
-  };
   int jobs = 0;
   ASSERT_TRUE(eventually([&] {
     const std::string query = fmt::format("?max_depth={}", jobs % 50);
@@ -135,6 +140,17 @@ TEST_F(ClusterBounds, scene_reaches_each_worker_once) {
   }));
   EXPECT_EQ(fetched(one), scene.size());
   EXPECT_EQ(fetched(other), scene.size());
+}
+
+TEST_F(ClusterBounds, scene_that_is_larger_than_what_a_worker_keeps_reaches_it_once) {
+  const ServerProcess& front = start_front();
+  const ServerProcess& worker = start_worker({"--max-kept", "10000"});
+  ASSERT_TRUE(has_workers(front, 1));
+  const std::string scene = unseen_spheres(300);
+  const std::string job = post_job(front, "", scene);
+  ASSERT_TRUE(ends_done(front, job));
+  EXPECT_GT(metric_of(worker, "raytracer_cluster_tasks_total"), 1);
+  EXPECT_EQ(fetched(worker), scene.size());
 }
 
 TEST_F(ClusterBounds, scene_of_20_mb_takes_its_way_once_for_each_worker) {
