@@ -35,7 +35,8 @@ JobRecord full_record() {
           .accepted_ms = 1'700'000'000'123,
           .side_px = 48,
           .task_count = 140,
-          .failure = "quoted \"text\"\nand \xC3\xA4"};
+          .failure = "quoted \"text\"\nand \xC3\xA4",
+          .lacked_room = true};
 }
 
 TEST(JobRecords, are_read_as_they_were_written) {
@@ -67,6 +68,7 @@ TEST(JobRecords, are_read_as_they_were_written) {
   EXPECT_EQ(read.side_px, record.side_px);
   EXPECT_EQ(read.task_count, record.task_count);
   EXPECT_EQ(read.failure, record.failure);
+  EXPECT_EQ(read.lacked_room, record.lacked_room);
   JobRecord plain = record;
   plain.picture_digest.reset();
   EXPECT_EQ(read_record(to_text(plain)).picture_digest, std::nullopt);
@@ -184,18 +186,31 @@ TEST(TaskResults, of_curves_are_read_as_they_were_written) {
 
 TEST(TaskResults, that_claim_impossible_sizes_are_refused) {
   const std::string region =
-      R"("region":[0,0,16,16],"error_multiplier":1,"is_single":true,"beyond":[0,0],"worker":"w")";
+      R"("region":[0,0,16,16],"error_multiplier":1,"precision":0,"light_samples":1,)"
+      R"("beyond":[0,0],"worker":"w")";
   const std::string whole =
-      R"("kind":"whole","samples":1,"is_single":true,"beyond":[0,0],"stop":0,"plan_ms":0,)"
-      R"("build_ms":0,"trace_ms":0,"worker":"w")";
+      R"("kind":"whole","samples":1,"precision":0,"light_samples":1,"beyond":[0,0],"stop":0,)"
+      R"("plan_ms":0,"build_ms":0,"trace_ms":0,"worker":"w")";
+  EXPECT_NO_THROW(read_result(R"({"kind":"floats","values":0,"errors":0,)" + region + "}\n"));
+  EXPECT_NO_THROW(read_result(R"({"width":0,"height":0,"channels":3,)" + whole + "}\n"));
   for (const std::string& header :
        {R"({"kind":"floats","values":4611686018427387904,"errors":0,)" + region + "}",
         R"({"kind":"bytes","values":-1,"errors":0,)" + region + "}",
         R"({"width":-1,"height":1,"channels":3,)" + whole + "}",
         R"({"width":1000000000,"height":1000000000,"channels":3,)" + whole + "}",
-        R"({"width":0,"height":0,"channels":2,)" + whole + "}",
-        std::string(R"({"kind":"nonsense","worker":"w"})"), std::string("[]")})
-    EXPECT_THROW(read_result(header + "\n"), NatsRefused) << header;
+        R"({"width":0,"height":0,"channels":2,)" + whole + "}"}) {
+    try {
+      read_result(header + "\n");
+      ADD_FAILURE() << "it is read: " << header;
+    } catch (const NatsRefused& error) {
+      EXPECT_STREQ(error.what(), "a task's result is not as long as it says") << header;
+    }
+  }
+}
+
+TEST(TaskResults, that_are_none_are_refused) {
+  for (const char* const header : {R"({"kind":"nonsense","worker":"w"})", "[]", "{"})
+    EXPECT_THROW(read_result(std::string(header) + "\n"), NatsRefused) << header;
 }
 
 }  // namespace
