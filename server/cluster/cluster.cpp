@@ -31,16 +31,8 @@ std::string unique_name() {
 StoreLimits limits_of(const Config& config) {
   return {
       std::chrono::milliseconds(static_cast<std::int64_t>(1000 * config.cluster.task_timeout_s)),
-      std::chrono::seconds(config.cluster.keep_s), config.cluster.max_stored};
-}
-
-/// What this server was told of the streams; of the rest, others may have been told.
-StreamLimits wish_of(const Config& config) {
-  const StoreLimits limits = limits_of(config);
-  StreamLimits wish;
-  if (config.cluster.names_keep) wish.longest_kept = limits.longest_kept;
-  if (config.cluster.names_max_stored) wish.most_bytes = limits.most_bytes;
-  return wish;
+      std::chrono::seconds(config.cluster.keep_s), config.cluster.max_stored,
+      config.cluster.names_keep, config.cluster.names_max_stored};
 }
 
 /// A front that answers small renders beside large jobs; a worker does nothing else.
@@ -79,7 +71,7 @@ Cluster::Cluster(const Parts& parts)
                    return foresee(scene, is_8_bit, progress);
                  }}),
       signs_(
-          store_, [this] { return describe_self(); }, wish_of(parts.config), note_),
+          store_, [this] { return describe_self(); }, note_),
       metrics_([this] { look_up_metrics(); }) {}
 
 Member Cluster::describe_self() const {

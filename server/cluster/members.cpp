@@ -41,11 +41,9 @@ bool Attendance::is_silent(const std::string& name) {
   return looked_ - sign.since > longest_silence_;
 }
 
-SignsOfLife::SignsOfLife(ClusterStore& store, std::function<Member()> describe,
-                         const StreamLimits& wish, NatsNote note)
+SignsOfLife::SignsOfLife(ClusterStore& store, std::function<Member()> describe, NatsNote note)
     : store_(store),
       describe_(std::move(describe)),
-      wish_(wish),
       note_(std::move(note)),
       thread_([this](const std::stop_token& end) { say_until_end(end); }) {}
 
@@ -75,7 +73,7 @@ void SignsOfLife::say_until_end(const std::stop_token& end) {
 }
 
 void SignsOfLife::say() {
-  if (!wish_ && store_.has_streams()) {
+  if (has_changed_streams_ && store_.has_streams()) {
     try {
       return store_.put_member(describe_());
     } catch (const NatsAway&) {
@@ -83,14 +81,15 @@ void SignsOfLife::say() {
     } catch (const std::exception&) {  // NOLINT: its storage may be lost
     }
   }
-  if (wish_) change_streams();  // first: smaller ones leave room for those that are missing
+  if (!has_changed_streams_)
+    change_streams();  // first: smaller ones leave room for those that are missing
   store_.ensure_streams();
   store_.put_member(describe_());
 }
 
 void SignsOfLife::change_streams() {
   try {
-    const std::string changes = store_.change_streams(*wish_);
+    const std::string changes = store_.change_streams();
     if (!changes.empty()) note_("NATS's streams are changed: " + changes);
   } catch (const NatsAway&) {
     throw;
@@ -99,7 +98,7 @@ void SignsOfLife::change_streams() {
   } catch (const std::exception& error) {
     note_(fmt::format("NATS's streams stay as they are: {}", error.what()));
   }
-  wish_.reset();
+  has_changed_streams_ = true;
 }
 
 /// Each trouble once, until there is none.

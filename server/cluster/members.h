@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -52,10 +51,9 @@ class Attendance {
 /// it does not. Makes the streams for that and all else, as soon as NATS can be reached.
 class SignsOfLife {
  public:
-  /// `describe` is called each time, on another thread. All must outlive it. `wish`: how the
-  /// streams are to be at the start; later another server's wish may count.
-  SignsOfLife(ClusterStore& store, std::function<Member()> describe, const StreamLimits& wish,
-              NatsNote note);
+  /// `describe` is called each time, on another thread. All must outlive it. The streams are
+  /// changed as the store's limits say at the start; later another server's may count.
+  SignsOfLife(ClusterStore& store, std::function<Member()> describe, NatsNote note);
   ~SignsOfLife();
   SignsOfLife(const SignsOfLife&) = delete;
   SignsOfLife& operator=(const SignsOfLife&) = delete;
@@ -68,7 +66,7 @@ class SignsOfLife {
 
   ClusterStore& store_;
   std::function<Member()> describe_;
-  std::optional<StreamLimits> wish_;  ///< as long as it was not done
+  bool has_changed_streams_ = false;
   NatsNote note_;
   std::set<std::string> said_;  ///< of the streams, since they were there
   std::jthread thread_;

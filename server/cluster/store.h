@@ -69,6 +69,8 @@ struct StoreLimits {
   std::chrono::milliseconds task_timeout{5000};  ///< from a worker's last sign of life
   std::chrono::seconds longest_kept{24 * 3600};  ///< jobs, results and scenes
   std::int64_t most_bytes = std::int64_t{4} << 30;
+  bool changes_longest_kept = false;  ///< also of streams that others made
+  bool changes_most_bytes = false;
 };
 
 /// Every member function may be called from any thread, and throws as NatsConnection's do.
@@ -80,9 +82,10 @@ class ClusterStore {
 
   /// Makes the streams that are missing.
   void ensure_streams();
-  /// Has all streams that there are be as wished, whoever made them; `wish.most_bytes` counts for
-  /// all together. Returns what that changed, for people; nothing if they were so.
-  std::string change_streams(const StreamLimits& wish);
+  /// Has all streams that there are be as the limits say, whoever made them, where these are to
+  /// change them. Returns what that changed of the results' stream, for people; nothing if it was
+  /// so.
+  std::string change_streams();
   /// Why the streams could not be made when that was last tried, while there was a connection;
   /// empty if they are there.
   std::string trouble() const;

@@ -1,6 +1,9 @@
 // The streams of a cluster's store: made where they are missing, changed where somebody says so.
 #include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
 #include "server/cluster/store.h"
 
 namespace raytracer {
@@ -60,26 +63,27 @@ void ClusterStore::ensure_streams() {
   }
 }
 
-std::string ClusterStore::change_streams(const StreamLimits& wish) {
+std::string ClusterStore::change_streams() {
   StreamLimits before;
   for (const StreamSpec& stream : streams()) {
     if (stream.is_in_memory) continue;  // signs of life: they need what they have
-    StreamLimits own = wish;
-    if (own.most_bytes) own.most_bytes = stream.most_bytes;
-    const StreamLimits changed = nats_.change_stream(stream.name, own);
-    if (changed.longest_kept) before.longest_kept = changed.longest_kept;
-    // As the flag would have to be for that.
-    if (changed.most_bytes)
-      before.most_bytes = *changed.most_bytes * (limits_.most_bytes / stream.most_bytes);
+    StreamLimits wish;
+    if (limits_.changes_longest_kept) wish.longest_kept = stream.longest_kept;
+    if (limits_.changes_most_bytes) wish.most_bytes = stream.most_bytes;
+    const StreamLimits changed = nats_.change_stream(stream.name, wish);
+    if (stream.name == "raytracer_results") before = changed;
   }
-  std::string text;
+  std::vector<std::string> changes;
   if (before.longest_kept)
-    text = fmt::format("--keep {} (before: {})", limits_.longest_kept.count(),
-                       before.longest_kept->count());
-  if (before.most_bytes)
-    text += fmt::format("{}--max-stored {} (before: {})", text.empty() ? "" : ", ",
-                        limits_.most_bytes, *before.most_bytes);
-  return text;
+    changes.push_back(fmt::format("--keep {} (before: {})", limits_.longest_kept.count(),
+                                  before.longest_kept->count()));
+  if (before.most_bytes) {
+    // As the flag would have to be for that, of which results have half.
+    const std::string flag =
+        *before.most_bytes < 0 ? "no limit" : std::to_string(2 * *before.most_bytes);
+    changes.push_back(fmt::format("--max-stored {} (before: {})", limits_.most_bytes, flag));
+  }
+  return fmt::format("{}", fmt::join(changes, ", "));
 }
 
 void ClusterStore::note_trouble(const std::string& trouble) {

@@ -85,6 +85,29 @@ TEST_F(ClusterStreams, are_changed_by_a_server_that_is_told_and_by_no_other) {
   EXPECT_TRUE(is_so(500s, least_stored));
 }
 
+TEST_F(ClusterStreams, of_other_sizes_are_said_as_the_flag_would_have_to_be) {
+  StoreLimits limits;
+  limits.most_bytes = least_stored;
+  limits.changes_most_bytes = true;
+  Stored stored(nats().url(), limits);
+  stored.connection.ensure_stream({.name = "raytracer_results",
+                                   .subjects = "raytracer.result.>",
+                                   .most_bytes = -1,
+                                   .longest_kept = limits.longest_kept});
+  stored.store.ensure_streams();
+  EXPECT_EQ(stored.store.change_streams(),
+            fmt::format("--max-stored {} (before: no limit)", least_stored));
+  EXPECT_EQ(stored.store.change_streams(), "");
+  stored.connection.change_stream("raytracer_results", {3'000'001, std::nullopt});
+  EXPECT_EQ(stored.store.change_streams(),
+            fmt::format("--max-stored {} (before: 6000002)", least_stored));
+  limits.changes_most_bytes = false;
+  limits.changes_longest_kept = true;
+  limits.longest_kept = 500s;
+  Stored other(nats().url(), limits);
+  EXPECT_EQ(other.store.change_streams(), "--keep 500 (before: 86400)");
+}
+
 TEST_F(ClusterStreams, limits_are_among_those_of_the_version) {
   const ServerProcess& front = start_front({"--keep", "1000"});
   const std::string version = get(front, "/version").body;
