@@ -52,8 +52,13 @@ Cluster::Cluster(const Parts& parts)
                       : std::nullopt),
       scenes_(store_, parts.scenes, task_pool(), parts.metrics, parts.config.max_kept),
       runner_(parts.config.cluster.works
-                  ? std::make_optional<TaskRunner>(self_, store_, news_, scenes_, task_pool(),
-                                                   parts.metrics, parts.log)
+                  ? std::make_optional<TaskRunner>(TaskRunner::Parts{.self = self_,
+                                                                     .store = store_,
+                                                                     .news = news_,
+                                                                     .scenes = scenes_,
+                                                                     .pool = task_pool(),
+                                                                     .metrics = parts.metrics,
+                                                                     .log = parts.log})
                   : std::nullopt),
       jobs_({.self = self_,
              .store = store_,

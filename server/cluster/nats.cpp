@@ -312,22 +312,20 @@ void NatsConnection::purge(const std::string& stream, const std::string& filter)
   require(status, "removing " + filter, error);
 }
 
-void NatsConnection::ensure_consumer(const std::string& stream, const std::string& name,
-                                     const std::string& filter, const std::string& description,
-                                     milliseconds time, std::chrono::seconds longest_idle) {
+void NatsConnection::ensure_consumer(const std::string& stream, const ConsumerSpec& spec) {
   const auto session = link_->session();
   constexpr std::int64_t endless = -1;  // what was tried too often is for its result to say
   constexpr std::int64_t most_running = 1'000'000;
   jsConsumerConfig config;
   jsConsumerConfig_Init(&config);
-  config.Durable = name.c_str();
-  config.FilterSubject = filter.c_str();
-  config.Description = description.c_str();
+  config.Durable = spec.name.c_str();
+  config.FilterSubject = spec.subjects.c_str();
+  config.Description = spec.description.c_str();
   config.AckPolicy = js_AckExplicit;
-  config.AckWait = nanoseconds(time);
+  config.AckWait = nanoseconds(spec.time_to_acknowledge);
   config.MaxDeliver = endless;
   config.MaxAckPending = most_running;
-  config.InactiveThreshold = nanoseconds(longest_idle);
+  config.InactiveThreshold = nanoseconds(spec.longest_idle);
   jsErrCode error{};
   const natsStatus status =
       js_AddConsumer(nullptr, session->context(), stream.c_str(), &config, nullptr, &error);

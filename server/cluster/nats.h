@@ -72,6 +72,15 @@ struct StreamFill {
   std::uint64_t messages_ever = 0;
 };
 
+/// A consumer: it hands out the queue's messages with these subjects.
+struct ConsumerSpec {
+  std::string name;
+  std::string subjects;     ///< a subject with wildcards
+  std::string description;  ///< for whoever lists it
+  std::chrono::milliseconds time_to_acknowledge;
+  std::chrono::seconds longest_idle;  ///< then it is removed
+};
+
 /// The messages of a queue that one consumer hands out.
 struct ConsumerFill {
   std::string name;
@@ -170,10 +179,8 @@ class NatsConnection {
   /// Removes what the matching subjects hold.
   void purge(const std::string& stream, const std::string& filter);
 
-  /// Has the queue's messages with these subjects handed out, to be acknowledged within `time`.
-  void ensure_consumer(const std::string& stream, const std::string& name,
-                       const std::string& filter, const std::string& description,
-                       std::chrono::milliseconds time, std::chrono::seconds longest_idle);
+  /// Makes the consumer if the queue has none of that name.
+  void ensure_consumer(const std::string& stream, const ConsumerSpec& spec);
   void remove_consumer(const std::string& stream, const std::string& name);
   std::vector<ConsumerFill> consumers(const std::string& stream);
   /// Their names, by one request for many.

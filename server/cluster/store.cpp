@@ -178,9 +178,12 @@ void ClusterStore::close_job(const JobRecord& record) {
 }
 
 void ClusterStore::queue_tasks(const JobRecord& record, const std::vector<int>& tasks) {
-  nats_.ensure_consumer("raytracer_tasks", consumer_of(record.renderer, record.id),
-                        fmt::format("raytracer.task.{}.*", record.id), record.document,
-                        record.task_timeout(), limits_.longest_kept);
+  nats_.ensure_consumer("raytracer_tasks",
+                        {.name = consumer_of(record.renderer, record.id),
+                         .subjects = fmt::format("raytracer.task.{}.*", record.id),
+                         .description = record.document,
+                         .time_to_acknowledge = record.task_timeout(),
+                         .longest_idle = limits_.longest_kept});
   std::vector<std::string> subjects;
   subjects.reserve(tasks.size());
   for (const int task : tasks)

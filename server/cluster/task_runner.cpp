@@ -29,16 +29,9 @@ constexpr std::size_t most_losses = 5;
 
 }  // namespace
 
-TaskRunner::TaskRunner(const Identity& self, ClusterStore& store, News& news,
-                       PreparedScenes& scenes, WorkerPool& pool, Metrics& metrics, RequestLog& log)
-    : self_(self),
-      store_(store),
-      news_(news),
-      scenes_(scenes),
-      pool_(pool),
-      metrics_(metrics),
-      log_(log),
-      removals_(store.listen_for_removals([this](const std::string& job) { stop(job); })) {
+TaskRunner::TaskRunner(const Parts& parts)
+    : parts_(parts),
+      removals_(parts.store.listen_for_removals([this](const std::string& job) { stop(job); })) {
   for (std::thread& thread : threads_) thread = std::thread([this] { take_and_work(); });
   pulse_ = std::thread([this] { say_in_progress(); });
 }
@@ -55,7 +48,7 @@ void TaskRunner::drain(milliseconds longest) {
     for (Running& running : running_) running.progress.stop = true;
   }
   changed_.notify_all();
-  news_.tell();
+  parts_.news.tell();
   for (std::thread& thread : threads_)
     if (thread.joinable()) thread.join();
   if (pulse_.joinable()) pulse_.join();
@@ -77,10 +70,10 @@ void TaskRunner::take_and_work() {
     } catch (const NatsUnavailable&) {
       sources.clear();
     } catch (const std::exception& error) {
-      log_.note(fmt::format("tasks cannot be taken: {}", error.what()));
+      parts_.log.note(fmt::format("tasks cannot be taken: {}", error.what()));
       sources.clear();
     }
-    news_.wait(seen, between_searches);
+    parts_.news.wait(seen, between_searches);
     const std::scoped_lock lock(mutex_);
     changed_at_ = Clock::now();  // whatever happened, it is to be looked at
   }
@@ -94,8 +87,8 @@ void TaskRunner::look_for_jobs() {
     if (looked_ > changed_at_ && asked - looked_ <= recently) return;
   }
   // Without the lock: NATS may take seconds, and meanwhile all that runs is to be heard of.
-  std::vector<OpenJob> open = store_.open_jobs();
-  std::erase_if(open, [this](const OpenJob& job) { return job.renderer != self_.renderer; });
+  std::vector<OpenJob> open = parts_.store.open_jobs();
+  std::erase_if(open, [this](const OpenJob& job) { return job.renderer != parts_.self.renderer; });
   const std::scoped_lock lock(mutex_);
   if (asked < looked_) return;  // another thread has asked later
   open_ = std::move(open);
@@ -117,7 +110,7 @@ std::vector<OpenJob> TaskRunner::jobs_in_order() {
     const std::scoped_lock lock(mutex_);
     for (const OpenJob& job : open_) {
       const auto served = served_.try_emplace(job.id, Clock::now()).first->second;
-      due.push_back({scenes_.has(job.document) ? served : served + to_fetch_scene, job});
+      due.push_back({parts_.scenes.has(job.document) ? served : served + to_fetch_scene, job});
     }
   }
   std::stable_sort(due.begin(), due.end(), [](const Due& a, const Due& b) { return a.at < b.at; });
@@ -137,7 +130,8 @@ std::optional<TaskMessage> TaskRunner::next_task(Sources& sources) {
     if (job.waiting + job.running == 0) continue;
     auto source = sources.find(job.id);
     try {
-      if (source == sources.end()) source = sources.emplace(job.id, store_.tasks_of(job)).first;
+      if (source == sources.end())
+        source = sources.emplace(job.id, parts_.store.tasks_of(job)).first;
       std::optional<TaskMessage> task = source->second.take(to_answer);
       const std::scoped_lock lock(mutex_);
       if (!task) {
@@ -158,100 +152,114 @@ std::optional<TaskMessage> TaskRunner::next_task(Sources& sources) {
 }
 
 void TaskRunner::work_on(TaskMessage message) {
-  const auto named = ClusterStore::task_of(message.subject());
-  const std::string& id = named.first;  // by names of their own: clang 14 captures no binding
-  const int task = named.second;
   std::list<Running>::iterator running;
   {
     const std::scoped_lock lock(mutex_);
     running =
-        running_.emplace(running_.end(), std::move(message), id, store_.limits().task_timeout);
+        running_.emplace(running_.end(), std::move(message), parts_.store.limits().task_timeout);
     if (is_handing_back_) running->progress.stop = true;
   }
+  struct AtEnd {
+    TaskRunner& runner;
+    const std::list<Running>::iterator running;
+    ~AtEnd() {
+      const std::scoped_lock lock(runner.mutex_);
+      runner.running_.erase(running);
+      runner.changed_.notify_all();
+    }
+  } const at_end{*this, running};
+  const auto note = [&](const std::exception& error) {
+    parts_.log.note(
+        fmt::format("job {} task {} was left: {}", running->job, running->task, error.what()));
+  };
   try {
-    const std::optional<JobRecord> record = store_.job(id);
-    if (record) {
-      const std::scoped_lock lock(mutex_);
-      running->timeout = record->task_timeout();
-      running->is_whole = record->is_whole();
-      changed_.notify_all();
-    }
-    if (!record || !record->failure.empty()) {
-      running->message.acknowledge();  // nobody wants it any more
-    } else if (is_to_be_tried(*record, task, *running)) {
-      try {
-        const TaskResult result = make(*record, task, *running);
-        if (running->progress.stop) {
-          running->is_removed ? running->message.acknowledge()
-                              : hand_back(task, *running, milliseconds(0));
-        } else {
-          const std::string bytes = to_bytes(result);
-          if (!persist([&] { store_.put_result(id, task, bytes); })) throw NatsUnavailable("ended");
-          running->message.acknowledge();
-          ++tasks_done_;
-          metrics_.add("cluster_tasks_total");
-        }
-      } catch (const NatsUnavailable&) {
-        throw;
-      } catch (const StreamFull& error) {
-        log_.note(fmt::format("job {} failed: {}", id, error.what()));
-        store_.fail_job(id, error.what(), true);  // so it is for others
-        running->message.acknowledge();
-      } catch (const std::exception& error) {
-        give_up(*record, task, *running, error.what());
-      }
-    }
+    settle(*running);
   } catch (const NatsUnavailable& error) {
-    log_.note(fmt::format("job {} task {} was left: {}", id, task, error.what()));
-    persist([&] { hand_back(task, *running, milliseconds(0)); });  // it is not lost with its worker
+    note(error);
+    persist([&] { hand_back(*running, milliseconds(0)); });  // it is not lost with its worker
   } catch (const std::exception& error) {
-    // It comes again when its time is over.
-    log_.note(fmt::format("job {} task {} was left: {}", id, task, error.what()));
+    note(error);  // it comes again when its time is over
   }
-  const std::scoped_lock lock(mutex_);
-  running_.erase(running);
-  changed_.notify_all();
 }
 
-bool TaskRunner::is_to_be_tried(const JobRecord& record, int task, Running& running) {
+void TaskRunner::settle(Running& running) {
+  const std::optional<JobRecord> record = parts_.store.job(running.job);
+  if (!record || !record->failure.empty())
+    return running.message.acknowledge();  // nobody wants it any more
+  {
+    const std::scoped_lock lock(mutex_);
+    running.timeout = record->task_timeout();
+    running.is_whole = record->is_whole();
+    changed_.notify_all();
+  }
+  if (!is_to_be_tried(*record, running)) return;
+  try {
+    make_and_store(*record, running);
+  } catch (const NatsUnavailable&) {
+    throw;
+  } catch (const StreamFull& error) {
+    parts_.log.note(fmt::format("job {} failed: {}", running.job, error.what()));
+    parts_.store.fail_job(running.job, error.what(), true);  // so it is for others
+    running.message.acknowledge();
+  } catch (const std::exception& error) {
+    give_up(*record, running, error.what());
+  }
+}
+
+void TaskRunner::make_and_store(const JobRecord& record, Running& running) {
+  const TaskResult result = make(record, running);
+  if (running.progress.stop) {
+    if (!running.is_removed) return hand_back(running, milliseconds(0));
+    return running.message.acknowledge();
+  }
+  const std::string bytes = to_bytes(result);
+  if (!persist([&] { parts_.store.put_result(running.job, running.task, bytes); }))
+    throw NatsUnavailable("ended");
+  running.message.acknowledge();
+  ++tasks_done_;
+  parts_.metrics.add("cluster_tasks_total");
+}
+
+bool TaskRunner::is_to_be_tried(const JobRecord& record, Running& running) {
   const std::uint64_t before = running.message.deliveries() - 1;
   if (before == 0) {
     const auto waited = static_cast<double>(now_ms() - running.message.queued_ms());
-    metrics_.observe("cluster_task_wait_seconds", std::max(waited, 0.0) / 1000);
+    parts_.metrics.observe("cluster_task_wait_seconds", std::max(waited, 0.0) / 1000);
     return true;
   }
-  store_.note_redelivery(record.id, task);
-  if (store_.has_result(record.id, task)) {
+  parts_.store.note_redelivery(record.id, running.task);
+  if (parts_.store.has_result(record.id, running.task)) {
     running.message.acknowledge();  // who had it was only late
     return false;
   }
-  const std::vector<TaskFailure> failures = store_.failures(record.id, task);
-  const std::size_t told = failures.size() + store_.hand_backs(record.id, task);
+  const std::vector<TaskFailure> failures = parts_.store.failures(record.id, running.task);
+  const std::size_t told = failures.size() + parts_.store.hand_backs(record.id, running.task);
   if (before >= told + most_losses) {
-    store_.fail_job(record.id, fmt::format("Task {} was lost {} times with the worker that had "
-                                           "taken it",
-                                           task, before - told));
+    parts_.store.fail_job(record.id,
+                          fmt::format("Task {} was lost {} times with the worker that had "
+                                      "taken it",
+                                      running.task, before - told));
     running.message.acknowledge();
     return false;
   }
   // Another may do what failed here.
   const bool failed_here = std::any_of(failures.begin(), failures.end(), [&](const auto& failure) {
-    return failure.worker == self_.name;
+    return failure.worker == parts_.self.name;
   });
   if (!failed_here) return true;
-  for (const Member& member : store_.members())
-    if (member.works && member.renderer == self_.renderer && member.name != self_.name &&
-        is_alive(member, store_.limits()) &&
+  for (const Member& member : parts_.store.members())
+    if (member.works && member.renderer == parts_.self.renderer &&
+        member.name != parts_.self.name && is_alive(member, parts_.store.limits()) &&
         std::none_of(failures.begin(), failures.end(),
                      [&](const auto& failure) { return failure.worker == member.name; })) {
-      hand_back(task, running, before_another_try);
+      hand_back(running, before_another_try);
       return false;
     }
   return true;
 }
 
-void TaskRunner::hand_back(int task, Running& running, milliseconds delay) {
-  store_.note_hand_back(running.job, task, running.message.deliveries());
+void TaskRunner::hand_back(Running& running, milliseconds delay) {
+  parts_.store.note_hand_back(running.job, running.task, running.message.deliveries());
   running.message.hand_back(delay);
 }
 
@@ -268,36 +276,37 @@ bool TaskRunner::persist(const std::function<void()>& step) {
   }
 }
 
-TaskResult TaskRunner::make(const JobRecord& record, int task, Running& running) {
+TaskResult TaskRunner::make(const JobRecord& record, Running& running) {
   if (record.task == JobTask::tradeoff) {
-    const SceneView view = scenes_.view_of(record);
+    const SceneView view = parts_.scenes.view_of(record);
     CurveProgress progress{running.progress};
     std::optional<Curve> curve =
-        measure_curve(view.scene, record.limits, most_curve_ms, pool_, progress);
-    return {self_.name, curve ? text_of(*curve) : CurveText{}};
+        measure_curve(view.scene, record.limits, most_curve_ms, parts_.pool, progress);
+    return {parts_.self.name, curve ? text_of(*curve) : CurveText{}};
   }
-  const std::shared_ptr<const PreparedView> scene = scenes_.prepare(record);
+  const std::shared_ptr<const PreparedView> scene = parts_.scenes.prepare(record);
   if (record.is_whole())
-    return {self_.name, render(scene->prepared, record.limits, pool_, running.progress)};
+    return {parts_.self.name,
+            render(scene->prepared, record.limits, parts_.pool, running.progress)};
   const std::vector<Tile> regions = regions_of(record.width, record.height, record.side_px);
-  const Tile& region = regions.at(static_cast<std::size_t>(task));
+  const Tile& region = regions.at(static_cast<std::size_t>(running.task));
   const auto made = [&]<typename Channel>(std::optional<RegionRendering<Channel>> part) {
-    return TaskResult{self_.name, part ? *std::move(part) : RegionRendering<Channel>{}};
+    return TaskResult{parts_.self.name, part ? *std::move(part) : RegionRendering<Channel>{}};
   };
   if (record.is_8_bit)
-    return made(render_region<unsigned char>(scene->prepared, region, pool_, running.progress));
-  return made(render_region<float>(scene->prepared, region, pool_, running.progress));
+    return made(
+        render_region<unsigned char>(scene->prepared, region, parts_.pool, running.progress));
+  return made(render_region<float>(scene->prepared, region, parts_.pool, running.progress));
 }
 
-void TaskRunner::give_up(const JobRecord& record, int task, Running& running,
-                         const std::string& reason) {
-  log_.note(fmt::format("job {} task {} failed: {}", record.id, task, reason));
-  metrics_.add("cluster_task_failures_total");
-  const std::vector<TaskFailure> before = store_.failures(record.id, task);
-  store_.add_failure(record.id, task, before.size(), {self_.name, reason});
+void TaskRunner::give_up(const JobRecord& record, Running& running, const std::string& reason) {
+  parts_.log.note(fmt::format("job {} task {} failed: {}", record.id, running.task, reason));
+  parts_.metrics.add("cluster_task_failures_total");
+  const std::vector<TaskFailure> before = parts_.store.failures(record.id, running.task);
+  parts_.store.add_failure(record.id, running.task, before.size(), {parts_.self.name, reason});
   if (before.size() + 1 >= most_failures) {
-    store_.fail_job(record.id, fmt::format("Task {} failed {} times, the last time so: {}", task,
-                                           before.size() + 1, reason));
+    parts_.store.fail_job(record.id, fmt::format("Task {} failed {} times, the last time so: {}",
+                                                 running.task, before.size() + 1, reason));
     running.message.acknowledge();
     return;
   }
@@ -305,7 +314,7 @@ void TaskRunner::give_up(const JobRecord& record, int task, Running& running,
 }
 
 milliseconds TaskRunner::shortest_timeout() const {
-  milliseconds shortest = store_.limits().task_timeout;
+  milliseconds shortest = parts_.store.limits().task_timeout;
   for (const Running& running : running_) shortest = std::min(shortest, running.timeout);
   return shortest;
 }
@@ -329,7 +338,7 @@ void TaskRunner::say_in_progress() {
     lock.unlock();
     for (const auto& [job, fraction] : said) {
       try {
-        store_.put_progress(job, fraction);
+        parts_.store.put_progress(job, fraction);
       } catch (const std::exception&) {  // NOLINT: it is said again
       }
     }

@@ -37,9 +37,18 @@ struct Identity {
 
 class TaskRunner {
  public:
+  struct Parts {
+    Identity self;
+    ClusterStore& store;
+    News& news;
+    PreparedScenes& scenes;
+    WorkerPool& pool;
+    Metrics& metrics;
+    RequestLog& log;
+  };
+
   /// All must outlive it.
-  TaskRunner(const Identity& self, ClusterStore& store, News& news, PreparedScenes& scenes,
-             WorkerPool& pool, Metrics& metrics, RequestLog& log);
+  explicit TaskRunner(const Parts& parts);
   /// Hands back what runs.
   ~TaskRunner();
   TaskRunner(const TaskRunner&) = delete;
@@ -54,10 +63,14 @@ class TaskRunner {
   using Clock = std::chrono::steady_clock;
   /// A task in work.
   struct Running {
-    Running(TaskMessage task_message, std::string job_id, std::chrono::milliseconds first_timeout)
-        : message(std::move(task_message)), job(std::move(job_id)), timeout(first_timeout) {}
+    Running(TaskMessage task_message, std::chrono::milliseconds first_timeout)
+        : message(std::move(task_message)),
+          job(ClusterStore::task_of(message.subject()).first),
+          task(ClusterStore::task_of(message.subject()).second),
+          timeout(first_timeout) {}
     const TaskMessage message;
     const std::string job;
+    const int task;
     std::chrono::milliseconds timeout;  ///< of its job: others take it when nothing is said
     bool is_whole = false;              ///< how far it is, is how far its job is
     std::atomic<bool> is_removed = false;
@@ -73,27 +86,23 @@ class TaskRunner {
   void look_for_jobs();
   std::vector<OpenJob> jobs_in_order();
   void work_on(TaskMessage message);
+  /// Makes and stores its result, or says why not.
+  void settle(Running& running);
   /// Whether the task is to be tried here and now; settles it if not.
-  bool is_to_be_tried(const JobRecord& record, int task, Running& running);
-  TaskResult make(const JobRecord& record, int task, Running& running);
+  bool is_to_be_tried(const JobRecord& record, Running& running);
+  void make_and_store(const JobRecord& record, Running& running);
+  TaskResult make(const JobRecord& record, Running& running);
   /// Leaves it to others, at no fault of the task.
-  void hand_back(int task, Running& running, std::chrono::milliseconds delay);
+  void hand_back(Running& running, std::chrono::milliseconds delay);
   /// Calls step() until NATS has done it; false if this worker ends first.
   bool persist(const std::function<void()>& step);
-  void give_up(const JobRecord& record, int task, Running& running, const std::string& reason);
+  void give_up(const JobRecord& record, Running& running, const std::string& reason);
   /// Within which something is to be said of all that runs.
   std::chrono::milliseconds shortest_timeout() const;
   void say_in_progress();
   void stop(const std::string& job);
 
-  const Identity self_;
-  ClusterStore& store_;
-  News& news_;
-  PreparedScenes& scenes_;
-  WorkerPool& pool_;
-  Metrics& metrics_;
-  RequestLog& log_;
-
+  const Parts parts_;
   std::mutex mutex_;
   std::condition_variable changed_;
   bool closing_ = false;
