@@ -9,9 +9,9 @@
 
 #include "client/command_line.h"
 #include "client/failure.h"
+#include "client/formats/numbers.h"
 #include "client/formats/particles/color_map.h"
 #include "client/formats/particles/screen_color.h"
-#include "client/formats/words.h"
 
 namespace raytracer::client {
 namespace {

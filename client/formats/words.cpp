@@ -1,10 +1,5 @@
 #include "client/formats/words.h"
 
-#include <fast_float/fast_float.h>
-
-#include <cmath>
-#include <system_error>
-
 namespace raytracer::client {
 namespace {
 
@@ -24,15 +19,6 @@ void Words::advance() {
   while (!is_over() && !is_space(text_[end_]) && text_[end_] != '#') ++end_;
   word_ = text_.substr(begin, end_ - begin);
   if (!word_.empty()) line_ = lines_read_;
-}
-
-std::optional<double> number_of(std::string_view word) {
-  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
-  double value = 0;
-  const char* const end = word.data() + word.size();
-  const auto [stop, error] = fast_float::from_chars(word.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
 }
 
 }  // namespace raytracer::client

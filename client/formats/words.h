@@ -2,7 +2,7 @@
 // of a line is comment.
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <string_view>
 
 namespace raytracer::client {
@@ -31,8 +31,5 @@ constexpr std::string_view without_byte_order_mark(std::string_view text) {
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
-
-/// A finite number, as C writes it in decimal; none if the word is something else.
-std::optional<double> number_of(std::string_view word);
 
 }  // namespace raytracer::client

@@ -137,6 +137,15 @@ TEST(Pdb, chains_residues_and_bfactors_give_colours) {
   EXPECT_EQ(colours("occupancy"), 1U);
 }
 
+/// Columns 61 to 66 have room for 9e300.
+TEST(Pdb, bfactors_beyond_single_precision_are_the_largest) {
+  std::string text;
+  for (const char* const bfactor : {"  10.0", " 9e300", "  20.0", "-9e300"})
+    text += pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C").replace(60, 6, bfactor);
+  const json scene = document(".pdb", text, wishes_for("bfactor", client::AtomStyle::spacefill));
+  EXPECT_EQ(scene.at("materials").size(), 3U);
+}
+
 TEST(Pdb, each_error_has_its_line) {
   struct PdbMistake {
     std::string text;

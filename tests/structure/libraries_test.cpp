@@ -120,7 +120,7 @@ TEST(Libraries, compressed_files_are_unpacked_in_one_file) {
 
 TEST(Libraries, numbers_of_files_are_read_in_one_file) {
   expect_users("fast_float/",
-               [](const std::string& path) { return path == "client/formats/words.cpp"; });
+               [](const std::string& path) { return path == "client/formats/numbers.cpp"; });
 }
 
 TEST(Libraries, page_uses_none) {

@@ -9,8 +9,8 @@
 #include "client/formats/meshes/line_errors.h"
 #include "client/formats/meshes/line_words.h"
 #include "client/formats/meshes/obj_statements.h"
+#include "client/formats/numbers.h"
 #include "client/formats/printable.h"
-#include "client/formats/words.h"
 
 namespace raytracer::client {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "client/formats/particles/columns.h"
+#include "client/formats/numbers.h"
 #include "client/formats/triple.h"
 #include "client/formats/words.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "client/formats/numbers.h"
 #include "client/formats/words.h"
 
 namespace raytracer::client {

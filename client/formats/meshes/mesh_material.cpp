@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "client/formats/particles/columns.h"
+#include "client/formats/numbers.h"
 #include "client/formats/particles/screen_color.h"
 
 namespace raytracer::client {

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "client/formats/particles/count.h"
+#include "client/formats/numbers.h"
 #include "client/formats/printable.h"
 #include "client/formats/reading.h"
 

@@ -5,9 +5,8 @@
 
 #include "client/formats/meshes/line_errors.h"
 #include "client/formats/meshes/ply_bodies.h"
-#include "client/formats/particles/count.h"
+#include "client/formats/numbers.h"
 #include "client/formats/printable.h"
-#include "client/formats/words.h"
 
 namespace raytracer::client {
 namespace {

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "client/formats/numbers.h"
 #include "client/formats/reading.h"
 #include "client/formats/words.h"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "client/formats/numbers.h"
 #include "client/formats/particles/elements.h"
 #include "client/formats/printable.h"
-#include "client/formats/words.h"
 
 namespace raytracer::client {
 namespace {
@@ -18,11 +18,6 @@ std::string in_small_letters(std::string_view name) {
   for (char& c : result)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return result;
-}
-
-float as_float(double value) {
-  constexpr double most = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(value, -most, most));
 }
 
 /// As spreadsheets, R, Python and simulations leave a number out, and what is no finite one. Na is
@@ -44,11 +39,6 @@ void add_unknown(int line, Particles& particles) {
 }
 
 }  // namespace
-
-bool is_moderate(double value) {
-  constexpr double most = 1e100;
-  return std::abs(value) <= most;
-}
 
 Columns::Columns(std::vector<std::string> names, const Wishes& wishes, int line)
     : names_(std::move(names)) {

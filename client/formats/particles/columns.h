@@ -47,7 +47,4 @@ class Columns {
   GroupNames groups_;
 };
 
-/// A number that a place or a radius may be: beyond 1e100 pictures cannot be computed.
-bool is_moderate(double value);
-
 }  // namespace raytracer::client

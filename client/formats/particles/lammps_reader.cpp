@@ -4,9 +4,8 @@
 
 #include <algorithm>
 
-#include "client/formats/particles/count.h"
+#include "client/formats/numbers.h"
 #include "client/formats/printable.h"
-#include "client/formats/words.h"
 
 namespace raytracer::client {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "client/formats/numbers.h"
 #include "client/formats/particles/cif_lines.h"
-#include "client/formats/particles/columns.h"
 #include "client/formats/particles/elements.h"
 #include "client/formats/printable.h"
 #include "client/formats/words.h"
@@ -111,9 +111,7 @@ void MmcifReader::read_row(std::size_t row) {
   const std::string color_word = value(row, color_);
   float color_value = std::numeric_limits<float>::quiet_NaN();
   if (color_ >= 0 && !color_word.empty() && !atoms_.is_colored_by_words())
-    color_value = static_cast<float>(
-        std::clamp(number(row, color_), -static_cast<double>(std::numeric_limits<float>::max()),
-                   static_cast<double>(std::numeric_limits<float>::max())));
+    color_value = as_float(number(row, color_));
   const auto index = atoms_.add(
       contents_.sites->line,
       {place, element, chain, residue, number_in_chain, atom, alternate, color_word}, color_value);

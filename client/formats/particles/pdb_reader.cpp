@@ -9,10 +9,10 @@
 #include <set>
 #include <utility>
 
+#include "client/formats/numbers.h"
 #include "client/formats/particles/columns.h"
 #include "client/formats/particles/elements.h"
 #include "client/formats/printable.h"
-#include "client/formats/words.h"
 
 namespace raytracer::client {
 namespace {
@@ -186,7 +186,7 @@ void PdbReader::read_atom() {
     if (!value)
       throw lines_->wrong(
           fmt::format("{} stands where {} is to be a number", quoted(text), *column));
-    color_value = static_cast<float>(*value);
+    color_value = as_float(*value);
   }
   const auto index = atoms_.add(lines_->number(), atom, color_value);
   if (index && !bonds_.empty())

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "client/formats/words.h"
+#include "client/formats/numbers.h"
+#include "client/formats/particles/columns.h"
 
 namespace raytracer::client {
 namespace {

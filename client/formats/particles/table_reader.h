@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "client/formats/lines.h"
-#include "client/formats/particles/columns.h"
 #include "client/formats/particles/particle_reader.h"
 
 namespace raytracer::client {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "client/formats/particles/count.h"
+#include "client/formats/numbers.h"
 #include "client/formats/printable.h"
 
 namespace raytracer::client {
