@@ -33,6 +33,18 @@ TEST(Pdb, bonds_that_the_file_names_may_be_long) {
                      "cylinder"),
             2U);
 }
+/// CONECT names all bonds of an atom that it names; of others, distances tell them.
+TEST(Pdb, distances_bond_no_two_atoms_that_the_file_names_apart) {
+  std::string text;
+  for (int i = 0; i < 4; ++i) text += pdb_atom(i + 1, " C  ", "LIG", 'A', 1, 1.5 * i, "C");
+  const auto halves = [&](const std::string& connections) {
+    return count_of(document(".pdb", text + connections, wishes_for("", client::AtomStyle::sticks)),
+                    "cylinder");
+  };
+  EXPECT_EQ(halves(""), 2U * 3U);
+  EXPECT_EQ(halves("CONECT    1    2\n"), 2U * 3U);
+  EXPECT_EQ(halves("CONECT    1    2\nCONECT    3    4\n"), 2U * 2U);
+}
 /// A connection stands with both of its atoms, and once more for a double bond. Water is left out
 /// on purpose, and told already.
 TEST(Pdb, bonds_of_atoms_that_the_file_lacks_are_counted_once) {

@@ -152,13 +152,23 @@ void add_balls(const Particles& particles, const Paint& paint, const std::vector
   }
 }
 
-/// Each bond in two halves, of the colours of its atoms.
-void add_sticks(const Particles& particles, const Paint& paint, double radius,
-                model::Scene& scene) {
+/// Those that the file names, and those by distance of which it says nothing; each once.
+std::vector<std::array<std::uint32_t, 2>> all_bonds(const Particles& particles) {
   auto bonds = bonds_by_distance(particles.places, particles.elements);
+  if (particles.names_all_bonds) {
+    std::vector<bool> is_named(particles.places.size());
+    for (const auto& [a, b] : particles.bonds) is_named[a] = is_named[b] = true;
+    std::erase_if(bonds, [&](const auto& bond) { return is_named[bond[0]] && is_named[bond[1]]; });
+  }
   for (const auto& [a, b] : particles.bonds) bonds.push_back({std::min(a, b), std::max(a, b)});
   std::sort(bonds.begin(), bonds.end());
   bonds.erase(std::unique(bonds.begin(), bonds.end()), bonds.end());
+  return bonds;
+}
+
+/// Each bond in two halves, of the colours of its atoms.
+void add_sticks(const Particles& particles, const Paint& paint, double radius,
+                model::Scene& scene) {
   std::vector<model::Cylinders> sticks(paint.materials.size());
   const auto add_half = [&](std::uint32_t from, std::uint32_t to) {
     const model::Triple& start = particles.places[from];
@@ -171,7 +181,7 @@ void add_sticks(const Particles& particles, const Paint& paint, double radius,
     same.radii.push_back(radius);
     if (!paint.colors.empty()) same.colors.push_back(paint.colors[from]);
   };
-  for (const auto& [a, b] : bonds) {
+  for (const auto& [a, b] : all_bonds(particles)) {
     add_half(a, b);
     add_half(b, a);
   }

@@ -23,6 +23,8 @@ struct Particles {
 
   /// Pairs of places that the file names as bonded.
   std::vector<std::array<std::uint32_t, 2>> bonds;
+  /// Of two places that `bonds` has, the file would name the bond if there were one.
+  bool names_all_bonds = false;
 
   std::vector<Omission> omissions;
 };

@@ -27,8 +27,7 @@ std::string_view field(std::string_view line, std::size_t first, std::size_t las
 }
 
 bool is_record(std::string_view line, std::string_view name) {
-  return line.starts_with(name) && (line.size() == name.size() || name.size() == 6 ||
-                                    line[name.size()] == ' ' || name == "HETATM");
+  return line.starts_with(name) && (line.size() == name.size() || line[name.size()] == ' ');
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -200,6 +199,7 @@ void PdbReader::add_bonds(Particles& particles) const {
     if (a != by_serial_.end() && b != by_serial_.end() && a->second != b->second)
       particles.bonds.push_back({a->second, b->second});
   }
+  particles.names_all_bonds = true;  // CONECT has all of an atom, or none
 }
 
 void PdbReader::find_next_model() {
