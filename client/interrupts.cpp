@@ -63,4 +63,11 @@ void Interrupts::watch() {
   }
 }
 
+void restore_signals() {
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  std::signal(SIGPIPE, SIG_DFL);
+}
+
 }  // namespace raytracer::client

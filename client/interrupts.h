@@ -47,4 +47,8 @@ class Interrupts {
   std::thread watcher_;
 };
 
+/// Between fork and exec: another program has no use for what this one blocks and ignores.
+/// Async-signal-safe.
+void restore_signals();
+
 }  // namespace raytracer::client

@@ -13,6 +13,7 @@
 #include "client/command_line.h"
 #include "client/commands.h"
 #include "client/environment.h"
+#include "client/interrupts.h"
 #include "client/notice.h"
 #include "client/with_server.h"
 
@@ -36,7 +37,9 @@ void show(const std::string& address) {
   if (program.empty()) return;
   const pid_t child = fork();
   if (child == 0) {
+    setsid();                   // Ctrl-C is for this program, not for the browser
     if (fork() != 0) _exit(0);  // its parent is init then, which waits for it
+    restore_signals();
     const int nothing = ::open("/dev/null", O_RDWR);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, stream);
     execlp(program.c_str(), program.c_str(), address.c_str(), nullptr);

@@ -25,6 +25,7 @@
 #endif
 
 #include "client/failure.h"
+#include "client/interrupts.h"
 
 namespace raytracer::client {
 namespace {
@@ -41,9 +42,9 @@ constexpr int not_found = 127;  // as shells say it
 /// Variables for a server that others are to reach, or that works with others. With a token it
 /// would ask the client for one.
 constexpr std::array public_variables{
-    "RAYTRACER_HOST",         "RAYTRACER_PORT", "RAYTRACER_TOKEN",
-    "RAYTRACER_ALLOW_ORIGIN", "RAYTRACER_NATS", "RAYTRACER_SHARE_FROM",
-    "RAYTRACER_TASK_TIMEOUT", "RAYTRACER_KEEP", "RAYTRACER_MAX_STORED"};
+    "RAYTRACER_HOST",         "RAYTRACER_PORT",   "RAYTRACER_TOKEN",      "RAYTRACER_ALLOW_ORIGIN",
+    "RAYTRACER_NATS",         "RAYTRACER_WORKER", "RAYTRACER_NO_WORK",    "RAYTRACER_SHARE_FROM",
+    "RAYTRACER_TASK_TIMEOUT", "RAYTRACER_KEEP",   "RAYTRACER_MAX_STORED", "RAYTRACER_DRAIN_DELAY"};
 
 /// Where the daemon is if it is beside the client's own executable; empty if the system does not
 /// say where that is.
@@ -68,15 +69,12 @@ std::string path_beside_client() {
 #else
   static_cast<void>(parent);
 #endif
-  sigset_t none;
-  sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  ::signal(SIGPIPE, SIG_DFL);
+  restore_signals();
   ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
   ::dup2(output, STDERR_FILENO);
   for (const char* const path : {beside_client, daemon_name})
-    ::execlp(path, daemon_name, "--host", "127.0.0.1", "--port", "0", nullptr);
+    ::execlp(path, daemon_name, "--host", "127.0.0.1", "--port", "0", "--quiet", nullptr);
   ::_exit(not_found);
 }
 

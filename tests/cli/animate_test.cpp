@@ -1,5 +1,5 @@
 // `animate`: a turn round any scene or a file's frames, as numbered pictures, an animated PNG or
-// raw video. And `open`, which keeps a scene at a server for its page.
+// raw video.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -226,31 +226,6 @@ TEST_F(Animate, arguments_that_do_not_go_together_are_refused) {
   expect_input_error(animate({file, "--turntable", "3", "-o", "nowhere/a.apng"}), "nowhere");
   expect_input_error(animate({"demo", "--frames", "all", "-o", "a.apng"}), "demo: has no frames");
   expect_input_error(animate({file, "--turntable", "3", "-o", "a.apng", "--fps", "0"}), "--fps");
-}
-
-class Open : public Client {};
-
-TEST_F(Open, scene_is_kept_where_the_page_finds_it) {
-  const TemporaryFolder folder;
-  const std::string file = folder.write("atoms.xyz", three_frames);
-  const Outcome outcome = run_with_server({"open", file});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const std::string before = server().url() + "/#scene=";
-  ASSERT_TRUE(outcome.out.starts_with(before)) << outcome.out;
-  const std::string id = outcome.out.substr(before.size(), 32);
-  const auto kept = server().client().Get("/scenes/" + id);
-  ASSERT_TRUE(kept);
-  EXPECT_EQ(nlohmann::json::parse(kept->body),
-            nlohmann::json::parse(run_client({"convert", file}).out));
-}
-
-TEST_F(Open, private_server_stays_until_it_is_interrupted) {
-  Process process(client_command({"open", "demo"}));
-  ASSERT_TRUE(eventually([&] { return process.out().ends_with("\n"); })) << process.err();
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  EXPECT_FALSE(process.wait(std::chrono::milliseconds(0)));
-  process.signal(SIGINT);
-  EXPECT_EQ(process.wait(std::chrono::milliseconds(5000)), 130);
 }
 
 }  // namespace
