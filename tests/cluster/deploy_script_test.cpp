@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <string>
 #include <thread>
@@ -25,8 +26,9 @@ namespace fs = std::filesystem;
 /// The script with the programs under test; ended, not killed, so that nothing stays behind.
 class Script {
  public:
-  explicit Script(std::vector<std::string> arguments)
-      : process_({script_of(tree_), std::move(arguments)}) {}
+  explicit Script(std::vector<std::string> arguments,
+                  std::map<std::string, std::string> environment = {})
+      : process_({script_of(tree_), std::move(arguments), {}, std::move(environment)}) {}
   ~Script() {
     process_.signal(SIGTERM);
     process_.wait(40s);
@@ -96,7 +98,11 @@ TEST_F(DeployScript, starts_all_parts_and_leaves_none) {
 }
 
 TEST_F(DeployScript, says_which_part_has_ended_and_goes_on) {
-  Script script({"--workers", "1"});
+  // Whoever tries a cluster may have these for another one.
+  Script script({"--workers", "1"}, {{"RAYTRACER_TOKEN", "of-another"},
+                                     {"RAYTRACER_PORT", "1"},
+                                     {"NATS_CREDS", "/of/another"},
+                                     {"FRONT_3", "of another"}});
   ASSERT_TRUE(script.is_ready()) << script.process().out() << script.process().err();
   ::kill(std::stoi(script.found(R"(worker1 +(\d+))").at(0)), SIGKILL);
   EXPECT_TRUE(eventually([&] { return script.says("worker1 has ended with status 137"); }));
