@@ -167,8 +167,7 @@ async function rest(signal) {
       onPart: (frame) => live.showPart(frame),
     }, signal);
     const total_ms = wait.passed_ms();
-    await showPicture(rendering, opening.name || "scene", total_ms);
-    signal.throwIfAborted();
+    await showPicture(rendering, opening.name || "scene", total_ms, signal);
     live.hide();
     accuracy.report(rendering);
     shown = { blob: rendering.blob, words };
@@ -180,7 +179,7 @@ async function rest(signal) {
     fail(error, text);
   } finally {
     wait.end();
-    if (running.signal === signal) waiting.clear();
+    if (running?.signal === signal) waiting.clear();
   }
 }
 

@@ -6,18 +6,25 @@ const origins = { hit: "from the server's cache", shared: "rendered for another 
 const stops = { samples: "sample count", target: "accuracy target", budget: "time budget" };
 
 /// Shows what api.js's render() gave. `name` is the scene's, for the file and for screen readers;
-/// `total_ms` is the time from the request to the picture, as this page saw it.
-export async function showPicture(rendering, name, total_ms) {
+/// `total_ms` is the time from the request to the picture, as this page saw it. Once `signal` is
+/// aborted nothing is shown.
+export async function showPicture(rendering, name, total_ms, signal) {
   const image = document.querySelector("#picture");
   const download = document.querySelector("#download");
   const board = document.querySelector("#board");
-  const former = image.src;
   const address = URL.createObjectURL(rendering.blob);
 
   // Decoded before it is shown: the former picture stays until then, without a blink.
   const decoded = new Image();
   decoded.src = address;
-  await decoded.decode();
+  try {
+    await decoded.decode();
+    signal.throwIfAborted();
+  } catch (error) {
+    URL.revokeObjectURL(address);
+    throw error;
+  }
+  const former = image.src;
   image.src = address;
   image.width = decoded.naturalWidth;
   image.height = decoded.naturalHeight;

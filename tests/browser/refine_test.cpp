@@ -156,5 +156,27 @@ TEST_F(Refine, leaving_the_page_ends_the_job) {
   EXPECT_TRUE(no_job_runs()) << server().log();
 }
 
+/// Its decoding ends when the picture that was asked for instead is in sight.
+TEST_F(Refine, picture_that_was_replaced_while_it_was_decoded_is_not_shown) {
+  browser().run(
+      "const decode = Image.prototype.decode;"
+      "Image.prototype.decode = function () {"
+      "  Image.prototype.decode = decode;"
+      "  return new Promise((resolve) => { window.endDecoding = resolve; })"
+      "    .then(() => decode.call(this)).finally(() => { window.isDecoded = true; });"
+      "};");
+  render(page_scene);
+  ASSERT_TRUE(comes_true("window.endDecoding !== undefined"));
+  const std::string former = picture();
+  render(scene_of_width(30));
+  await("done", former);
+  const std::string shown = picture();
+  browser().run("window.endDecoding()");
+  ASSERT_TRUE(comes_true("window.isDecoded"));
+  EXPECT_EQ(value("new Promise((resolve) => setTimeout(resolve)).then("
+                  "() => document.getElementById('picture').src)"),
+            shown);
+}
+
 }  // namespace
 }  // namespace raytracer::test
