@@ -1,5 +1,6 @@
 // The form's controls: each stands for one value of the document, by its pointer.
 import { element } from "./element.js";
+import { partsOfPointer } from "./json_pointer.js";
 
 const transparent = "transparent";
 const defaults = { color: [1, 1, 1], background: [0, 0, 0], ambient: 0.2, kd: 0.7, ks: 0.3, reflectivity: 0, transparency: 0, ior: 1.5, fresnel: false, intensity: 1, angle: 0, radius: 0 };
@@ -127,7 +128,7 @@ export function labelled(text, input) {
 }
 
 function valueAt(scene, pointer) {
-  return pointer.split("/").slice(1).reduce((value, part) => value?.[part.replaceAll("~1", "/").replaceAll("~0", "~")], scene);
+  return partsOfPointer(pointer).reduce((value, part) => value?.[part], scene);
 }
 
 const hexOf = (parts) => `#${parts.map((part) => Math.round(part * 255).toString(16).padStart(2, "0")).join("")}`;

@@ -1,5 +1,5 @@
 // Changes of a JSON text that leave the rest of it as its author wrote it.
-import { locator } from "./json_pointer.js";
+import { locator, partsOfPointer } from "./json_pointer.js";
 
 /// `text` with `value` where `pointer` points; a member that is missing is added after the last one
 /// of its object. A pointer whose parent is missing changes nothing.
@@ -7,11 +7,9 @@ export function withValue(text, pointer, value) {
   const place = locator(text);
   const { whole } = place(pointer);
   if (whole) return spliced(text, whole, written(value));
-  const slash = pointer.lastIndexOf("/");
-  const parent = place(pointer.slice(0, slash)).whole;
+  const parent = place(pointer.slice(0, pointer.lastIndexOf("/"))).whole;
   if (!parent || text[parent.start] !== "{") return text;
-  const name = pointer.slice(slash + 1).replaceAll("~1", "/").replaceAll("~0", "~");
-  return withMember(text, parent, `${JSON.stringify(name)}: ${written(value)}`);
+  return withMember(text, parent, `${JSON.stringify(partsOfPointer(pointer).at(-1))}: ${written(value)}`);
 }
 
 /// `text` with `value` as the last element of the array at `pointer`, which is added if it is missing.

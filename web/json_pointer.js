@@ -16,14 +16,18 @@ export function locator(text) {
   const root = positionsIn(text);
   return (pointer) => {
     let node = root;
-    for (const part of pointer.split("/").slice(1)) {
-      const name = part.replaceAll("~1", "/").replaceAll("~0", "~");
+    for (const name of partsOfPointer(pointer)) {
       const child = node.children?.get(name);
       if (!child) return { value: placeOf(node), key: null, whole: null };
       node = child;
     }
     return { value: placeOf(node), key: node.key, whole: { start: node.start, end: node.close ?? node.end } };
   };
+}
+
+/// The names and indices of a pointer, as they are written in a document.
+export function partsOfPointer(pointer) {
+  return pointer.split("/").slice(1).map((part) => part.replaceAll("~1", "/").replaceAll("~0", "~"));
 }
 
 /// The line and the column, from 1, of an offset; columns count UTF-16 units, as offsets do.

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
+#include <set>
 #include <string>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -38,8 +40,9 @@ class Schema : public Service {
     return text;
   }
 
- private:
   const nlohmann::json json_;
+
+ private:
   valijson::Schema schema_;
 };
 
@@ -86,6 +89,30 @@ TEST_F(Schema, what_no_schema_can_say_the_engine_says) {
     const nlohmann::json document = changed(change);
     EXPECT_EQ(refusal(document), "") << name_of(change) << ": move it to wrong_changes";
     EXPECT_FALSE(engine_accepts(document)) << name_of(change);
+  }
+}
+
+/// All defaults of a property of that name, wherever the schema has it.
+void add_defaults(const nlohmann::json& schema, const std::string& name,
+                  std::set<nlohmann::json>& found) {
+  if (!schema.is_structured()) return;
+  if (schema.is_object() && schema.contains("properties")) {
+    const nlohmann::json& property = schema["properties"].value(name, nlohmann::json::object());
+    if (property.contains("default")) found.insert(property["default"]);
+  }
+  for (const nlohmann::json& part : schema) add_defaults(part, name, found);
+}
+
+TEST_F(Schema, pages_form_shows_the_same_defaults) {
+  const std::string script = get("/form_controls.js").body;
+  std::smatch table;
+  ASSERT_TRUE(std::regex_search(script, table, std::regex(R"(const defaults = (\{.*\});)")));
+  const nlohmann::json in_page =
+      nlohmann::json::parse(std::regex_replace(table[1].str(), std::regex(R"((\w+):)"), "\"$1\":"));
+  for (const auto& [name, value] : in_page.items()) {
+    std::set<nlohmann::json> found;
+    add_defaults(json_, name, found);
+    EXPECT_EQ(found, std::set<nlohmann::json>{value}) << name;
   }
 }
 
