@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <sstream>
 #include <string_view>
 
@@ -56,10 +55,7 @@ std::string Delivery::media_type() const {
   if (into_terminal_)
     return fmt::format("{}, {};q=0.5", ppm_format.media_type, png_format.media_type);
   if (!file_) return std::string(png_format.media_type);
-  const auto* const format = std::find_if(
-      image_formats.begin(), image_formats.end(),
-      [ending = file_->ending()](const ImageFormat& each) { return each.ending == ending; });
-  return std::string(format->media_type);
+  return std::string(image_format_of(file_->ending())->media_type);
 }
 
 void Delivery::operator()(const RenderedImage& image, const std::string& label) const {

@@ -27,11 +27,8 @@ class NumberedFiles : public Film {
  public:
   NumberedFiles(std::string before, int digits, std::string after, bool resumes)
       : before_(std::move(before)), digits_(digits), after_(std::move(after)), resumes_(resumes) {
-    const std::string ending = file(0).ending();
-    const auto* const format =
-        std::find_if(image_formats.begin(), image_formats.end(),
-                     [&](const ImageFormat& each) { return each.ending == ending; });
-    if (format == image_formats.end())
+    const ImageFormat* const format = image_format_of(file(0).ending());
+    if (!format)
       throw InputError(
           fmt::format("--output: the frames are to end in .png, .ppm or .pfm: {}", forms));
     media_type_ = format->media_type;
@@ -72,7 +69,7 @@ class NumberedFiles : public Film {
     std::string head(64, '\0');
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));
     const ImageSize there = image_size(head).value_or(here);
-    if (there.width_px != here.width_px || there.height_px != here.height_px)
+    if (there != here)
       throw InputError(fmt::format(
           "--resume: {} has {} x {} pixels, and the missing frames have {} x {}: remove it, or "
           "leave --resume out",
@@ -175,7 +172,7 @@ class Y4mStream : public Film {
     if (count_++ == 0) {
       size_ = size;
       write_to_standard_output(y4m_header(size, rate_));
-    } else if (size.width_px != size_.width_px || size.height_px != size_.height_px) {
+    } else if (size != size_) {
       throw ServerError("the frames differ in size");
     }
     write_to_standard_output(y4m_frame(image));

@@ -1,5 +1,6 @@
 #include "client/image_format.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -14,6 +15,13 @@ int png_integer(std::string_view bytes, std::size_t at) {
 }
 
 }  // namespace
+
+const ImageFormat* image_format_of(std::string_view ending) {
+  const auto* const format =
+      std::find_if(image_formats.begin(), image_formats.end(),
+                   [&](const ImageFormat& each) { return each.ending == ending; });
+  return format == image_formats.end() ? nullptr : format;
+}
 
 std::optional<NetpbmHeader> netpbm_header(std::string_view bytes, std::string_view magic) {
   if (!bytes.starts_with(magic)) return std::nullopt;

@@ -17,9 +17,14 @@ inline constexpr ImageFormat ppm_format{".ppm", "image/x-portable-pixmap"};
 inline constexpr ImageFormat pfm_format{".pfm", "image/x-portable-floatmap"};
 inline constexpr std::array image_formats{png_format, ppm_format, pfm_format};
 
+/// By an ending in lower case, with its point. Null if it is no format's.
+const ImageFormat* image_format_of(std::string_view ending);
+
 struct ImageSize {
   int width_px = 0;
   int height_px = 0;
+
+  bool operator==(const ImageSize&) const = default;
 };
 
 /// What the header of a PNG, P6 or PF says; none if the bytes are neither.

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "client/failure.h"
+#include "client/formats/ascii.h"
 
 namespace raytracer::client {
 namespace {
@@ -31,12 +32,7 @@ bool write_all(std::FILE* file, std::string_view bytes) {
 
 }  // namespace
 
-std::string OutputFile::ending() const {
-  std::string ending = path.extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
-}
+std::string OutputFile::ending() const { return lower_case(path.extension().string()); }
 
 void OutputFile::check_writable() const {
   const fs::path target = target_of(path);

@@ -11,7 +11,7 @@
 #include "client/failure.h"
 #include "client/formats/numbers.h"
 #include "client/formats/particles/color_map.h"
-#include "client/formats/particles/screen_color.h"
+#include "client/formats/screen_color.h"
 
 namespace raytracer::client {
 namespace {

@@ -10,6 +10,7 @@
 
 namespace raytracer::client {
 
+/// What a stream begins with.
 std::string y4m_header(ImageSize size, FrameRate rate);
 
 /// Of a P6. Throws ServerError if it is none.

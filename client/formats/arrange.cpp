@@ -187,13 +187,6 @@ Standpoint best_standpoint(const model::Scene& scene, Upright upright) {
   return {unit(towards), best.axes[1]};
 }
 
-/// Round an axis through the origin, of length 1: O. Rodrigues's formula.
-Triple turned(const Triple& v, const Triple& axis, double angle) {
-  const double cosine = std::cos(angle);
-  return sum(sum(scaled(v, cosine), scaled(cross(axis, v), std::sin(angle))),
-             scaled(axis, dot(axis, v) * (1 - cosine)));
-}
-
 /// How near the eye may be for balls to lie within each side of the picture. A ball touches the
 /// plane through the eye and a side where the depth lets through as much as its place across, and
 /// its radius over the plane's slope.

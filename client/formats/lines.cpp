@@ -4,6 +4,7 @@
 #include <cstring>
 #include <span>
 
+#include "client/formats/ascii.h"
 #include "client/formats/words.h"
 
 namespace raytracer::client {
@@ -11,11 +12,9 @@ namespace {
 
 constexpr std::size_t longest_line = 1 << 20;
 
-bool is_white(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
 std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_white(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_white(text.back())) text.remove_suffix(1);
+  while (!text.empty() && is_white_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_white_space(text.back())) text.remove_suffix(1);
   return text;
 }
 
@@ -63,18 +62,18 @@ void Lines::advance() {
 }
 
 void Lines::skip_blank() {
-  while (!at_end_ && std::all_of(line_.begin(), line_.end(), is_white)) advance();
+  while (!at_end_ && std::all_of(line_.begin(), line_.end(), is_white_space)) advance();
 }
 
 void split_fields(std::string_view line, std::vector<std::string_view>& fields) {
   fields.clear();
   for (std::size_t at = 0; at < line.size();) {
-    if (is_white(line[at])) {
+    if (is_white_space(line[at])) {
       ++at;
       continue;
     }
     const std::size_t begin = at;
-    while (at < line.size() && !is_white(line[at])) ++at;
+    while (at < line.size() && !is_white_space(line[at])) ++at;
     fields.push_back(line.substr(begin, at - begin));
   }
 }
@@ -85,7 +84,7 @@ bool split_quoted(std::string_view line, char separator, std::vector<std::string
   unquoted.clear();
   unquoted.reserve(1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), '"')));
   for (std::size_t at = 0; at <= line.size(); ++at) {
-    while (at < line.size() && line[at] != separator && is_white(line[at])) ++at;
+    while (at < line.size() && line[at] != separator && is_white_space(line[at])) ++at;
     if (at == line.size() || line[at] != '"') {
       const std::size_t end = std::min(line.find(separator, at), line.size());
       fields.push_back(trimmed(line.substr(at, end - at)));

@@ -1,6 +1,6 @@
 #include "client/formats/mesh_builder.h"
 
-#include <functional>
+#include <algorithm>
 
 namespace raytracer::client {
 
@@ -26,13 +26,6 @@ std::uint32_t MeshBuilder::index_of(const model::Triple& corner, const model::Tr
     if (normal) mesh_.normals.push_back(*normal);
   }
   return entry->second;
-}
-
-std::size_t MeshBuilder::VertexHash::operator()(const Vertex& vertex) const {
-  std::size_t hash = 0;
-  for (const double number : vertex)
-    hash = (hash ^ std::hash<double>()(number)) * 0x9E3779B97F4A7C15U;  // 2^64 / golden ratio
-  return hash;
 }
 
 }  // namespace raytracer::client

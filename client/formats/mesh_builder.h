@@ -9,6 +9,7 @@
 
 #include "client/formats/scene_model.h"
 #include "client/formats/triangulate.h"
+#include "client/formats/vertex_hash.h"
 
 namespace raytracer::client {
 
@@ -23,9 +24,6 @@ class MeshBuilder {
  private:
   /// A place, and a normal or zeros.
   using Vertex = std::array<double, 6>;
-  struct VertexHash {
-    std::size_t operator()(const Vertex& vertex) const;
-  };
 
   std::uint32_t index_of(const model::Triple& corner, const model::Triple* normal);
 

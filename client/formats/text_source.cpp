@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "client/failure.h"
+#include "client/formats/ascii.h"
 #include "client/formats/unpacking.h"
 
 namespace raytracer::client {
@@ -67,13 +68,6 @@ class BoundedSource : public TextSource {
   std::size_t left_;
 };
 
-bool has_ending(std::string_view path, std::string_view ending) {
-  return path.size() > ending.size() &&
-         std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [](char a, char b) {
-           return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b - 'A' + 'a') : b);
-         });
-}
-
 }  // namespace
 
 std::unique_ptr<TextSource> source_of_text(std::string_view text) {
@@ -82,8 +76,8 @@ std::unique_ptr<TextSource> source_of_text(std::string_view text) {
 
 std::unique_ptr<TextSource> source_of_file(const std::string& path) {
   auto file = std::make_unique<FileSource>(path);
-  const bool is_gzip = has_ending(path, ".gz");
-  if (!is_gzip && !has_ending(path, ".zst")) return file;
+  const bool is_gzip = ends_in_any_case(path, ".gz");
+  if (!is_gzip && !ends_in_any_case(path, ".zst")) return file;
   std::error_code unknown;
   const auto packed = std::filesystem::file_size(path, unknown);
   constexpr std::size_t free = 32 << 20;
@@ -95,7 +89,7 @@ std::unique_ptr<TextSource> source_of_file(const std::string& path) {
 
 std::string_view without_compression(std::string_view path) {
   for (const std::string_view ending : {".gz", ".zst"})
-    if (has_ending(path, ending)) return path.substr(0, path.size() - ending.size());
+    if (ends_in_any_case(path, ending)) return path.substr(0, path.size() - ending.size());
   return path;
 }
 

@@ -35,4 +35,11 @@ inline model::Triple unit(const model::Triple& a) {
   return scaled(moderate, 1 / std::sqrt(dot(moderate, moderate)));
 }
 
+/// Round an axis through the origin, of length 1: O. Rodrigues's formula.
+inline model::Triple turned(const model::Triple& a, const model::Triple& axis, double angle) {
+  const double cosine = std::cos(angle);
+  return sum(sum(scaled(a, cosine), scaled(cross(axis, a), std::sin(angle))),
+             scaled(axis, dot(axis, a) * (1 - cosine)));
+}
+
 }  // namespace raytracer::client

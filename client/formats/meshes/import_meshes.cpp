@@ -18,8 +18,8 @@
 #include "client/formats/meshes/obj_text.h"
 #include "client/formats/meshes/ply_as_assimp_knows_it.h"
 #include "client/formats/numbers.h"
-#include "client/formats/particles/neighbors.h"
 #include "client/formats/printable.h"
+#include "client/formats/spacing.h"
 #include "client/formats/text_source.h"
 
 namespace raytracer::client {

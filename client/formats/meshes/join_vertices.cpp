@@ -4,9 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <unordered_map>
 #include <vector>
+
+#include "client/formats/vertex_hash.h"
 
 namespace raytracer::client {
 
@@ -20,14 +21,7 @@ void join_vertices(model::Mesh& mesh) {
       std::copy(mesh.colors[i].begin(), mesh.colors[i].end(), key.begin() + 6);
     return key;
   };
-  const auto hash_of = [](const std::array<double, 9>& key) {
-    std::size_t hash = 0;
-    for (const double number : key)
-      hash = (hash ^ std::hash<double>()(number)) * 0x9E3779B97F4A7C15U;  // 2^64 / golden ratio
-    return hash;
-  };
-  std::unordered_map<std::array<double, 9>, std::uint32_t, decltype(hash_of)> known(
-      mesh.vertices.size(), hash_of);
+  std::unordered_map<std::array<double, 9>, std::uint32_t, VertexHash> known(mesh.vertices.size());
   std::vector<std::uint32_t> place(mesh.vertices.size());
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < place.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "client/formats/ascii.h"
 #include "client/formats/numbers.h"
 #include "client/formats/words.h"
 
@@ -17,13 +18,6 @@ constexpr std::array<bool, 256> plain_letters = [] {
   for (std::size_t c = '!'; c < letters.size(); ++c) letters[c] = c != '\\';
   return letters;
 }();
-
-bool begins_as(std::string_view word, std::string_view letters) {
-  return word.size() >= letters.size() &&
-         std::equal(letters.begin(), letters.end(), word.begin(), [](char letter, char c) {
-           return letter == (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
-         });
-}
 
 }  // namespace
 
@@ -94,11 +88,11 @@ void LineWords::next_line() {
 bool reads_as_number(std::string_view word) {
   if (number_of(word)) return true;
   if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
-  if (begins_as(word, "nan") || begins_as(word, "inf")) return true;
+  if (begins_in_any_case(word, "nan") || begins_in_any_case(word, "inf")) return true;
   const std::size_t digits = std::min(word.find_first_not_of("0123456789."), word.size());
   if (digits == 0 || digits == word.size()) return false;
   const std::string_view rest = word.substr(digits);
-  return rest[0] == ',' || rest[0] == '#' || begins_as(rest, "e-");
+  return rest[0] == ',' || rest[0] == '#' || begins_in_any_case(rest, "e-");
 }
 
 }  // namespace raytracer::client

@@ -7,10 +7,15 @@
 
 namespace raytracer::client {
 
+/// Stanford's PLY.
 std::unique_ptr<SceneFile> open_ply(FileInput input, const Wishes& wishes);
+/// Wavefront's OBJ, and the materials that lie beside it.
 std::unique_ptr<SceneFile> open_obj(FileInput input, const Wishes& wishes);
+/// Triangles of stereolithography.
 std::unique_ptr<SceneFile> open_stl(FileInput input, const Wishes& wishes);
+/// glTF 2.0 as JSON, and the buffers that lie beside it.
 std::unique_ptr<SceneFile> open_gltf(FileInput input, const Wishes& wishes);
+/// glTF 2.0 in one binary file.
 std::unique_ptr<SceneFile> open_glb(FileInput input, const Wishes& wishes);
 
 }  // namespace raytracer::client

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "client/formats/numbers.h"
-#include "client/formats/particles/screen_color.h"
+#include "client/formats/screen_color.h"
 
 namespace raytracer::client {
 namespace {

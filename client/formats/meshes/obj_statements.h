@@ -19,6 +19,7 @@ enum class ObjStatement {
   unknown
 };
 
+/// Of the word with which a line begins.
 ObjStatement obj_statement(std::string_view keyword);
 
 }  // namespace raytracer::client

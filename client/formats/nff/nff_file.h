@@ -7,6 +7,7 @@
 
 namespace raytracer::client {
 
+/// Haines' Neutral File Format.
 std::unique_ptr<SceneFile> open_nff(FileInput input, const Wishes& wishes);
 
 }  // namespace raytracer::client

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <string>
 
+#include "client/formats/ascii.h"
+
 namespace raytracer::client {
 namespace {
-
-bool is_cif_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// What white space and comments separate: tags, values and words such as loop_, quoted or not.
 class CifTokens {
@@ -41,7 +41,7 @@ class CifTokens {
   }
 
   void skip_white() {
-    while (end_ < text_.size() && (is_cif_space(text_[end_]) || text_[end_] == '#'))
+    while (end_ < text_.size() && (is_white_space(text_[end_]) || text_[end_] == '#'))
       text_[end_] == '#' ? skip_to(text_.find('\n', end_), 0) : skip_to(end_, 1);
   }
 
@@ -53,9 +53,9 @@ class CifTokens {
     if (first == '\'' || first == '"') {
       // One that no white space follows is a part of the value.
       do last = text_.find(first, last + 1);
-      while (last != text_.npos && last + 1 < text_.size() && !is_cif_space(text_[last + 1]));
+      while (last != text_.npos && last + 1 < text_.size() && !is_white_space(text_[last + 1]));
     } else {
-      while (last + 1 < text_.size() && !is_cif_space(text_[last + 1])) ++last;
+      while (last + 1 < text_.size() && !is_white_space(text_[last + 1])) ++last;
     }
     skip_to(last, 1);
   }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "client/formats/particles/screen_color.h"
+#include "client/formats/screen_color.h"
 
 namespace raytracer::client {
 namespace {

@@ -6,19 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "client/formats/ascii.h"
 #include "client/formats/numbers.h"
 #include "client/formats/particles/elements.h"
 #include "client/formats/printable.h"
 
 namespace raytracer::client {
 namespace {
-
-std::string in_small_letters(std::string_view name) {
-  std::string result(name);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
 
 /// As spreadsheets, R, Python and simulations leave a number out, and what is no finite one. Na is
 /// sodium.
@@ -79,7 +73,7 @@ void Columns::choose_colors(const Wishes& wishes, int line) {
     if (colors_.empty()) throw LineError{line, no_such_column(color, names_)};
   }
   // Types are numbers without an order, unless a map is wished for.
-  if (colors_.size() == 1 && !wishes.color_map && in_small_letters(names_[colors_[0]]) == "type")
+  if (colors_.size() == 1 && !wishes.color_map && lower_case(names_[colors_[0]]) == "type")
     is_group_ = true;
 }
 
@@ -87,13 +81,13 @@ void Columns::choose_colors(const Wishes& wishes, int line) {
 std::optional<std::size_t> Columns::find_in_any_case(const std::string& name) const {
   const auto exact = std::find(names_.begin(), names_.end(), name);
   if (exact != names_.end()) return static_cast<std::size_t>(exact - names_.begin());
-  return find({in_small_letters(name)});
+  return find({lower_case(name)});
 }
 
 std::optional<std::size_t> Columns::find(std::initializer_list<std::string_view> sought) const {
   for (const std::string_view name : sought)
     for (std::size_t i = 0; i < names_.size(); ++i)
-      if (in_small_letters(names_[i]) == name) return i;
+      if (lower_case(names_[i]) == name) return i;
   return std::nullopt;
 }
 

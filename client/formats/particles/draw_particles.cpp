@@ -9,7 +9,8 @@
 #include "client/formats/particles/elements.h"
 #include "client/formats/particles/neighbors.h"
 #include "client/formats/particles/palette.h"
-#include "client/formats/particles/screen_color.h"
+#include "client/formats/screen_color.h"
+#include "client/formats/spacing.h"
 #include "client/formats/threads.h"
 
 namespace raytracer::client {

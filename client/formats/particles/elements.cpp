@@ -6,7 +6,7 @@
 #include <cmath>
 #include <gemmi/elem.hpp>
 
-#include "client/formats/particles/screen_color.h"
+#include "client/formats/screen_color.h"
 
 namespace raytracer::client {
 namespace {

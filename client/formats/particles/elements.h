@@ -16,6 +16,7 @@ std::uint8_t element_of(std::string_view word);
 /// letters, as simulations of molecules have them: "OW" and "HW1" of water, "CAL", "NZ".
 std::uint8_t element_of_label(std::string_view label);
 
+/// "C", "Cl"; "X" of unknown ones.
 std::string_view symbol_of(std::uint8_t element);
 
 /// In ångström: Bondi, J. Phys. Chem. 68, 441 (1964) and Mantina et al., J. Phys. Chem. A 113, 5806

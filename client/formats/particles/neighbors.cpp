@@ -2,22 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <span>
 
 #include "client/formats/particles/elements.h"
-#include "client/formats/threads.h"
+#include "client/formats/triple.h"
 
 namespace raytracer::client {
 namespace {
-
-double squared_distance(const model::Triple& a, const model::Triple& b) {
-  const double x = a[0] - b[0];
-  const double y = a[1] - b[1];
-  const double z = a[2] - b[2];
-  return x * x + y * y + z * z;
-}
 
 /// Places in cubes, as a list that is sorted by cube. Cubes far outside run into each other.
 class Cubes {
@@ -114,39 +105,12 @@ std::vector<std::array<std::uint32_t, 2>> bonds_by_distance(
     constexpr std::uint8_t hydrogen = 1;
     if (elements[a] == hydrogen && elements[b] == hydrogen) return;
     const double most = covalent_radius(elements[a]) + covalent_radius(elements[b]) + tolerance;
-    const double distance = squared_distance(places[a], places[b]);
-    if (distance >= least * least && distance <= most * most)
+    const model::Triple way = difference(places[a], places[b]);
+    const double squared_distance = dot(way, way);
+    if (squared_distance >= least * least && squared_distance <= most * most)
       bonds.push_back({std::min(a, b), std::max(a, b)});
   });
   return bonds;
-}
-
-double typical_spacing(const std::vector<model::Triple>& places, std::size_t most_threads) {
-  // Each is asked about all others: of many particles a few have to do.
-  constexpr std::size_t least_asked = 7;
-  constexpr std::size_t most_asked = 32;
-  constexpr std::size_t most_looks = std::size_t{1} << 25;
-  const std::size_t asked =
-      std::clamp(most_looks / std::max<std::size_t>(1, places.size()), least_asked, most_asked);
-  const std::size_t step = std::max<std::size_t>(1, places.size() / asked);
-  constexpr double none = std::numeric_limits<double>::max();
-  std::vector<double> nearest((places.size() + step - 1) / step, none);  // squared
-  const std::size_t threads = std::min(most_threads, nearest.size());
-  in_threads(threads, [&](std::size_t thread) {
-    for (std::size_t i = thread; i < nearest.size(); i += threads) {
-      double least = none;
-      for (const model::Triple& other : places) {
-        const double distance = squared_distance(places[i * step], other);
-        if (distance > 0 && distance < least) least = distance;
-      }
-      nearest[i] = least;
-    }
-  });
-  std::erase(nearest, none);
-  if (nearest.empty()) return 1;
-  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-  std::nth_element(nearest.begin(), middle, nearest.end());
-  return std::sqrt(*middle);
 }
 
 }  // namespace raytracer::client

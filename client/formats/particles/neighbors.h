@@ -1,4 +1,4 @@
-// Which particles are near each other.
+// Which atoms are bonded, by how near they are.
 #pragma once
 
 #include <array>
@@ -14,9 +14,5 @@ namespace raytracer::client {
 /// hydrogens. Of more than 64 atoms in a cube of a bond's length the rest has none.
 std::vector<std::array<std::uint32_t, 2>> bonds_by_distance(
     const std::vector<model::Triple>& places, const std::vector<std::uint8_t>& elements);
-
-/// How far a particle is from its nearest neighbour, as the median of some; 1 if there is none.
-/// It is found by at most so many threads, at least one.
-double typical_spacing(const std::vector<model::Triple>& places, std::size_t most_threads);
 
 }  // namespace raytracer::client

@@ -7,11 +7,17 @@
 
 namespace raytracer::client {
 
+/// Atoms in the Protein Data Bank's columns.
 std::unique_ptr<SceneFile> open_pdb(FileInput input, const Wishes& wishes);
+/// Atoms of an mmCIF, or the cell of a crystal's CIF.
 std::unique_ptr<SceneFile> open_mmcif(FileInput input, const Wishes& wishes);
+/// Atoms line by line, perhaps with extended XYZ's further columns.
 std::unique_ptr<SceneFile> open_xyz(FileInput input, const Wishes& wishes);
+/// Particles as LAMMPS dumps them.
 std::unique_ptr<SceneFile> open_lammps_dump(FileInput input, const Wishes& wishes);
+/// Points of a table with commas, or with semicolons.
 std::unique_ptr<SceneFile> open_csv(FileInput input, const Wishes& wishes);
+/// Points of a table with tabs.
 std::unique_ptr<SceneFile> open_tsv(FileInput input, const Wishes& wishes);
 
 }  // namespace raytracer::client

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "client/formats/particles/screen_color.h"
+#include "client/formats/screen_color.h"
 
 namespace raytracer::client {
 namespace {
