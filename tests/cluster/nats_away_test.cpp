@@ -43,7 +43,7 @@ TEST_F(NatsAway, jobs_go_on_when_it_is_back_and_small_renders_meanwhile) {
   const ServerProcess& front = start_front({"--share-from", "50"});
   start_worker();
   ASSERT_TRUE(has_workers(front, 2));
-  const std::string scene = long_scene(100);
+  const std::string scene = long_scene(140);
   const std::string job = post_job(front, "", scene);
   ASSERT_TRUE(is_half_way(front, job));
   nats().kill();
