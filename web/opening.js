@@ -98,9 +98,9 @@ export function createOpening({ restore, ...elements }, { editor, source, accura
       const mine = {};
       latest = mine;
       const { asked, back, name, text } = await find(signal).catch((error) => {
-        if (isBegun && latest === mine) {  // what is open stays so
-          scenes.choose(loaded.name);
-          moveTo(address);
+        if (latest === mine) {  // what is open stays so
+          scenes.choose(isBegun ? loaded.name : null);
+          if (isBegun) moveTo(address);
         }
         throw error;
       });

@@ -14,9 +14,15 @@ export function createSceneList({ select, about, gallery, opener }, { current, o
     return option;
   };
 
-  // Of a scene that the server does not list it knows no more.
+  // Of a scene that the server does not list it knows no more; null: there is none.
   function choose(name) {
     const options = [...select.options];
+    if (name === null) {
+      options.find(({ value }) => value === "")?.remove();
+      select.selectedIndex = -1;
+      about.textContent = "";
+      return;
+    }
     let option = options.find(({ value }) => value === name) ?? options.find(({ value }) => value === "");
     if (!option) {
       option = optionOf("", "A scene of your own", "A scene from a link or a file.");

@@ -100,6 +100,8 @@ TEST_F(Loading, nothing_is_offered_to_be_done_with_a_scene_that_is_not_there) {
       "['share', 'curl', 'compare', 'measure', 'undo', 'redo'].filter("
       "(id) => !document.getElementById(id).disabled)";
   EXPECT_EQ(value(offered), std::vector<std::string>{});
+  EXPECT_EQ(value("document.getElementById('scene-select').selectedIndex"), -1);
+  EXPECT_EQ(value("document.getElementById('scene-about').textContent"), "");
   const std::string before = text();
   browser().run("document.documentElement.dataset.state = ''");
   choose_accuracy(1);
