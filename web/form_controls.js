@@ -15,7 +15,8 @@ export function createControls(edit) {
     const least = Math.max(min, above);
     if (least > -Infinity) input.min = least;
     const note = element("p", { className: "form-note", role: "alert", id: `form-note-${fields.length}` });
-    let kept;  // in the document
+    let kept;    // in the document
+    let former;  // there before the typing: digits on the way to what is refused are not meant
 
     function wrong() {
       if (input.value === "") return input.validity.badInput ? "no number, or too large a one" : "no number";
@@ -36,10 +37,17 @@ export function createControls(edit) {
       if (!note.isConnected) input.closest(".form-row").append(note);
     }
 
+    input.addEventListener("focus", () => {
+      former = kept;
+    });
     input.addEventListener("input", () => {
       const why = wrong();
+      const next = why ? former : input.valueAsNumber;
+      if (next !== kept && next !== undefined) {
+        kept = next;
+        edit(pointer, next);
+      }
       tell(why);
-      if (!why) edit(pointer, input.valueAsNumber);
     });
     // "any" allows what was written in the document; the arrows still want a step.
     input.addEventListener("keydown", (event) => {
@@ -50,8 +58,11 @@ export function createControls(edit) {
       input.dispatchEvent(new Event("input"));
     });
     fields.push({ pointer, read(value) {
+      const isTyped = document.activeElement === input && (input.valueAsNumber === value || (value === kept && wrong() !== ""));
       kept = value;
-      if (document.activeElement !== input || input.valueAsNumber !== value) input.value = value ?? "";
+      if (isTyped) return;
+      input.value = value ?? "";
+      former = value;
       tell("");
     } });
     return input;
