@@ -76,7 +76,7 @@ class Follower {
     line_ +=
         static_cast<int>(std::count(text_.begin() + line_counted_, text_.begin() + read, '\n'));
     line_counted_ = read;
-    lines_.emplace(pointer, line_);
+    lines_[pointer] = line_;
   }
 
   const std::string& text_;

@@ -9,7 +9,8 @@
 namespace raytracer::client {
 
 /// The lines, counted from 1, of the pointers and of all that they lie in (of "/camera/fov" also
-/// "" and "/camera"), without those that are not there. `text` is valid JSON and is read once.
+/// "" and "/camera"), without those that are not there; where a key stands twice, of the latter.
+/// `text` is valid JSON and is read once.
 std::map<std::string, int> lines_of(const std::vector<std::string>& pointers,
                                     const std::string& text);
 

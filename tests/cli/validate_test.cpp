@@ -46,6 +46,12 @@ TEST_F(Validate, each_error_is_a_line_with_place_and_pointer) {
   }
 }
 
+TEST_F(Validate, key_that_stands_twice_is_said_with_the_line_of_the_latter) {
+  expect_input_error(
+      run_with_server({"validate", "-"}, "{\n\"ambient\": 0.1,\n\"ambient\": 0.2\n}"),
+      "standard input:3: /ambient: ");
+}
+
 TEST_F(Validate, key_that_would_move_the_cursor_stays_in_its_line) {
   const Outcome outcome = run_with_server({"validate", "-"}, R"({"a\n\u001b[2Jb": 1})");
   expect_input_error(outcome, R"(/a\u000a\u001b[2Jb)");
