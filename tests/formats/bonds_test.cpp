@@ -33,17 +33,19 @@ TEST(Pdb, bonds_that_the_file_names_may_be_long) {
                      "cylinder"),
             2U);
 }
-/// CONECT names all bonds of an atom that it names; of others, distances tell them.
-TEST(Pdb, distances_bond_no_two_atoms_that_the_file_names_apart) {
-  std::string text;
-  for (int i = 0; i < 4; ++i) text += pdb_atom(i + 1, " C  ", "LIG", 'A', 1, 1.5 * i, "C");
-  const auto halves = [&](const std::string& connections) {
+/// CONECT names all bonds of a hetero atom that it names; of others, distances tell them.
+TEST(Pdb, distances_bond_no_two_hetero_atoms_that_the_file_names_apart) {
+  const auto halves = [&](const std::string& record, const std::string& connections) {
+    std::string text;
+    for (int i = 0; i < 4; ++i)
+      text += pdb_atom(i + 1, " C  ", "LIG", 'A', 1, 1.5 * i, "C").replace(0, 6, record);
     return count_of(document(".pdb", text + connections, wishes_for("", client::AtomStyle::sticks)),
                     "cylinder");
   };
-  EXPECT_EQ(halves(""), 2U * 3U);
-  EXPECT_EQ(halves("CONECT    1    2\n"), 2U * 3U);
-  EXPECT_EQ(halves("CONECT    1    2\nCONECT    3    4\n"), 2U * 2U);
+  EXPECT_EQ(halves("HETATM", ""), 2U * 3U);
+  EXPECT_EQ(halves("HETATM", "CONECT    1    2\n"), 2U * 3U);
+  EXPECT_EQ(halves("HETATM", "CONECT    1    2\nCONECT    3    4\n"), 2U * 2U);
+  EXPECT_EQ(halves("ATOM  ", "CONECT    1    2\nCONECT    3    4\n"), 2U * 3U);
 }
 /// A connection stands with both of its atoms, and once more for a double bond. Water is left out
 /// on purpose, and told already.

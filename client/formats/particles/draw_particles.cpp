@@ -156,10 +156,13 @@ void add_balls(const Particles& particles, const Paint& paint, const std::vector
 /// Those that the file names, and those by distance of which it says nothing; each once.
 std::vector<std::array<std::uint32_t, 2>> all_bonds(const Particles& particles) {
   auto bonds = bonds_by_distance(particles.places, particles.elements);
-  if (particles.names_all_bonds) {
+  if (const std::vector<bool>& has_all = particles.has_all_bonds; !has_all.empty()) {
     std::vector<bool> is_named(particles.places.size());
     for (const auto& [a, b] : particles.bonds) is_named[a] = is_named[b] = true;
-    std::erase_if(bonds, [&](const auto& bond) { return is_named[bond[0]] && is_named[bond[1]]; });
+    std::erase_if(bonds, [&](const auto& bond) {
+      const auto& [a, b] = bond;
+      return is_named[a] && is_named[b] && (has_all[a] || has_all[b]);
+    });
   }
   for (const auto& [a, b] : particles.bonds) bonds.push_back({std::min(a, b), std::max(a, b)});
   std::sort(bonds.begin(), bonds.end());

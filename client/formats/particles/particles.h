@@ -23,8 +23,9 @@ struct Particles {
 
   /// Pairs of places that the file names as bonded.
   std::vector<std::array<std::uint32_t, 2>> bonds;
-  /// Of two places that `bonds` has, the file would name the bond if there were one.
-  bool names_all_bonds = false;
+  /// Of these places that `bonds` has, the file names all bonds to other such; nothing, or one for
+  /// each place.
+  std::vector<bool> has_all_bonds;
 
   std::vector<Omission> omissions;
 };

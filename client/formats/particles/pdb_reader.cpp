@@ -188,8 +188,9 @@ void PdbReader::read_atom() {
     color_value = as_float(*value);
   }
   const auto index = atoms_.add(lines_->number(), atom, color_value);
-  if (index && !bonds_.empty())
-    if (const auto serial = serial_of_atom(line)) by_serial_[*serial] = *index;
+  if (!index || bonds_.empty()) return;
+  if (const auto serial = serial_of_atom(line)) by_serial_[*serial] = *index;
+  if (line.starts_with("HETATM")) hetero_.push_back(*index);
 }
 
 void PdbReader::add_bonds(Particles& particles) const {
@@ -199,7 +200,9 @@ void PdbReader::add_bonds(Particles& particles) const {
     if (a != by_serial_.end() && b != by_serial_.end() && a->second != b->second)
       particles.bonds.push_back({a->second, b->second});
   }
-  particles.names_all_bonds = true;  // CONECT has all of an atom, or none
+  // CONECT has all bonds of a hetero atom or none, but of a standard residue only those to others.
+  particles.has_all_bonds.resize(particles.places.size());
+  for (const std::uint32_t atom : hetero_) particles.has_all_bonds[atom] = true;
 }
 
 void PdbReader::find_next_model() {
@@ -208,6 +211,7 @@ void PdbReader::find_next_model() {
 
 std::optional<Particles> PdbReader::next_frame() {
   by_serial_.clear();
+  hetero_.clear();
   for (; !lines_->at_end(); lines_->advance()) {
     const std::string_view line = lines_->line();
     if (is_atom(line)) read_atom();

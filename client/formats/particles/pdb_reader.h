@@ -35,8 +35,10 @@ class PdbReader : public ParticleReader {
   std::optional<Lines> lines_;
   AtomCollector atoms_;
   std::vector<Bond> bonds_;
-  std::vector<Omission> omissions_;                   ///< of the whole file, until they are told
-  std::unordered_map<int, std::uint32_t> by_serial_;  ///< of this model, where bonds are drawn
+  std::vector<Omission> omissions_;  ///< of the whole file, until they are told
+  // Of this model, where bonds are drawn:
+  std::unordered_map<int, std::uint32_t> by_serial_;
+  std::vector<std::uint32_t> hetero_;  ///< atoms that are no standard residue's
 };
 
 }  // namespace raytracer::client
