@@ -237,9 +237,11 @@ void Listener::complete_fields(const httplib::Request& request, httplib::Respons
 void Listener::answer_unrouted(const httplib::Request& request, httplib::Response& response) {
   if (response.has_header("Content-Type")) return;
   const int status = response.status;
-  // A Range that httplib cannot read may be ignored as any other; a POST's body could not be read
-  // here.
-  if (status == 416 && request.method != "POST") {
+  // A Range that httplib cannot read may be ignored as any other; the body of a POST could not be
+  // read here, and OPTIONS has no route.
+  const bool is_routed =
+      request.method == "GET" || request.method == "HEAD" || request.method == "DELETE";
+  if (status == 416 && is_routed) {
     response.status = -1;  // as before any handler
     if (is_valid(request, response)) dispatch({request, response});
     return;
