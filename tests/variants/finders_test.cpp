@@ -62,17 +62,18 @@ void expect_alike_by_every_finder() {
     const Image expected = reference_image(scene);
     for (const Finder otherwise : {Finder::tree, Finder::one_by_one}) {
       if (otherwise == Finder::one_by_one && count > 10 * Kind::few.followed) continue;
-      // One kind of rays does not know how another finds.
-      for (const bool by_bins_and_grids : {false, true}) {
-        FinderRow& row = plan.finders[kind_index<Kind>];
-        row.fill(otherwise);
-        set(row, RayKind::from_eye, by_bins_and_grids ? Finder::screen_bins : Finder::tree);
-        if (by_bins_and_grids) {
-          set(row, RayKind::to_distant_light, Finder::light_grid);
-          set(row, RayKind::to_point_light, Finder::point_grid);
+      for (const bool by_bins : {false, true}) {
+        for (const bool by_grids : {false, true}) {
+          FinderRow& row = plan.finders[kind_index<Kind>];
+          row.fill(otherwise);
+          set(row, RayKind::from_eye, by_bins ? Finder::screen_bins : Finder::tree);
+          if (by_grids) {
+            set(row, RayKind::to_distant_light, Finder::light_grid);
+            set(row, RayKind::to_point_light, Finder::point_grid);
+          }
+          EXPECT_EQ(count_wrong(image_by(plan, scene), expected), 0)
+              << named.name << (by_bins ? ", bins" : "") << (by_grids ? ", grids" : "");
         }
-        EXPECT_EQ(count_wrong(image_by(plan, scene), expected), 0)
-            << named.name << (by_bins_and_grids ? ", bins and grids" : "");
       }
     }
   }
