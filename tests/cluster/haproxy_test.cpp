@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <csignal>
 #include <functional>
 #include <iostream>
@@ -79,9 +78,7 @@ httplib::Result post_small_render(httplib::Client& client, int number) {
   return client.Post(fmt::format("/render?samples={}", 1 + number % 7), scene, "application/json");
 }
 
-/// What the killed one had begun to answer cannot be repeated; that takes it so short a time that
-/// of sixteen requests hardly one is at it.
-TEST_F(Haproxy, no_get_fails_that_was_not_being_answered_while_a_front_is_killed) {
+TEST_F(Haproxy, no_get_fails_while_a_front_is_killed_and_another_is_drained) {
   Traffic traffic(
       16, [this] { return client(); }, get_small_render);
   EXPECT_TRUE(traffic.go_on(2000));
@@ -90,9 +87,7 @@ TEST_F(Haproxy, no_get_fails_that_was_not_being_answered_while_a_front_is_killed
   front(1).signal(SIGTERM);
   EXPECT_EQ(front(1).wait(), 0) << front(1).log();
   EXPECT_TRUE(traffic.go_on(2000));
-  const std::string failed = traffic.end();
-  EXPECT_LE(std::count(failed.begin(), failed.end(), '\n'), 1) << failed << log();
-  EXPECT_TRUE(failed.empty() || failed.ends_with(": Read\n")) << failed << log();
+  EXPECT_EQ(traffic.end(), "") << log();
   std::cout << traffic.answered() << " requests\n";
 }
 
