@@ -16,7 +16,7 @@ namespace raytracer {
 /// Names a node's child: another node, or a leaf.
 class TreeChild {
  public:
-  TreeChild() = default;
+  TreeChild() = default;  // names none: a stack of them must cost nothing to make
   static TreeChild node(std::uint32_t index) { return TreeChild(index); }
   static TreeChild leaf(std::uint32_t index) { return TreeChild(index | leaf_bit); }
 
@@ -27,7 +27,7 @@ class TreeChild {
   static constexpr std::uint32_t leaf_bit = 0x80000000U;
   explicit TreeChild(std::uint32_t bits) : bits_(bits) {}
 
-  std::uint32_t bits_ = 0;
+  std::uint32_t bits_;
 };
 
 /// The boxes of up to eight children in columns. Children that are not there stand last and have
