@@ -177,21 +177,38 @@ HWY_INLINE void prefetch_candidate(const PrimitiveRows<T>&, const Geometry<Kind,
   hwy::Prefetch(&solids.items[index]);
 }
 
+/// Lanes of rays that end in a solid's own side whose surface looks inwards: they came through what
+/// is opposite. Not by where they are met, which of a small solid far from the light is rounded by
+/// more than it is wide.
+template <class D, AxialLanesOf<hn::Vec<D>> C, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE M end_within(D d, const C& c, const LampRays<D>& lamp, const V3<V>& normal) {
+  const auto f = place_along(c, scale(lamp.direction, lamp.path));
+  const V middle = hn::Mul(hn::Set(d, T(0.5)), hn::Add(c.low, c.high));
+  const InAxes<V> from_middle{f.u, f.v, hn::Sub(f.w, middle)};
+  return hn::Lt(outwards(c, from_middle, direction_along(c, normal)), hn::Zero(d));
+}
+
 /// Lanes from which a solid hides a point light; it is relative to that.
 template <class D, class Item, class V = hn::Vec<D>, class M = hn::Mask<D>>
-HWY_INLINE M hides_point_light(D d, const Item& item, const LampRays<D>& lamp, V own_id) {
+HWY_INLINE M hides_point_light(D d, const Item& item, const LampRays<D>& lamp,
+                               const RayOrigin<V>& from) {
   const auto c = in_all_lanes(d, item);
   const auto f = eye_along(d, c);
   const auto g = direction_along(c, lamp.direction);
   const auto crossings = crossings_of(d, c, f, g, hn::Set(d, item.eye_power));
+  const M own = hn::Eq(from.id, c.id);
   if (item.has_caps > 0) {
     const AxialChord<V, M> chord = closed_chord(d, c, f, g, crossings);
-    return hn::And(hn::And(chord.is_there, hn::Ne(own_id, c.id)),
-                   lamp.pass(d, chord.enter, chord.leave));
+    return hn::And(hn::AndNot(own, chord.is_there), lamp.pass(d, chord.enter, chord.leave));
   }
   const SideHits<V, M> side = side_hits(d, c, f, g, crossings);
-  return hn::Or(hn::And(side.enters, lamp.meet(d, side.enter)),
-                hn::And(side.leaves, lamp.meet(d, side.leave)));
+  const M hidden = hn::Or(hn::And(side.enters, lamp.meet(d, side.enter)),
+                          hn::And(side.leaves, lamp.meet(d, side.leave)));
+  if (HWY_LIKELY(hn::AllFalse(d, own))) return hidden;
+  const M by_opposite = hn::And(hn::And(side.enters, hn::Gt(side.enter, hn::Zero(d))),
+                                end_within(d, c, lamp, from.normal));
+  return hn::Or(hn::And(own, by_opposite), hn::AndNot(own, hidden));
 }
 
 /// Lanes of `lit` from which a solid stands before the light.
@@ -232,7 +249,7 @@ HWY_NOINLINE M occluded_by(D d, const Geometry<Kind, T>& solids, const PacketLig
   if (view.lamp.seen.empty()) return occluded(from_point);
   const LampRays<D> lamp(d, rays);
   return occluded([&](std::size_t i, M rest, M& hidden) RAYTRACER_INLINE_ATTR {
-    hidden = hn::And(rest, hides_point_light(d, view.lamp.seen[i], lamp, rays.from.id));
+    hidden = hn::And(rest, hides_point_light(d, view.lamp.seen[i], lamp, rays.from));
     return !hn::AllFalse(d, hidden);
   });
 }

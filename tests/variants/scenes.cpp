@@ -51,6 +51,21 @@ Scene straight_sheet() {
   return scene;
 }
 
+/// A small open cone from near by, under a light that is a hundred times as far off as it is wide.
+Scene open_cone() {
+  const std::string cone =
+      R"({"type": "cone", "from": [-2.900497, 1.765998, 0.056951], "radius_from": 0.146451,
+          "to": [-2.870479, 1.786373, 0.16314], "radius_to": 0.010944, "caps": false})";
+  const std::string ball = R"({"type": "sphere", "center": [3, 0.8, -1], "radius": 1.4})";
+  Scene scene = with_objects(cone + "," + ball,
+                             R"({"type": "point", "position": [5.718956, 6.061917, 3.830749],
+                                 "intensity": 0.5, "falloff": "none"})");
+  scene.camera.origin = {5, 0, 3};
+  scene.camera.look_at = {-2.885, 1.776, 0.11};
+  scene.camera.fov = 0.02;
+  return scene;
+}
+
 /// Where each pixel takes many rays.
 Scene small(Scene scene) {
   scene.camera.width = 48;
@@ -160,6 +175,7 @@ std::vector<NamedScene> scenes() {
   scenes.push_back(
       {"square under a sky", small(with_objects(square + "xz\"}," + floor, sky + "," + sun))});
   scenes.push_back({"sheet seen along its corners", straight_sheet()});
+  scenes.push_back({"open cone", open_cone()});
   for (const std::string axes : {"xz", "xy", "yz"})
     scenes.push_back(
         {"square " + axes,
