@@ -21,7 +21,7 @@ struct ClusterConfig {
   bool is_worker = false;      ///< takes tasks and nothing else
   bool works = true;           ///< takes tasks
   double share_from_ms = 200;  ///< predicted time to trace from which renders are shared
-  double task_timeout_s = 5;   ///< from a worker's last sign of life until others take its tasks
+  double task_timeout_s = 5;   ///< from a worker's last heartbeat until others take its tasks
   std::int64_t keep_s = std::int64_t{24} * 3600;    ///< jobs, results and scenes
   std::int64_t max_stored = std::int64_t{4} << 30;  ///< bytes in NATS
   bool names_keep = false;                          ///< was told: others' streams are to be so

@@ -75,7 +75,7 @@ Cluster::Cluster(const Parts& parts)
                  [this](const PreparedScene& scene, bool is_8_bit, const RenderProgress& progress) {
                    return foresee(scene, is_8_bit, progress);
                  }}),
-      signs_(
+      heartbeat_(
           store_, [this] { return describe_self(); }, note_),
       metrics_([this] { look_up_metrics(); }) {}
 

@@ -109,7 +109,7 @@ class Cluster {
   PreparedScenes scenes_;
   std::optional<TaskRunner> runner_;
   SharedJobs jobs_;
-  SignsOfLife signs_;
+  Heartbeat heartbeat_;
   Refresher metrics_;
 };
 

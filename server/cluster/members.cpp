@@ -41,13 +41,13 @@ bool Attendance::is_silent(const std::string& name) {
   return looked_ - sign.since > longest_silence_;
 }
 
-SignsOfLife::SignsOfLife(ClusterStore& store, std::function<Member()> describe, NatsNote note)
+Heartbeat::Heartbeat(ClusterStore& store, std::function<Member()> describe, NatsNote note)
     : store_(store),
       describe_(std::move(describe)),
       note_(std::move(note)),
-      thread_([this](const std::stop_token& end) { say_until_end(end); }) {}
+      thread_([this](const std::stop_token& end) { beat_until_end(end); }) {}
 
-SignsOfLife::~SignsOfLife() {
+Heartbeat::~Heartbeat() {
   thread_.request_stop();
   thread_.join();
   try {
@@ -56,14 +56,14 @@ SignsOfLife::~SignsOfLife() {
   }
 }
 
-void SignsOfLife::say_until_end(const std::stop_token& end) {
+void Heartbeat::beat_until_end(const std::stop_token& end) {
   constexpr std::chrono::milliseconds longest{1000};
   const auto period = std::min(longest, store_.limits().task_timeout / 4);
   std::mutex mutex;
   std::condition_variable_any ended;
   while (!end.stop_requested()) {
     try {
-      say();
+      beat();
     } catch (const std::exception&) {  // NOLINT: it is tried again
     }
     note_trouble();
@@ -72,7 +72,7 @@ void SignsOfLife::say_until_end(const std::stop_token& end) {
   }
 }
 
-void SignsOfLife::say() {
+void Heartbeat::beat() {
   if (has_changed_streams_ && store_.has_streams()) {
     try {
       return store_.put_member(describe_());
@@ -87,7 +87,7 @@ void SignsOfLife::say() {
   store_.put_member(describe_());
 }
 
-void SignsOfLife::change_streams() {
+void Heartbeat::change_streams() {
   try {
     const std::string changes = store_.change_streams();
     if (!changes.empty()) note_("NATS's streams are changed: " + changes);
@@ -102,7 +102,7 @@ void SignsOfLife::change_streams() {
 }
 
 /// Each trouble once, until there is none.
-void SignsOfLife::note_trouble() {
+void Heartbeat::note_trouble() {
   const std::string trouble = store_.trouble();
   if (trouble.empty()) {
     if (!said_.empty()) note_("NATS's streams are there");

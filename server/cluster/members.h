@@ -1,4 +1,4 @@
-// Who of a cluster lives, and the signs of life of this one.
+// Who of a cluster lives, and the heartbeat of this one.
 #pragma once
 
 #include <chrono>
@@ -49,18 +49,18 @@ class Attendance {
 
 /// Says that this server lives, several times within the tasks' timeout, until it ends; then that
 /// it does not. Makes the streams for that and all else, as soon as NATS can be reached.
-class SignsOfLife {
+class Heartbeat {
  public:
   /// `describe` is called each time, on another thread. All must outlive it. The streams are
   /// changed as the store's limits say at the start; later another server's may count.
-  SignsOfLife(ClusterStore& store, std::function<Member()> describe, NatsNote note);
-  ~SignsOfLife();
-  SignsOfLife(const SignsOfLife&) = delete;
-  SignsOfLife& operator=(const SignsOfLife&) = delete;
+  Heartbeat(ClusterStore& store, std::function<Member()> describe, NatsNote note);
+  ~Heartbeat();
+  Heartbeat(const Heartbeat&) = delete;
+  Heartbeat& operator=(const Heartbeat&) = delete;
 
  private:
-  void say_until_end(const std::stop_token& end);
-  void say();
+  void beat_until_end(const std::stop_token& end);
+  void beat();
   void change_streams();
   void note_trouble();
 

@@ -30,7 +30,7 @@ struct JobRecord {
   double plan_ms = 0;         ///< that it took to plan there
   double build_ms = 0;        ///< and to build its structures
   Limits limits{};            ///< of that front: what it admits is made
-  double task_timeout_s = 5;  ///< from a worker's last sign of life, at that front
+  double task_timeout_s = 5;  ///< from a worker's last heartbeat, at that front
   int width = 0;
   int height = 0;
   int channels = 3;

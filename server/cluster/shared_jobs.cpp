@@ -76,7 +76,7 @@ SharedJobs::SharedJobs(Parts parts)
       })),
       threads_(std::numeric_limits<std::size_t>::max()) {  // admission bounds them
   if (!parts_.is_front) return;
-  caretaker_.emplace(Caretaker::Parts{
+  reconciler_.emplace(Reconciler::Parts{
       .front = parts_.self.name,
       .store = parts_.store,
       .log = parts_.log,
@@ -93,7 +93,7 @@ SharedJobs::~SharedJobs() {
     for (const auto& [id, own] : own_) parts_.admission.stop(own->progress);
   }
   changed_.notify_all();
-  caretaker_.reset();
+  reconciler_.reset();
   threads_.shutdown();
 }
 
@@ -159,7 +159,7 @@ std::shared_ptr<const Job> SharedJobs::accept(JobTask task, SceneView view,
       });
       return std::shared_ptr<const Job>(job);
     } catch (...) {
-      if (caretaker_) caretaker_->remove_soon(own->id);
+      if (reconciler_) reconciler_->remove_soon(own->id);
       throw;
     }
   });
@@ -197,7 +197,7 @@ void SharedJobs::end_render(const std::string& id) {
   }
   try {
     parts_.store.remove_job(id);
-  } catch (const std::exception&) {  // NOLINT: the caretaker does it later
+  } catch (const std::exception&) {  // NOLINT: the reconciler does it later
   }
 }
 
@@ -233,7 +233,7 @@ void SharedJobs::remove(const std::string& id) {
 }
 
 std::map<JobStatus, std::size_t> SharedJobs::counts() const {
-  return caretaker_ ? caretaker_->counts() : std::map<JobStatus, std::size_t>();
+  return reconciler_ ? reconciler_->counts() : std::map<JobStatus, std::size_t>();
 }
 
 bool SharedJobs::persist(const Own& own, const std::function<bool()>& step) {

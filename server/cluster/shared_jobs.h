@@ -3,7 +3,7 @@
 //
 // A job is accepted once its scene and its record are stored. The front that accepted it foresees
 // it; what is short it renders itself, all else it cuts into tasks. Whose front is silent is taken
-// over by another, see caretaker.h.
+// over by another, see reconciler.h.
 #pragma once
 
 #include <chrono>
@@ -18,10 +18,10 @@
 
 #include "engine/engine.h"
 #include "server/admission.h"
-#include "server/cluster/caretaker.h"
 #include "server/cluster/cut.h"
 #include "server/cluster/news.h"
 #include "server/cluster/prepared_scenes.h"
+#include "server/cluster/reconciler.h"
 #include "server/cluster/shared_job.h"
 #include "server/cluster/store.h"
 #include "server/cluster/task_runner.h"
@@ -104,7 +104,7 @@ class SharedJobs : public Jobs {
   LruCache<SharedJob> watched_;
   std::shared_ptr<const void> removals_;
   ThreadPerTask threads_;
-  std::optional<Caretaker> caretaker_;  ///< of a front
+  std::optional<Reconciler> reconciler_;  ///< of a front
 };
 
 }  // namespace raytracer

@@ -345,7 +345,7 @@ std::vector<Member> ClusterStore::members() {
          json.value("renderer", ""), json.value("threads", std::size_t{0}),
          json.value("tasks_done", std::uint64_t{0}), json.value("works", false), found->time_ms});
   }
-  // By one clock: those of two machines may differ. Whoever asks gives signs of life, too.
+  // By one clock: those of two machines may differ. Whoever asks has a heartbeat, too.
   std::int64_t latest_ms = 0;
   for (const Member& member : members) latest_ms = std::max(latest_ms, member.heard_ms);
   for (Member& member : members)

@@ -11,7 +11,7 @@
 //   raytracer_tasks         raytracer.task.ID.TASK              the queue, a consumer for each job
 //   raytracer_results       raytracer.result.of.ID.TASK         a TaskResult, or its parts' number
 //                           raytracer.result.part.ID.TOKEN.K    such a part
-//   raytracer_workers       raytracer.worker.NAME               a sign of life
+//   raytracer_workers       raytracer.worker.NAME               a heartbeat
 //   raytracer_redelivered   raytracer.redelivered.ID.TASK       counts what was handed out again
 //
 // A task is queued only if it is not, and a result is stored only if there is none: whatever is
@@ -47,7 +47,7 @@ struct Member {
   std::uint64_t tasks_done = 0;
   bool works = false;
   std::int64_t heard_ms = 0;  ///< when it said so, by NATS's clock
-  double silence_s = 0;       ///< from then to the last sign of life of any
+  double silence_s = 0;       ///< from then to the last heartbeat of any
 };
 
 /// A task that failed, or that one who took it said nothing of any more.
@@ -66,7 +66,7 @@ struct OpenJob {
 };
 
 struct StoreLimits {
-  std::chrono::milliseconds task_timeout{5000};  ///< from a worker's last sign of life
+  std::chrono::milliseconds task_timeout{5000};  ///< from a worker's last heartbeat
   std::chrono::seconds longest_kept{24 * 3600};  ///< jobs, results and scenes
   std::int64_t most_bytes = std::int64_t{4} << 30;
   bool changes_longest_kept = false;  ///< also of streams that others made

@@ -66,7 +66,7 @@ void ClusterStore::ensure_streams() {
 std::string ClusterStore::change_streams() {
   StreamLimits before;
   for (const StreamSpec& stream : streams()) {
-    if (stream.is_in_memory) continue;  // signs of life: they need what they have
+    if (stream.is_in_memory) continue;  // heartbeats: they need what they have
     StreamLimits wish;
     if (limits_.changes_longest_kept) wish.longest_kept = stream.longest_kept;
     if (limits_.changes_most_bytes) wish.most_bytes = stream.most_bytes;

@@ -24,7 +24,7 @@ std::vector<Member> heard(std::int64_t one_ms, std::int64_t other_ms) {
 
 class AttendanceTest : public testing::Test {
  protected:
-  /// Looks for so long, while only "other" gives signs of life.
+  /// Looks for so long, while only "other" has a heartbeat.
   void look_on(std::chrono::milliseconds how_long) {
     const auto end = std::chrono::steady_clock::now() + how_long;
     while (std::chrono::steady_clock::now() < end) {

@@ -1,4 +1,4 @@
-#include "server/cluster/caretaker.h"
+#include "server/cluster/reconciler.h"
 
 #include <fmt/format.h>
 
@@ -30,31 +30,31 @@ std::vector<int> missing_tasks(int count, const std::set<int>& done) {
 
 }  // namespace
 
-Caretaker::Caretaker(Parts parts)
+Reconciler::Reconciler(Parts parts)
     : parts_(std::move(parts)),
       attendance_(parts_.store.limits().task_timeout),
       thread_([this](const std::stop_token& end) { go_round(end); }) {}
 
-Caretaker::~Caretaker() = default;  // the thread is told to end, and waited for
+Reconciler::~Reconciler() = default;  // the thread is told to end, and waited for
 
-void Caretaker::remove_soon(const std::string& id) {
+void Reconciler::remove_soon(const std::string& id) {
   const std::scoped_lock lock(mutex_);
   refused_.insert(id);
 }
 
-std::map<JobStatus, std::size_t> Caretaker::counts() const {
+std::map<JobStatus, std::size_t> Reconciler::counts() const {
   const std::scoped_lock lock(mutex_);
   std::map<JobStatus, std::size_t> counts;
   for (const auto& [id, status] : statuses_) ++counts[status];
   return counts;
 }
 
-void Caretaker::note(const std::string& id, JobStatus status) {
+void Reconciler::note(const std::string& id, JobStatus status) {
   const std::scoped_lock lock(mutex_);
   statuses_[id] = status;
 }
 
-void Caretaker::go_round(const std::stop_token& end) {
+void Reconciler::go_round(const std::stop_token& end) {
   while (!end.stop_requested()) {
     try {
       look_at_all();
@@ -68,7 +68,7 @@ void Caretaker::go_round(const std::stop_token& end) {
   }
 }
 
-void Caretaker::look_at_all() {
+void Reconciler::look_at_all() {
   // In this order: whatever has a consumer had a record before.
   const std::vector<OpenJob> open = parts_.store.open_jobs();
   const std::vector<std::string> listed = parts_.store.job_ids();
@@ -97,8 +97,8 @@ void Caretaker::look_at_all() {
   }
 }
 
-void Caretaker::remove_leftovers(const std::vector<OpenJob>& open,
-                                 const std::set<std::string>& ids) {
+void Reconciler::remove_leftovers(const std::vector<OpenJob>& open,
+                                  const std::set<std::string>& ids) {
   for (const OpenJob& job : open)
     if (!ids.contains(job.id)) parts_.store.remove_rest(job.id, job.renderer);
   std::vector<std::string> refused;
@@ -114,7 +114,7 @@ void Caretaker::remove_leftovers(const std::vector<OpenJob>& open,
   }
 }
 
-void Caretaker::look_at(const std::string& id, const std::vector<OpenJob>& open) {
+void Reconciler::look_at(const std::string& id, const std::vector<OpenJob>& open) {
   const auto record = parts_.store.job(id);
   if (!record) return;
   const bool is_of_this = record->front == parts_.front;
@@ -149,7 +149,7 @@ void Caretaker::look_at(const std::string& id, const std::vector<OpenJob>& open)
   parts_.store.queue_tasks(*record, missing);
 }
 
-bool Caretaker::lost_tasks(const std::string& id, std::uint64_t queued, std::size_t missing) {
+bool Reconciler::lost_tasks(const std::string& id, std::uint64_t queued, std::size_t missing) {
   // Between two looks results come in: only what is lacking twice is lost.
   const bool lacks = queued < missing;
   const bool lacked_before = lacks && lacking_.contains(id) && lacking_.at(id) == missing;

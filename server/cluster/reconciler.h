@@ -22,7 +22,7 @@
 
 namespace raytracer {
 
-class Caretaker {
+class Reconciler {
  public:
   struct Parts {
     std::string front;  ///< the name of this one
@@ -34,10 +34,10 @@ class Caretaker {
   };
 
   /// Begins its rounds, on a thread of its own; the destructor ends them. All must outlive it.
-  explicit Caretaker(Parts parts);
-  ~Caretaker();
-  Caretaker(const Caretaker&) = delete;
-  Caretaker& operator=(const Caretaker&) = delete;
+  explicit Reconciler(Parts parts);
+  ~Reconciler();
+  Reconciler(const Reconciler&) = delete;
+  Reconciler& operator=(const Reconciler&) = delete;
 
   /// How many jobs of the cluster have each status, as of the last look at each.
   std::map<JobStatus, std::size_t> counts() const;
