@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "server/cluster/stored_text.h"
+#include "server/cluster/subjects.h"
 #include "server/digest.h"
 
 namespace raytracer {
@@ -19,11 +20,6 @@ using std::chrono::milliseconds;
 /// Above 31 MB server 2.9.10 loses acknowledged messages in a crash.
 constexpr std::size_t most_result_bytes_at_once = 4'000'000;
 constexpr std::size_t header_bytes = 1024;
-
-// Of results workers hear nothing: with many of them that would cost more than the results.
-constexpr const char* news_of_tasks = "raytracer.news.tasks";
-constexpr const char* news_of_results = "raytracer.news.results";
-constexpr const char* removals = "raytracer.removed";
 
 std::string consumer_of(const std::string& renderer, const std::string& id) {
   return renderer + "_" + id;
@@ -52,11 +48,11 @@ std::string ClusterStore::digest_of(std::string_view document) {
 }
 
 StoredText ClusterStore::document_at(const std::string& digest) const {
-  return {nats_, "raytracer_scenes", "raytracer.scene", digest};
+  return {nats_, stream::scenes, subject::scene, digest};
 }
 
 StoredText ClusterStore::kept_at(const std::string& id) const {
-  return {nats_, "raytracer_kept", "raytracer.kept", id};
+  return {nats_, stream::kept, subject::kept, id};
 }
 
 void ClusterStore::put_document(const std::string& digest, std::string_view document) {
@@ -72,8 +68,7 @@ void ClusterStore::put_document(const std::string& digest, std::string_view docu
 
 void ClusterStore::remove_unused_documents() {
   // What comes after this list stays, and so does what a job of the last moment uses.
-  const std::set<std::string> candidates =
-      StoredText::names(nats_, "raytracer_scenes", "raytracer.scene");
+  const std::set<std::string> candidates = StoredText::names(nats_, stream::scenes, subject::scene);
   std::set<std::string> looked_at;
   std::set<std::string> used;
   const auto look = [&] {
@@ -120,11 +115,10 @@ bool ClusterStore::is_open(const JobRecord& record) {
 }
 
 bool ClusterStore::put_job(JobRecord& record) {
-  const auto sequence =
-      nats_.replace("raytracer.job.record." + record.id, to_text(record), record.sequence);
+  const auto sequence = nats_.replace(subject::record(record.id), to_text(record), record.sequence);
   if (!sequence) return false;
   record.sequence = *sequence;
-  nats_.signal(news_of_tasks, record.id);
+  nats_.signal(subject::news_of_tasks, record.id);
   return true;
 }
 
@@ -139,7 +133,7 @@ void ClusterStore::fail_job(const std::string& id, const std::string& reason, bo
 }
 
 std::optional<JobRecord> ClusterStore::job(const std::string& id) {
-  const auto found = nats_.get("raytracer_jobs", "raytracer.job.record." + id);
+  const auto found = nats_.get(stream::jobs, subject::record(id));
   if (!found) return {};
   JobRecord record = read_record(found->data);
   record.sequence = found->sequence;
@@ -148,53 +142,51 @@ std::optional<JobRecord> ClusterStore::job(const std::string& id) {
 }
 
 std::vector<std::string> ClusterStore::job_ids() {
-  std::vector<std::string> ids = nats_.subjects("raytracer_jobs", "raytracer.job.record.*");
+  std::vector<std::string> ids = nats_.subjects(stream::jobs, subject::record(subject::any));
   for (std::string& id : ids) id.erase(0, id.rfind('.') + 1);
   return ids;
 }
 
 void ClusterStore::remove_job(const std::string& id) {
   const auto record = job(id);
-  nats_.purge("raytracer_jobs", "raytracer.job.record." + id);
-  nats_.signal(removals, id);
+  nats_.purge(stream::jobs, subject::record(id));
+  nats_.signal(subject::removals, id);
   if (record) remove_rest(id, record->renderer);
 }
 
 void ClusterStore::remove_rest(const std::string& id, const std::string& renderer) {
-  nats_.purge("raytracer_tasks", fmt::format("raytracer.task.{}.*", id));
-  nats_.purge("raytracer_jobs", fmt::format("raytracer.job.*.{}.>", id));
-  nats_.purge("raytracer_jobs", "raytracer.job.progress." + id);
+  nats_.purge(stream::tasks, subject::task(id, subject::any));
+  nats_.purge(stream::jobs, subject::about_tasks(id));
+  nats_.purge(stream::jobs, subject::progress(id));
   remove_results(id);
-  nats_.remove_consumer("raytracer_tasks", consumer_of(renderer, id));
+  nats_.remove_consumer(stream::tasks, consumer_of(renderer, id));
 }
 
 void ClusterStore::remove_results(const std::string& id) {
-  nats_.purge("raytracer_results", fmt::format("raytracer.result.*.{}.>", id));
+  nats_.purge(stream::results, subject::results(id));
 }
 
 void ClusterStore::close_job(const JobRecord& record) {
-  nats_.purge("raytracer_tasks", fmt::format("raytracer.task.{}.*", record.id));
-  nats_.remove_consumer("raytracer_tasks", consumer_of(record.renderer, record.id));
+  nats_.purge(stream::tasks, subject::task(record.id, subject::any));
+  nats_.remove_consumer(stream::tasks, consumer_of(record.renderer, record.id));
 }
 
 void ClusterStore::queue_tasks(const JobRecord& record, const std::vector<int>& tasks) {
-  nats_.ensure_consumer("raytracer_tasks",
-                        {.name = consumer_of(record.renderer, record.id),
-                         .subjects = fmt::format("raytracer.task.{}.*", record.id),
-                         .description = record.document,
-                         .time_to_acknowledge = record.task_timeout(),
-                         .longest_idle = limits_.longest_kept});
+  nats_.ensure_consumer(stream::tasks, {.name = consumer_of(record.renderer, record.id),
+                                        .subjects = subject::task(record.id, subject::any),
+                                        .description = record.document,
+                                        .time_to_acknowledge = record.task_timeout(),
+                                        .longest_idle = limits_.longest_kept});
   std::vector<std::string> subjects;
   subjects.reserve(tasks.size());
-  for (const int task : tasks)
-    subjects.push_back(fmt::format("raytracer.task.{}.{}", record.id, task));
+  for (const int task : tasks) subjects.push_back(subject::task(record.id, task));
   nats_.create_all(subjects);
-  nats_.signal(news_of_tasks, record.id);
+  nats_.signal(subject::news_of_tasks, record.id);
 }
 
 std::vector<OpenJob> ClusterStore::open_jobs() {
   std::vector<OpenJob> jobs;
-  for (const ConsumerFill& consumer : nats_.consumers("raytracer_tasks")) {
+  for (const ConsumerFill& consumer : nats_.consumers(stream::tasks)) {
     const std::size_t end = consumer.name.find('_');
     if (end == consumer.name.npos) continue;
     jobs.push_back({consumer.name.substr(end + 1), consumer.name.substr(0, end),
@@ -203,22 +195,20 @@ std::vector<OpenJob> ClusterStore::open_jobs() {
   return jobs;
 }
 
-std::size_t ClusterStore::open_job_count() {
-  return nats_.consumer_names("raytracer_tasks").size();
-}
+std::size_t ClusterStore::open_job_count() { return nats_.consumer_names(stream::tasks).size(); }
 
 TaskSource ClusterStore::tasks_of(const OpenJob& job) {
-  return nats_.source("raytracer_tasks", consumer_of(job.renderer, job.id));
+  return nats_.source(stream::tasks, consumer_of(job.renderer, job.id));
 }
 
 std::pair<std::string, int> ClusterStore::task_of(const std::string& subject) {
-  constexpr std::size_t begin = std::string_view("raytracer.task.").size();
+  constexpr std::size_t begin = subject::of_tasks.size();
   const std::size_t dot = subject.rfind('.');
   return {subject.substr(begin, dot - begin), last_number(subject)};
 }
 
 bool ClusterStore::put_result(const std::string& id, int task, std::string_view bytes) {
-  const std::string subject = fmt::format("raytracer.result.of.{}.{}", id, task);
+  const std::string subject = subject::result(id, task);
   bool is_first = false;
   if (bytes.size() + header_bytes <=
       std::min(nats_.most_message_bytes(), most_result_bytes_at_once)) {
@@ -228,17 +218,16 @@ bool ClusterStore::put_result(const std::string& id, int task, std::string_view 
     const std::string token = random_token();
     const std::size_t count = chunks_in(bytes.size());
     for (std::size_t i = 0; i < count; ++i)
-      nats_.put(fmt::format("raytracer.result.part.{}.{}.{}", id, token, i), chunk(bytes, i));
+      nats_.put(subject::result_part(id, token, i), chunk(bytes, i));
     is_first = nats_.replace(subject, fmt::format("{} {}", in_parts(count), token), 0).has_value();
-    if (!is_first)
-      nats_.purge("raytracer_results", fmt::format("raytracer.result.part.{}.{}.*", id, token));
+    if (!is_first) nats_.purge(stream::results, subject::result_part(id, token, subject::any));
   }
   // Who removed the job meanwhile, or failed it, may have looked for its results before this came.
   if (!is_wanted(id)) {
     remove_results(id);
     return false;
   }
-  nats_.signal(news_of_results, id);
+  nats_.signal(subject::news_of_results, id);
   return is_first;
 }
 
@@ -252,20 +241,19 @@ bool ClusterStore::is_wanted(const std::string& id) {
 }
 
 bool ClusterStore::has_result(const std::string& id, int task) {
-  return !nats_.subjects("raytracer_results", fmt::format("raytracer.result.of.{}.{}", id, task))
-              .empty();
+  return !nats_.subjects(stream::results, subject::result(id, task)).empty();
 }
 
 std::set<int> ClusterStore::results(const std::string& id) {
   std::set<int> tasks;
   for (const std::string& subject :
-       nats_.subjects("raytracer_results", fmt::format("raytracer.result.of.{}.*", id)))
+       nats_.subjects(stream::results, subject::result(id, subject::any)))
     tasks.insert(last_number(subject));
   return tasks;
 }
 
 std::optional<StoredMessage> ClusterStore::result(const std::string& id, int task) {
-  auto found = nats_.get("raytracer_results", fmt::format("raytracer.result.of.{}.{}", id, task));
+  auto found = nats_.get(stream::results, subject::result(id, task));
   if (!found || !found->data.starts_with("parts ")) return found;
   const std::size_t space = found->data.rfind(' ');
   const std::string token = found->data.substr(space + 1);
@@ -274,8 +262,7 @@ std::optional<StoredMessage> ClusterStore::result(const std::string& id, int tas
                   found->data.data() + space, count);
   std::string bytes;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto part =
-        nats_.get("raytracer_results", fmt::format("raytracer.result.part.{}.{}.{}", id, token, i));
+    const auto part = nats_.get(stream::results, subject::result_part(id, token, i));
     if (!part) return {};
     bytes += part->data;
   }
@@ -283,29 +270,30 @@ std::optional<StoredMessage> ClusterStore::result(const std::string& id, int tas
   return found;
 }
 
+StreamFill ClusterStore::fill_of_results() { return nats_.fill_of(stream::results); }
+
 void ClusterStore::note_hand_back(const std::string& id, int task, std::uint64_t delivery) {
-  nats_.put(fmt::format("raytracer.job.back.{}.{}.{}", id, task, delivery), "");
+  nats_.put(subject::hand_back(id, task, delivery), "");
 }
 
 std::size_t ClusterStore::hand_backs(const std::string& id, int task) {
-  return nats_.subjects("raytracer_jobs", fmt::format("raytracer.job.back.{}.{}.*", id, task))
-      .size();
+  return nats_.subjects(stream::jobs, subject::hand_back(id, task, subject::any)).size();
 }
 
 void ClusterStore::put_progress(const std::string& id, double fraction) {
-  nats_.put("raytracer.job.progress." + id, fmt::format("{}", fraction));
+  nats_.put(subject::progress(id), fmt::format("{}", fraction));
 }
 
 double ClusterStore::progress(const std::string& id) {
-  const auto found = nats_.get("raytracer_jobs", "raytracer.job.progress." + id);
+  const auto found = nats_.get(stream::jobs, subject::progress(id));
   return found ? std::strtod(found->data.c_str(), nullptr) : 0;
 }
 
 std::vector<TaskFailure> ClusterStore::failures(const std::string& id, int task) {
   std::vector<TaskFailure> failures;
   for (const std::string& subject :
-       nats_.subjects("raytracer_jobs", fmt::format("raytracer.job.failure.{}.{}.*", id, task)))
-    if (const auto found = nats_.get("raytracer_jobs", subject)) {
+       nats_.subjects(stream::jobs, subject::failure(id, task, subject::any)))
+    if (const auto found = nats_.get(stream::jobs, subject)) {
       const std::size_t line = found->data.find('\n');
       failures.push_back({found->data.substr(0, line), found->data.substr(line + 1)});
     }
@@ -314,8 +302,7 @@ std::vector<TaskFailure> ClusterStore::failures(const std::string& id, int task)
 
 void ClusterStore::add_failure(const std::string& id, int task, std::size_t number,
                                const TaskFailure& failure) {
-  nats_.put(fmt::format("raytracer.job.failure.{}.{}.{}", id, task, number),
-            failure.worker + '\n' + failure.reason);
+  nats_.put(subject::failure(id, task, number), failure.worker + '\n' + failure.reason);
 }
 
 void ClusterStore::put_member(const Member& member) {
@@ -326,17 +313,18 @@ void ClusterStore::put_member(const Member& member) {
                             {"threads", member.threads},
                             {"tasks_done", member.tasks_done},
                             {"works", member.works}};
-  nats_.put("raytracer.worker." + member.name, json.dump());
+  nats_.put(subject::worker(member.name), json.dump());
 }
 
 void ClusterStore::remove_member(const std::string& name) {
-  nats_.purge("raytracer_workers", "raytracer.worker." + name);
+  nats_.purge(stream::workers, subject::worker(name));
 }
 
 std::vector<Member> ClusterStore::members() {
   std::vector<Member> members;
-  for (const std::string& subject : nats_.subjects("raytracer_workers", "raytracer.worker.*")) {
-    const auto found = nats_.get("raytracer_workers", subject);
+  for (const std::string& subject :
+       nats_.subjects(stream::workers, subject::worker(subject::any))) {
+    const auto found = nats_.get(stream::workers, subject);
     if (!found) continue;
     const auto json = nlohmann::json::parse(found->data, nullptr, false);
     if (json.is_discarded()) continue;
@@ -354,22 +342,22 @@ std::vector<Member> ClusterStore::members() {
 }
 
 void ClusterStore::note_redelivery(const std::string& id, int task) {
-  nats_.put(fmt::format("raytracer.redelivered.{}.{}", id, task), "");
+  nats_.put(subject::redelivered(id, task), "");
 }
 
 std::uint64_t ClusterStore::redelivered() {
-  return nats_.fill_of("raytracer_redelivered").messages_ever;
+  return nats_.fill_of(stream::redelivered).messages_ever;
 }
 
 std::shared_ptr<const void> ClusterStore::listen_for_news(std::function<void()> heard,
                                                           bool with_results) {
-  return nats_.listen(with_results ? "raytracer.news.*" : news_of_tasks,
+  return nats_.listen(with_results ? subject::news : subject::news_of_tasks,
                       [heard = std::move(heard)](const auto&, const auto&) { heard(); });
 }
 
 std::shared_ptr<const void> ClusterStore::listen_for_removals(
     std::function<void(const std::string& id)> heard) {
-  return nats_.listen(removals,
+  return nats_.listen(subject::removals,
                       [heard = std::move(heard)](const auto&, const auto& id) { heard(id); });
 }
 

@@ -1,18 +1,4 @@
-// What a cluster keeps in JetStream, and under which subjects.
-//
-//   stream                  subjects                            what they hold
-//   raytracer_scenes        raytracer.scene.text.DIGEST         a job's scene: in how many chunks
-//                           raytracer.scene.chunk.DIGEST.K      each chunk
-//   raytracer_kept          raytracer.kept.text.ID, .chunk.ID.K a posted scene, oldest out first
-//   raytracer_jobs          raytracer.job.record.ID             its JobRecord
-//                           raytracer.job.progress.ID           how far a job of one task is
-//                           raytracer.job.failure.ID.TASK.K     why a task failed the K-th time
-//                           raytracer.job.back.ID.TASK.K        its K-th delivery was handed back
-//   raytracer_tasks         raytracer.task.ID.TASK              the queue, a consumer for each job
-//   raytracer_results       raytracer.result.of.ID.TASK         a TaskResult, or its parts' number
-//                           raytracer.result.part.ID.TOKEN.K    such a part
-//   raytracer_workers       raytracer.worker.NAME               a heartbeat
-//   raytracer_redelivered   raytracer.redelivered.ID.TASK       counts what was handed out again
+// What a cluster keeps in JetStream; under which names, see subjects.h.
 //
 // A task is queued only if it is not, and a result is stored only if there is none: whatever is
 // done twice, by whomever, counts once.
@@ -157,7 +143,7 @@ class ClusterStore {
   void note_redelivery(const std::string& id, int task);
   std::uint64_t redelivered();
 
-  StreamFill fill_of_results() { return nats_.fill_of("raytracer_results"); }
+  StreamFill fill_of_results();
 
   /// Calls `heard` on another thread when tasks were queued or a job has changed, and for fronts
   /// also when a result was stored.

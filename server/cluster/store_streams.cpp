@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "server/cluster/store.h"
+#include "server/cluster/subjects.h"
 
 namespace raytracer {
 namespace {
@@ -16,34 +17,34 @@ constexpr std::chrono::seconds longest_silence{60};  // then a member is forgott
 std::vector<StreamSpec> ClusterStore::streams() const {
   const auto kept = limits_.longest_kept;
   const std::int64_t all = limits_.most_bytes;
-  return {{.name = "raytracer_scenes",
+  return {{.name = stream::scenes,
            .subjects = "raytracer.scene.>",
            .most_bytes = all / 4,
            .longest_kept = kept},
-          {.name = "raytracer_kept",
+          {.name = stream::kept,
            .subjects = "raytracer.kept.>",
            .most_bytes = most_kept_bytes(),
            .longest_kept = kept,
            .drops_oldest = true},
-          {.name = "raytracer_jobs",
+          {.name = stream::jobs,
            .subjects = "raytracer.job.>",
            .most_bytes = all / 8,
            .longest_kept = kept},
-          {.name = "raytracer_tasks",
+          {.name = stream::tasks,
            .subjects = "raytracer.task.>",
            .most_bytes = all / 16,
            .longest_kept = kept,
            .is_queue = true},
-          {.name = "raytracer_results",
+          {.name = stream::results,
            .subjects = "raytracer.result.>",
            .most_bytes = all / 2,
            .longest_kept = kept},
-          {.name = "raytracer_workers",
+          {.name = stream::workers,
            .subjects = "raytracer.worker.>",
            .most_bytes = 16 << 20,
            .longest_kept = longest_silence,
            .is_in_memory = true},
-          {.name = "raytracer_redelivered",
+          {.name = stream::redelivered,
            .subjects = "raytracer.redelivered.>",
            .most_bytes = 1 << 20,
            .longest_kept = kept,
@@ -71,7 +72,7 @@ std::string ClusterStore::change_streams() {
     if (limits_.changes_longest_kept) wish.longest_kept = stream.longest_kept;
     if (limits_.changes_most_bytes) wish.most_bytes = stream.most_bytes;
     const StreamLimits changed = nats_.change_stream(stream.name, wish);
-    if (stream.name == "raytracer_results") before = changed;
+    if (stream.name == stream::results) before = changed;
   }
   std::vector<std::string> changes;
   if (before.longest_kept)
