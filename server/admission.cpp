@@ -165,7 +165,7 @@ long Admission::seconds_until_served() const {
   const double waiting_s = longest_s * static_cast<double>(waiting_.size());
   const double all_s =
       std::max(longest_left_s, (running_s + waiting_s) / static_cast<double>(most_running_));
-  return std::lround(std::clamp(std::ceil(all_s), 1.0, 600.0));
+  return std::lround(std::clamp(std::ceil(all_s), 1.0, longest_retry_after_s));
 }
 
 }  // namespace raytracer

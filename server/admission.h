@@ -20,6 +20,9 @@
 
 namespace raytracer {
 
+/// Nobody is told to come again later than that.
+inline constexpr double longest_retry_after_s = 600;
+
 /// Every member function may be called from any thread.
 class Admission {
   using Clock = std::chrono::steady_clock;

@@ -6,7 +6,6 @@
 namespace raytracer {
 namespace {
 
-constexpr double task_ms = 250;              // of one thread
 constexpr double most_bytes = 3'500'000;     // of a result, below the store's limit for a message
 constexpr double slow_ray_ms = 2e-4;         // most take a tenth of that
 constexpr double error_bytes_per_pixel = 1;  // of RegionRendering::subtile_error2, rounded up
@@ -33,7 +32,8 @@ TaskCut cut_into_tasks(const PreparedScene& scene, const Prediction& prediction,
   const double thread_ms = prediction.trace_ms * static_cast<double>(prediction.thread_count);
   const double value_bytes = is_8_bit ? 1 : sizeof(float);
   const double pixel_bytes = channel_count(scene.scene()) * value_bytes + error_bytes_per_pixel;
-  const double tasks = std::max({thread_ms / task_ms, pixels * pixel_bytes / most_bytes, 1.0});
+  const double tasks =
+      std::max({thread_ms / (1000 * task_s), pixels * pixel_bytes / most_bytes, 1.0});
   const auto blocks = static_cast<int>(std::sqrt(pixels / tasks) / region_unit_px);
   const int whole = std::max(camera.width, camera.height) / region_unit_px + 1;
   cut.side_px = region_unit_px * std::clamp(blocks, 1, whole);

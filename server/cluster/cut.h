@@ -13,6 +13,9 @@ struct TaskCut {
   int task_count = 1;
 };
 
+/// For how long tasks are cut, of one thread.
+inline constexpr double task_s = 0.25;
+
 /// Whether nobody needs to predict that the scene is traced in less than `ms`, even if each ray
 /// took many times as long as most do.
 bool is_short(const PreparedScene& scene, double ms, std::size_t thread_count);

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "server/cluster/cut.h"
 #include "server/cluster/nats.h"
 
 namespace raytracer {
@@ -85,8 +86,13 @@ void Reconciler::look_at_all() {
   std::vector<std::string> in_question;
   std::copy_if(ids.begin(), ids.end(), std::back_inserter(in_question),
                [&](const auto& id) { return !ended_.contains(id) && !parts_.is_in_work(id); });
-  if (in_question.empty()) return;
-  attendance_.look(parts_.store.members());
+  if (in_question.empty()) {
+    seconds_until_done_ = 0;
+    return;
+  }
+  const std::vector<Member> members = parts_.store.members();
+  attendance_.look(members);
+  note_queue(open, members);
   for (const std::string& id : in_question) {
     try {
       look_at(id, open);
@@ -95,6 +101,16 @@ void Reconciler::look_at_all() {
       ended_.insert(id);
     }
   }
+}
+
+void Reconciler::note_queue(const std::vector<OpenJob>& open, const std::vector<Member>& members) {
+  std::uint64_t tasks = 0;
+  for (const OpenJob& job : open) tasks += job.waiting + job.running;
+  std::size_t threads = 0;
+  for (const Member& member : members)
+    if (member.works && is_alive(member, parts_.store.limits())) threads += member.threads;
+  seconds_until_done_ =
+      static_cast<double>(tasks) * task_s / static_cast<double>(std::max<std::size_t>(threads, 1));
 }
 
 void Reconciler::remove_leftovers(const std::vector<OpenJob>& open,

@@ -3,6 +3,7 @@
 // place in the queue it queues again, and what nobody wants any more it removes.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
@@ -42,6 +43,10 @@ class Reconciler {
   /// How many jobs of the cluster have each status, as of the last look at each.
   std::map<JobStatus, std::size_t> counts() const;
 
+  /// In how many seconds the cluster's workers will have done what is queued, as of the last round,
+  /// if tasks take as long as they are cut for. Jobs that are one task may take longer.
+  double seconds_until_done() const { return seconds_until_done_; }
+
   /// Removes a job at the next round, if it is stored: its client was told that it is not.
   void remove_soon(const std::string& id);
 
@@ -55,11 +60,13 @@ class Reconciler {
   bool lost_tasks(const std::string& id, std::uint64_t queued, std::size_t missing);
 
   void note(const std::string& id, JobStatus status);
+  void note_queue(const std::vector<OpenJob>& open, const std::vector<Member>& members);
 
   const Parts parts_;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
   std::set<std::string> refused_;
+  std::atomic<double> seconds_until_done_{0};
   std::map<std::string, JobStatus> statuses_;  ///< of jobs that no client waits for, by ids
   // Of its thread alone:
   std::set<std::string> ended_;                 ///< need no looking after

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -97,11 +98,17 @@ SharedJobs::~SharedJobs() {
   threads_.shutdown();
 }
 
+long SharedJobs::retry_after_s() const {
+  const double queued_s = reconciler_ ? std::ceil(reconciler_->seconds_until_done()) : 0;
+  return std::max(parts_.admission.retry_after_s(),
+                  std::lround(std::min(queued_s, longest_retry_after_s)));
+}
+
 void SharedJobs::require_room(const JobRecord& record) {
   parts_.store.require_streams();
   if (parts_.store.open_job_count() >= parts_.most_open)
     refuse(429, "The queue of the cluster is full; try again later",
-           {{"Retry-After", std::to_string(parts_.admission.retry_after_s())}});
+           {{"Retry-After", std::to_string(retry_after_s())}});
   if (record.task == JobTask::tradeoff) return;  // a few kilobytes
   // Whole results are floats, whatever they are shown in.
   const std::uint64_t bytes = sizeof(float) * static_cast<std::uint64_t>(record.channels) *

@@ -78,6 +78,8 @@ class SharedJobs : public Jobs {
  private:
   struct Own;
 
+  /// When to come again who is refused for what is queued in the cluster, in seconds.
+  long retry_after_s() const;
   /// Throws HttpError, 429 if too much is queued and 413 if the picture can never be kept, and
   /// StreamFull if it has no room now.
   void require_room(const JobRecord& record);

@@ -52,6 +52,11 @@ TEST_F(ClusterBounds, queue_is_bounded) {
       return answer.body.find("cluster") != std::string::npos;
     }));
     EXPECT_LE(jobs.size(), 4U + std::stoul(most) + 4U);
+    // What waits in the cluster takes long, too.
+    EXPECT_TRUE(eventually([&] {
+      const Answer answer = post(front, "/jobs", endless_scene());
+      return answer.status == 429 && std::stol(answer.get_header_value("Retry-After")) >= 10;
+    }));
     for (const std::string& job : jobs) EXPECT_EQ(request(front, "DELETE", job).status, 204);
     EXPECT_TRUE(eventually([&] { return task_count(front) == 0; }));
     EXPECT_TRUE(ends_done(front, post_job(front, "", small_scene)));
