@@ -236,8 +236,8 @@ void CommandLine::add_cluster(ClusterConfig& cluster) {
              "Share renders that are predicted to trace for so many milliseconds",
              cluster.share_from_ms, 0, 1e9);
   add_number({"--task-timeout", "RAYTRACER_TASK_TIMEOUT"}, "SECONDS",
-             "After a worker's last heartbeat, others take its tasks", cluster.task_timeout_s,
-             0.1, 3600);
+             "After a worker's last heartbeat, others take its tasks", cluster.task_timeout_s, 0.1,
+             3600);
   for (const SharedRow& row : shared_table) {
     add({row.flag, row.variable}, row.unit,
         fmt::format("Maximum number of {};\na server that is told sets it for all", row.meaning),
