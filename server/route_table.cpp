@@ -26,7 +26,7 @@ std::optional<std::string> fit(std::string_view pattern, std::string_view path) 
 
 /// Adds the route's methods to a list, as Allow has them.
 void add_methods(std::string& list, const Route& route) {
-  const std::string_view methods = route.method == "GET" ? "GET, HEAD" : route.method;
+  const std::string methods = route.method == "GET" ? "GET, HEAD" : route.method;
   if (list.find(methods) != std::string::npos) return;
   list.append(list.empty() ? "" : ", ").append(methods);
 }
