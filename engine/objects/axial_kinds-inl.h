@@ -178,8 +178,8 @@ HWY_INLINE void prefetch_candidate(const PrimitiveRows<T>&, const Geometry<Kind,
 }
 
 /// Lanes of rays that end in a solid's own side whose surface looks inwards: they came through what
-/// is opposite. Not by where they are met, which of a small solid far from the light is rounded by
-/// more than it is wide.
+/// is opposite. Where they are met does not tell: of a small solid far from the light it is rounded
+/// by more than LampRays allows for.
 template <class D, AxialLanesOf<hn::Vec<D>> C, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE M end_within(D d, const C& c, const LampRays<D>& lamp, const V3<V>& normal) {
