@@ -44,9 +44,6 @@ CornerRow<T> corner_row(const std::array<Vec3, 3>& corners, const CornerValues& 
     row.normal = narrowed<T>(normals[0]);
     row.b_normal = narrowed<T>(normals[1] - normals[0]);
     row.c_normal = narrowed<T>(normals[2] - normals[0]);
-    row.turn = static_cast<T>(std::min(turn_between(normals, 0, 1) * length(b_slope) +
-                                           turn_between(normals, 0, 2) * length(c_slope),
-                                       most));
   }
   if (!values.colors.empty()) {
     const auto colors = values.of(values.colors, item);

@@ -26,8 +26,7 @@ struct CornerRow {
   Triple<T> color;  ///< likewise
   Triple<T> b_color;
   Triple<T> c_color;
-  T turn;                   ///< of the normal over a unit of length, at most
-  std::array<T, 3> unused;  ///< to a power of two
+  std::array<T, 4> unused;  ///< to a power of two
 };
 
 template <typename T>

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/kernel/corner_row.h"
-#include "engine/kernel/path_error.h"
+#include "engine/kernel/exact_scene.h"
 #include "engine/lights/packet_light.h"
 #include "engine/materials/material_row.h"
 #include "engine/objects/geometry.h"

@@ -1,8 +1,8 @@
-// Where packets have met surfaces of revolution: their normals, curvatures and sides, item by item.
+// Where packets have met surfaces of revolution: their normals and sides, item by item, and
+// where exactly.
 // A kind's own code, which comes before this file, brings
 //
 //   normals_at(d, item, points, direction)          where lanes met one, towards the rays' origins
-//   curvatures_at(d, item, points)                  1 / radius
 //   is_met_from_within(d, item, points, direction)  of a closed one: lanes that came from inside
 
 HWY_BEFORE_NAMESPACE();
@@ -18,13 +18,16 @@ HWY_NOINLINE void own_normals(D d, const PrimitiveRows<T>& rows, const Geometry<
   });
 }
 
-/// Sets the curvatures of the lanes of `own` that hit one of them.
-template <class D, AxialKind Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+/// Sets the distances at which the rays of the lanes of `own` meet those that they are known to
+/// hit.
+template <class D, AxialKind Kind, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
-HWY_NOINLINE void own_curvatures(D d, const PrimitiveRows<T>& rows, const Geometry<Kind, T>& solids,
-                                 M own, const RayOrigin<V>& at, V& curvature) {
-  for_each_item(d, rows, solids.items, own, at.id, [&](const auto& item, M here) HWY_ATTR {
-    curvature = hn::IfThenElse(here, curvatures_at(d, item, at.point), curvature);
+HWY_NOINLINE void own_distances(D d, const PrimitiveRows<T>& rows, const Geometry<Kind, T>& solids,
+                                const Origin& from, const V3<V>& direction, M own, Hit<V>& hit) {
+  for_each_item(d, rows, solids.items, own, hit.id, [&](const auto& item, M here) HWY_ATTR {
+    V t;
+    const M is_hit = intersect(d, in_all_lanes(d, item), from, direction, here, t);
+    hit.t = hn::IfThenElse(is_hit, t, hit.t);
   });
 }
 

@@ -98,13 +98,13 @@ concept HasOwnNormals = requires(FloatPacket::D d, const PrimitiveRows<float>& r
   own_normals(d, rows, geometry, packet.direction, packet.active, at);
 };
 
-/// Sets the curvatures, 1 / radius, of the lanes of `own` that hit one of the kind; else a hit's
-/// row tells them.
+/// Sets the distances at which the rays of the lanes of `own` meet those of the kind that they are
+/// known to hit; else a hit's row tells them.
 template <class Kind>
-concept HasOwnCurvatures = requires(FloatPacket::D d, const PrimitiveRows<float>& rows,
-                                    const Geometry<Kind, float>& geometry,
-                                    const FloatPacket& packet, FloatPacket::V& curvature) {
-  own_curvatures(d, rows, geometry, packet.active, packet.origin, curvature);
+concept HasOwnDistances = requires(FloatPacket::D d, const PrimitiveRows<float>& rows,
+                                   const Geometry<Kind, float>& geometry, const FloatPacket& packet,
+                                   Hit<FloatPacket::V>& hit) {
+  own_distances(d, rows, geometry, packet.origin, packet.direction, packet.active, hit);
 };
 
 /// Tells of what has an inside only if it has caps, on which side a ray has hit it.

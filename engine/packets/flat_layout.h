@@ -21,10 +21,10 @@ FlatItem<T> flat_item(const Vec3& normal, const Vec3& point, std::int32_t number
   return {narrowed<T>(normal), static_cast<T>(dot(normal, point)), static_cast<T>(number)};
 }
 
-/// As hits need it: no curvature.
+/// As hits need it, of the plane through `point`: no curvature.
 template <typename T>
-PrimitiveRow<T> flat_row(const Vec3& normal) {
-  return {.place = narrowed<T>(-normal)};
+PrimitiveRow<T> flat_row(const Vec3& normal, const Vec3& point) {
+  return {.place = narrowed<T>(-normal), .eye_power = static_cast<T>(dot(normal, point))};
 }
 
 }  // namespace raytracer

@@ -13,7 +13,8 @@ struct PrimitiveRow {
   Triple<T> place;    ///< of round ones the centre; of flat ones the opposite of the normal
   T curvature{};      ///< 1 / radius; 0 if flat; `own_normal` where the kind computes it
   T radius_square{};  ///< of a sphere
-  T eye_power{};      ///< of a sphere |center|^2 - radius^2
+  /// Of a sphere |center|^2 - radius^2, of what is flat normal . (point - eye).
+  T eye_power{};
   /// Where the kind computes the normal, the place among its items. Of what is flat, where corners
   /// tell normals or colours, 1 more than the place among their rows; else 0.
   T item{};

@@ -235,8 +235,8 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
   const double mirror_error_px = direction_error_px * statistics.magnification;
   if (mirror_error_px > mirror_tolerance_px)
     return {mixed, because("single displaces edges by at most {:.2g} pixels, but curved mirrors or "
-                           "lenses may magnify that {:.3g} times: samples whose colours this would "
-                           "change are traced again in double",
+                           "lenses may magnify that {:.3g} times: double carries the paths of rays "
+                           "from one to the next",
                            direction_error_px, statistics.magnification)};
 
   return {single_precision,

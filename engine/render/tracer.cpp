@@ -169,8 +169,8 @@ void sample(const PacketTracer<T>& tracer, const SamplePattern& pattern, Transfe
   sample_pixels(tracer.scene, pattern, transfer, blocks, tracer.target, results);
 }
 
-/// What traces samples again: all of their rays are followed ones.
-ExactScene make_exact_scene(const Plan& plan, const PackedScene& packed, WorkerPool& pool) {
+/// What finds the rays of samples that are traced again: all of them are followed ones.
+FinderTable finders_to_trace_again(const Plan& plan) {
   Features features = plan.features;
   features.reflects = true;
   FinderTable finders = choose_finders(features, plan.statistics, plan.kernel.value, {});
@@ -183,16 +183,22 @@ ExactScene make_exact_scene(const Plan& plan, const PackedScene& packed, WorkerP
     const Finder planned = finder_of(plan.finders[kind], RayKind::to_soft_light);
     of(RayKind::to_soft_light) = planned == Finder::light_sweep ? of(RayKind::followed) : planned;
   }
+  return finders;
+}
+
+/// What carries paths, and traces samples again if some are to be.
+ExactScene make_exact_scene(const Plan& plan, const PackedScene& packed, WorkerPool& pool) {
   ExactScene exact;
-  exact.scene = std::make_shared<const PacketScene<double>>(
-      make_packet_scene<double>(packed, plan.features, finders, pool));
-  exact.brightest = static_cast<float>(plan.statistics.brightest);
-  exact.nearest = static_cast<float>(nearest_in_single(plan.features, plan.statistics));
+  const double nearest = nearest_in_single(plan.features, plan.statistics);
+  if (plan.statistics.nearest < nearest) exact.nearest = static_cast<float>(nearest);
   for (const LampDistances& lamp : plan.statistics.lamps) {
     const double reach = lamp_reach_in_single(lamp, plan.features, plan.statistics);
     if (std::isfinite(reach))
       exact.lamps.push_back({narrowed<float>(lamp.place), static_cast<float>(reach * reach)});
   }
+  const FinderTable finders = exact.traces_again() ? finders_to_trace_again(plan) : FinderTable{};
+  exact.scene = std::make_shared<const PacketScene<double>>(
+      make_packet_scene<double>(packed, plan.features, finders, pool));
   return exact;
 }
 

@@ -23,10 +23,8 @@ json with_lights(json text, const json& lights) {
 }
 
 TEST(Light, of_twice_the_intensity_is_twice_as_bright) {
-  // Of brighter light more samples are to be traced again where precision is mixed.
   for (const char* shadows : {"black", "ambient", "off"}) {
     json text = dim_scene();
-    text["render"]["precision"] = "double";
     text["shadows"] = shadows;
     text["ambient"] = 0;
     const Image once = image_of(text);

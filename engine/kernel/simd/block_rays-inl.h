@@ -16,8 +16,9 @@ class BlockRays {
   HWY_INLINE BlockRays(D d, const PacketScene<T>& scene, const Block& block, double jitter)
       : eye(d, scene), block_(block), offsets_(d), jitter_(jitter), height_(scene.view.height) {}
 
-  /// Through `sample` of the packet's pixels.
-  HWY_INLINE V3<V> direction(D d, const PacketPlace<D>& place, const SamplePoint& sample) const {
+  /// Of `sample` in the packet's pixels.
+  HWY_INLINE ImagePoints<V> image_points(D d, const PacketPlace<D>& place,
+                                         const SamplePoint& sample) const {
     V right = offsets_.x;
     V down = offsets_.y;
     if (jitter_ > 0) {
@@ -27,11 +28,11 @@ class BlockRays {
       right = hn::MulAdd(jitters.x, hn::Set(d, across), right);
       down = hn::NegMulAdd(jitters.y, hn::Set(d, up), down);
     }
-    return eye.direction(d, block_.x_begin + place.x + sample.x,
-                         height_ - 1 - block_.y_begin - place.y + sample.y, right, down);
+    return {block_.x_begin + place.x + sample.x, height_ - 1 - block_.y_begin - place.y + sample.y,
+            right, down};
   }
 
-  /// As direction()'s, of one pixel: from the image's lower left corner, in pixels.
+  /// As image_points(), of one pixel: from the image's lower left corner, in pixels.
   HWY_INLINE SamplePoint image_point(const PixelPlace<D>& pixel, const SamplePoint& sample) const {
     const SamplePoint moved = jitter_of(pixel.x, pixel.y);
     return {block_.x_begin + pixel.x + sample.x + away_from_middle(sample.x, jitter_) * moved.x,
@@ -109,8 +110,8 @@ class SamplePackets {
   HWY_INLINE SubtileCandidates<T> candidates(int i) const {
     return {candidates_, PacketPlace<D>(i).subtile()};
   }
-  HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
-    return rays_.direction(d, PacketPlace<D>(i), sample_);
+  HWY_INLINE ImagePoints<hn::Vec<D>> image_points(D d, int i) const {
+    return rays_.image_points(d, PacketPlace<D>(i), sample_);
   }
   HWY_INLINE hn::Mask<D> active(D d, int i) const { return rays_.active(d, PacketPlace<D>(i)); }
   HWY_INLINE SamplePoint image_point(int ray) const {

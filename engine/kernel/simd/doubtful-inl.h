@@ -1,5 +1,5 @@
-// Samples that a scene's precision does not carry: those whose paths magnify what it rounds off are
-// traced again in double, from the eye on.
+// Samples that a scene's precision does not carry, of what is too near to the eye or too far from a
+// light: they are traced again in double, from the eye on.
 
 #include "engine/kernel/sample_point.h"
 

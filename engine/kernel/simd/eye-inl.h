@@ -12,11 +12,13 @@ struct Hits {
   alignas(64) T direction_x[block_pixels], direction_y[block_pixels], direction_z[block_pixels];
   alignas(64) T t[block_pixels], id[block_pixels], u[block_pixels], v[block_pixels];
   alignas(64) T normal_x[block_pixels], normal_y[block_pixels], normal_z[block_pixels];
+  /// What T rounds off of the direction, if paths are carried in double.
+  alignas(64) T rest_x[block_pixels], rest_y[block_pixels], rest_z[block_pixels];
 
   static constexpr T (Hits::*const columns[])[block_pixels] = {
-      &Hits::pixel,    &Hits::direction_x, &Hits::direction_y, &Hits::direction_z,
-      &Hits::t,        &Hits::id,          &Hits::u,           &Hits::v,
-      &Hits::normal_x, &Hits::normal_y,    &Hits::normal_z};
+      &Hits::pixel,    &Hits::direction_x, &Hits::direction_y, &Hits::direction_z, &Hits::t,
+      &Hits::id,       &Hits::u,           &Hits::v,           &Hits::normal_x,    &Hits::normal_y,
+      &Hits::normal_z, &Hits::rest_x,      &Hits::rest_y,      &Hits::rest_z};
 };
 
 /// Writes down what the active lanes of the packet from the at-th on have hit.
@@ -78,14 +80,18 @@ HWY_INLINE V3<V> shade_hit(D d, const EyeRays<D>& eye, const Hits<T>& hits, std:
   const V3<V> direction =
       load(d, hits.direction_x + at, hits.direction_y + at, hits.direction_z + at);
   M is_hit = hn::Ge(hit.id, hn::Zero(d));
+  const auto rest = [&]() HWY_ATTR {
+    return load(d, hits.rest_x + at, hits.rest_y + at, hits.rest_z + at);
+  };
   if constexpr (may_be_inexact<T>)
-    if (scene.exact.scene) {
+    if (scene.exact.traces_again()) {
       const M is_near = hn::Lt(hit.t, hn::Set(d, scene.exact.nearest));
       const V3<V> point = scale(direction, hn::IfThenElseZero(is_hit, hit.t));
       again = hn::And(is_hit, hn::Or(is_near, beyond_reach(d, scene.exact, point)));
       is_hit = hn::AndNot(again, is_hit);
     }
-  return eye.shade(d, direction, hit, is_hit, hn::Load(d, hits.pixel + at), light_set, followed);
+  return eye.shade(d, direction, rest, hit, is_hit, hn::Load(d, hits.pixel + at), light_set,
+                   followed);
 }
 
 /// The colours of what `count` packets have hit, each with its light sets. If `fetches`, what
@@ -104,7 +110,7 @@ HWY_NOINLINE void shade_packets(D d, const EyeRays<D>& eye, const Hits<T>& hits,
     auto again = hn::Lt(hn::Zero(d), hn::Zero(d));
     const auto colour = shade_hit(d, eye, hits, at, light_sets.of_ray(at), followed, again);
     if constexpr (may_be_inexact<T>)
-      if (scene.exact.scene)
+      if (scene.exact.traces_again())
         hn::Store(hn::IfThenElseZero(again, hn::Set(d, T(1))), d, colours.doubt + at);
     store(d, colour, at, colours);
   }
@@ -140,7 +146,7 @@ HWY_NOINLINE void shade_by_light_sets(D d, const EyeRays<D>& eye, const Hits<T>*
                                       Followed& followed, SampleColours<T>* colours) {
   using Shape = PacketShape<D>;
   const PacketScene<T>& scene = eye.scene();
-  const bool may_doubt = may_be_inexact<T> && scene.exact.scene != nullptr;
+  const bool may_doubt = may_be_inexact<T> && scene.exact.traces_again();
   const V3<hn::Vec<D>> background = broadcast(d, scene.background);
   for (std::size_t block = 0; block < block_count; ++block)
     for (std::size_t at = 0; at < block_pixels; at += hn::Lanes(d))
@@ -215,7 +221,7 @@ template <class D, typename T = hn::TFromD<D>>
 HWY_INLINE void shade_blocks(D d, const EyeRays<D>& eye, const Hits<T>* hits,
                              std::size_t block_count, const LightSets<T>& light_sets,
                              RayQueues<T>& queues, SampleColours<T>* colours) {
-  if (may_be_inexact<T> && eye.scene().exact.scene)
+  if (may_be_inexact<T> && eye.scene().exact.traces_again())
     for (std::size_t i = 0; i < block_count; ++i) std::fill_n(colours[i].doubt, block_pixels, T(0));
   const auto shade = [&](auto& followed) HWY_ATTR {
     followed.light_set = light_sets.followed;
@@ -238,10 +244,44 @@ HWY_INLINE void trace_queued(const PacketScene<T>& scene, RayQueues<T>& queues,
     trace_followed(scene, queues.single, colours);
 }
 
+/// Sets what single rounds off of the directions, which it has, of the packet from the at-th ray
+/// on.
+template <class D, class V = hn::Vec<D>>
+HWY_NOINLINE void set_rests(D d, const PacketScene<double>& scene, const ImagePoints<V>& points,
+                            std::size_t at, Hits<float>& hits) {
+  const hn::ScalableTag<double> doubles;
+  const hn::Rebind<float, decltype(doubles)> singles;
+  const EyeRays<decltype(doubles)> eye(doubles, scene);
+  alignas(64) float right[hn::MaxLanes(D())];
+  alignas(64) float down[hn::MaxLanes(D())];
+  hn::Store(points.right, d, right);
+  hn::Store(points.down, d, down);
+  for (std::size_t i = 0; i < hn::Lanes(d); i += hn::Lanes(doubles)) {
+    const auto promoted = [&](const float* values) HWY_ATTR {
+      return hn::PromoteTo(doubles, hn::Load(singles, values));
+    };
+    const auto through =
+        eye.through(doubles, {points.x, points.y, promoted(right + i), promoted(down + i)});
+    // To a length of 1, by a step of Newton's method from what single makes of it.
+    const auto square = dot(through, through);
+    const auto rough = hn::PromoteTo(
+        doubles, hn::Div(hn::Set(singles, 1.0F), hn::Sqrt(hn::DemoteTo(singles, square))));
+    const auto half = hn::Mul(hn::Set(doubles, 0.5), hn::Mul(square, hn::Mul(rough, rough)));
+    const auto shorten = hn::Mul(rough, hn::Sub(hn::Set(doubles, 1.5), half));
+    const auto set = [&](auto exact, const float* rounded, float* rest) HWY_ATTR {
+      const auto off = hn::MulSub(exact, shorten, promoted(rounded + at + i));
+      hn::Store(hn::DemoteTo(singles, off), singles, rest + at + i);
+    };
+    set(through.x, hits.direction_x, hits.rest_x);
+    set(through.y, hits.direction_y, hits.rest_y);
+    set(through.z, hits.direction_z, hits.rest_z);
+  }
+}
+
 /// What packets of rays from the eye hit; at most as many rays as a block has pixels. `rays` has
-/// count() packets, and for the i-th of them, if is_in(i), direction(d, i), the active(d, i) lanes,
-/// and the candidates(i) of what they go through; image_point(k) of the k-th ray; light_sets(); and
-/// first_pixel(), its first pixel's number among those that are queued together.
+/// count() packets, and for the i-th of them, if is_in(i), image_points(d, i), the active(d, i)
+/// lanes, and the candidates(i) of what they go through; image_point(k) of the k-th ray;
+/// light_sets(); and first_pixel(), its first pixel's number among those that are queued together.
 ///
 /// `cover`, if there is one, gets 1 where a ray has met something, else 0.
 template <class D, class Rays, typename T = hn::TFromD<D>>
@@ -257,12 +297,15 @@ HWY_INLINE void intersect_from_eye(D d, const EyeRays<D>& eye, const Rays& rays,
       hn::Store(none, d, hits.id + at);
       continue;
     }
-    const V3<V> direction = rays.direction(d, i);
+    const ImagePoints<V> points = rays.image_points(d, i);
+    const V3<V> direction = eye.direction(d, points);
     const auto active = rays.active(d, i);
     auto&& candidates = rays.candidates(i);
     const Hit<V> hit = eye.intersect(d, candidates, direction, active);
     const V pixel = hn::Iota(d, static_cast<T>(rays.first_pixel() + at));
     store(d, direction, hit, pixel, active, scene.has_own_normals, at, hits);
+    if constexpr (may_be_inexact<T>)
+      if (scene.exact.scene) set_rests(d, *scene.exact.scene, points, at, hits);
     if (cover != nullptr)
       hn::Store(hn::IfThenElseZero(hn::Ge(hit.id, hn::Zero(d)), hn::Set(d, T(1))), d, cover + at);
   }
@@ -279,7 +322,8 @@ HWY_NOINLINE void trace_from_eye(D d, const EyeRays<D>& eye, const Rays& rays, b
                                  RayQueues<T>& queues, SampleColours<T>& colours, T* cover) {
   Hits<T> hits;
   intersect_from_eye(d, eye, rays, hits, cover);
-  if (may_be_inexact<T> && eye.scene().exact.scene) std::fill_n(colours.doubt, block_pixels, T(0));
+  if (may_be_inexact<T> && eye.scene().exact.traces_again())
+    std::fill_n(colours.doubt, block_pixels, T(0));
   shade_hits(d, eye, hits, static_cast<std::size_t>(rays.count()), rays.light_sets(), fetches,
              queues, colours);
 }
@@ -291,7 +335,7 @@ HWY_INLINE void trace_doubtful(D d, const PacketScene<T>& scene, std::size_t blo
                                const RaysOf& rays_of, const CoverOf& cover_of,
                                SampleColours<T>* colours) {
   if constexpr (may_be_inexact<T>)
-    if (scene.exact.scene && !rays_of(0).light_sets().followed.is_recorded())
+    if (scene.exact.traces_again() && !rays_of(0).light_sets().followed.is_recorded())
       trace_doubtful_again(d, *scene.exact.scene, block_count, rays_of, cover_of, colours);
 }
 

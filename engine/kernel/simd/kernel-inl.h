@@ -32,7 +32,7 @@
 #include "engine/kernel/simd/surface-inl.h"
 #include "engine/kernel/simd/soft_light-inl.h"
 #include "engine/kernel/simd/shade-inl.h"
-#include "engine/kernel/simd/path_error-inl.h"
+#include "engine/kernel/simd/exact_path-inl.h"
 #include "engine/kernel/simd/transmission-inl.h"
 #include "engine/kernel/simd/ray_batch-inl.h"
 #include "engine/kernel/simd/batch_hits-inl.h"

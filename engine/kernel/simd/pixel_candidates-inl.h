@@ -25,7 +25,7 @@ template <class D, typename T = hn::TFromD<D>>
 HWY_INLINE PixelCone<T> cone_around(D d, const EyeRays<D>& eye, double x, double y) {
   const auto through = [&](double right, double up) HWY_ATTR {
     const auto zero = hn::Zero(d);
-    const auto direction = eye.direction(d, x + right, y + up, zero, zero);
+    const auto direction = eye.direction(d, {x + right, y + up, zero, zero});
     return Triple<T>{hn::GetLane(direction.x), hn::GetLane(direction.y), hn::GetLane(direction.z)};
   };
   const Triple<T> axis = through(0.5, 0.5);

@@ -19,7 +19,6 @@ struct Packet {
   V pixel;      ///< its number among those whose rays are queued together
   V followers;  ///< how many rays may still follow, one after another
   V solids;     ///< of how many of these that let rays through they are inside
-  PathError<V> error;
   LightSet<hn::TFromV<V>> light_set{};  ///< of places on soft lights
 };
 
@@ -45,9 +44,11 @@ HWY_INLINE auto compressing_order(D d, M mask) {
 template <typename T, bool branch>
 class RayBatch {
  public:
-  /// For so many rays, a multiple of the lanes.
-  explicit RayBatch(std::size_t most)
-      : most_(most),
+  /// For so many rays, a multiple of the lanes; with what single rounds off of them if paths are
+  /// carried in double.
+  RayBatch(std::size_t most, bool has_rests)
+      : has_rests_(may_be_inexact<T> && has_rests),
+        most_(most),
         stride_(most + 64 / sizeof(T)),
         values_(make_aligned_array<T>(column_count * stride_)) {}
 
@@ -55,9 +56,10 @@ class RayBatch {
   void clear() { count_ = 0; }
   bool has_room_for(std::size_t more) const { return count_ + more <= most_; }
 
-  /// Adds the lanes of `mask`, at least one; there must be room for all lanes.
+  /// Adds the lanes of `mask`, at least one; there must be room for all lanes. `rest` is null where
+  /// paths are in T.
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-  HWY_INLINE void add(D d, const Packet<V>& rays, M mask) {
+  HWY_INLINE void add(D d, const Packet<V>& rays, const RayRest<V>* rest, M mask) {
     const auto first_of_mask = compressing_order(d, mask);
     const auto keep = [&](std::size_t column, V values) HWY_ATTR {
       hn::StoreU(hn::TableLookupLanes(values, first_of_mask), d, of_column(column) + count_);
@@ -72,11 +74,11 @@ class RayBatch {
     keep_all(6, rays.from.normal);
     keep_all(9, {rays.from.id, rays.from.u, rays.from.v});
     keep_all(12, {rays.weight, rays.pixel, rays.followers});
-    if constexpr (may_be_inexact<T>) {
-      keep(15, rays.error.place);
-      keep(16, rays.error.direction);
+    if constexpr (branch) keep(15, rays.solids);
+    if (rest != nullptr) {
+      keep_all(16, rest->point);
+      keep_all(19, rest->direction);
     }
-    if constexpr (branch) keep(17, rays.solids);
     count_ += count_true(d, mask);
   }
 
@@ -85,7 +87,6 @@ class RayBatch {
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
   HWY_INLINE Packet<V> packet(D d, std::size_t i, M active, const LightSet<T>& light_set) const {
     const auto at = [&](std::size_t column) HWY_ATTR {
-      if (!is_kept(column)) return hn::Zero(d);
       return hn::IfThenElseZero(active, hn::LoadU(d, of_column(column) + i));
     };
     return {{{at(3), at(4), at(5)}, {at(6), at(7), at(8)}, at(9), at(10), at(11)},
@@ -93,9 +94,17 @@ class RayBatch {
             at(12),
             at(13),
             at(14),
-            at(17),
-            {at(15), at(16)},
+            branch ? at(15) : hn::Zero(d),
             light_set};
+  }
+
+  /// What single rounds off of the rays from the i-th on.
+  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+  HWY_INLINE RayRest<V> rest(D d, std::size_t i, M active) const {
+    const auto at = [&](std::size_t column) HWY_ATTR {
+      return hn::IfThenElseZero(active, hn::LoadU(d, of_column(column) + i));
+    };
+    return {{at(16), at(17), at(18)}, {at(19), at(20), at(21)}};
   }
 
   /// Ray i in all lanes, for trees.
@@ -118,10 +127,10 @@ class RayBatch {
   }
 
  private:
-  static constexpr std::size_t column_count = 18;
-  static constexpr bool is_kept(std::size_t column) {
-    if (column == 17) return branch;
-    return column < 15 || may_be_inexact<T>;
+  static constexpr std::size_t column_count = 22;
+  HWY_INLINE bool is_kept(std::size_t column) const {
+    if (column == 15) return branch;
+    return column < 15 || has_rests_;
   }
 
   HWY_INLINE T* of_column(std::size_t column) { return values_.get() + column * stride_; }
@@ -129,6 +138,7 @@ class RayBatch {
     return values_.get() + column * stride_;
   }
 
+  bool has_rests_;
   std::size_t most_;
   std::size_t stride_;  ///< an odd number of cache lines: columns would displace each other
   std::size_t count_ = 0;

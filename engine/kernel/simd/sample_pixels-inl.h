@@ -44,9 +44,9 @@ class PixelPackets {
   static constexpr std::size_t first_pixel() { return 0; }
   HWY_INLINE LightSets<T> light_sets() const { return LightSets<T>({}); }  // there is no soft light
   HWY_INLINE Candidates& candidates(int /*i*/) const { return candidates_; }
-  HWY_INLINE V3<hn::Vec<D>> direction(D d, int i) const {
-    return eye_.direction(d, x_, y_, hn::Load(d, samples_.right + first(i)),
-                          hn::Neg(hn::Load(d, samples_.up + first(i))));
+  HWY_INLINE ImagePoints<hn::Vec<D>> image_points(D d, int i) const {
+    return {x_, y_, hn::Load(d, samples_.right + first(i)),
+            hn::Neg(hn::Load(d, samples_.up + first(i)))};
   }
   HWY_INLINE hn::Mask<D> active(D d, int i) const {
     return hn::FirstN(d, samples_.count - first(i));

@@ -5,6 +5,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
+/// Where a packet has met surfaces.
+template <class V>
+struct Meeting {
+  V3<V> point;
+  V3<V> normal;
+  V3<V> shading_normal;  ///< the same, or what the corners around the point tell
+};
+
 /// What a packet has met, made ready for shading and for leaving it.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 struct Surface {
@@ -12,14 +20,29 @@ struct Surface {
   Rows<D, MaterialRow<T>> material;
   V3<V> normal;  ///< that shades: at.normal, or what the corners around the point tell
   V3<V> color;   ///< the material's, or likewise
+
+  HWY_INLINE Meeting<V> meeting() const { return {at.point, at.normal, normal}; }
 };
+
+/// The normals of what is round, or flat, that rays have met in points; its row tells `place` and
+/// `curvature`.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V3<V> normal_by_row(D d, const PacketScene<T>& scene, const V3<V>& place, V curvature,
+                               const V3<V>& point, const V3<V>& direction) {
+  const V3<V> normal = scale(sub(point, place), curvature);
+  if (!scene.has_flat) return normal;
+  const auto flat = hn::Eq(curvature, hn::Zero(d));
+  const auto ahead = hn::Gt(dot(place, direction), hn::Zero(d));
+  return select(flat, select(ahead, negate(place), place), normal);
+}
 
 /// Takes the normals and colours of the lanes of `is_hit` whose corners tell them. `place` is of
 /// rows of primitives.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_NOINLINE void take_from_corners(D d, const PacketScene<T>& scene,
-                                    const Rows<D, PrimitiveRow<T>>& primitive,
-                                    const V3<V>& direction, M is_hit, Surface<D>& surface) {
+                                    const Rows<D, PrimitiveRow<T>>& primitive, const V3<V>& point,
+                                    const V3<V>& direction, M is_hit, V3<V>& shading_normal,
+                                    V3<V>& shading_color) {
   using Row = CornerRow<T>;
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, T(1));
@@ -28,7 +51,6 @@ HWY_NOINLINE void take_from_corners(D d, const PacketScene<T>& scene,
   const M told = hn::And(hn::And(is_hit, flat), hn::Gt(item, zero));
   if (hn::AllFalse(d, told)) return;
   const Rows<D, Row> row(d, scene.corners.data(), hn::Sub(item, one), told);
-  const V3<V>& point = surface.at.point;
   const auto weight = [&](Triple<T> Row::*slope, T Row::*offset) HWY_ATTR {
     const V at = hn::Add(dot(row(d, slope), point), row(d, offset));
     return hn::Min(hn::Max(at, zero), one);
@@ -46,13 +68,13 @@ HWY_NOINLINE void take_from_corners(D d, const PacketScene<T>& scene,
     // Turned with the geometric one, whose opposite the row has.
     const M is_back = hn::Lt(dot(primitive(d, &PrimitiveRow<T>::place), direction), zero);
     const V scale_to_unit = hn::Div(hn::IfThenElse(is_back, hn::Neg(one), one), length);
-    surface.normal = select(hn::And(has_normals, hn::Gt(square, zero)),
-                            scale(normal, scale_to_unit), surface.normal);
+    shading_normal = select(hn::And(has_normals, hn::Gt(square, zero)),
+                            scale(normal, scale_to_unit), shading_normal);
   }
   const M has_colors = hn::And(told, hn::Gt(row(d, &Row::has_colors), zero));
   if (hn::AllFalse(d, has_colors)) return;
-  surface.color =
-      select(has_colors, between(&Row::color, &Row::b_color, &Row::c_color), surface.color);
+  shading_color =
+      select(has_colors, between(&Row::color, &Row::b_color, &Row::c_color), shading_color);
 }
 
 /// The surfaces that the lanes of `is_hit` have hit, at least one, where they hit them.
@@ -76,12 +98,7 @@ HWY_INLINE Surface<D> surface_at(D d, const PacketScene<T>& scene, const RayOrig
   const M others = hn::AndNot(own, is_hit);
   if (!hn::AllFalse(d, others)) {
     const V3<V> place = primitive(d, &Row::place);
-    V3<V> normal = scale(sub(at.point, place), curvature);
-    if (scene.has_flat) {
-      const M flat = hn::Eq(curvature, zero);
-      const M ahead = hn::Gt(dot(place, direction), zero);
-      normal = select(flat, select(ahead, negate(place), place), normal);
-    }
+    const V3<V> normal = normal_by_row(d, scene, place, curvature, at.point, direction);
     at.normal = scene.has_own_normals ? select(others, normal, at.normal) : normal;
   }
   if (scene.has_own_normals && !hn::AllFalse(d, own))
@@ -91,7 +108,9 @@ HWY_INLINE Surface<D> surface_at(D d, const PacketScene<T>& scene, const RayOrig
                           own_normals(d, scene.primitives, geometry, direction, own, at);
                       });
   surface.normal = at.normal;
-  if (!scene.corners.empty()) take_from_corners(d, scene, primitive, direction, is_hit, surface);
+  if (!scene.corners.empty())
+    take_from_corners(d, scene, primitive, at.point, direction, is_hit, surface.normal,
+                      surface.color);
   return surface;
 }
 

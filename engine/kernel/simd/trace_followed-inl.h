@@ -12,72 +12,165 @@ template <class Followed, typename T>
 inline constexpr T least_weight = Followed::branches ? static_cast<T>(least_ray_weight)
                                                      : std::numeric_limits<T>::denorm_min();
 
-/// Where mirrors send rays of such directions.
+/// Where mirrors send rays of such directions; of about their length, 1.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V3<V> mirrored(D d, const PacketScene<T>& scene, const Surface<D>& surface,
-                          const V3<V>& incoming) {
+HWY_INLINE V3<V> reflected_at(D d, const PacketScene<T>& scene, const Meeting<V>& met,
+                              const V3<V>& incoming) {
   const auto reflected = [&](const V3<V>& normal) HWY_ATTR {
     const V twice = hn::Mul(hn::Set(d, T(-2)), dot(incoming, normal));
     return mul_add(normal, twice, incoming);
   };
-  V3<V> direction = reflected(surface.normal);
+  V3<V> direction = reflected(met.shading_normal);
   if (!scene.corners.empty()) {  // above the surface
-    const M above = hn::Gt(dot(direction, surface.at.normal), hn::Zero(d));
-    direction = select(above, direction, reflected(surface.at.normal));
+    const M above = hn::Gt(dot(direction, met.normal), hn::Zero(d));
+    direction = select(above, direction, reflected(met.normal));
   }
-  return unit(d, direction);
+  return direction;
 }
 
-/// Sets `doubt`, if somebody wants it, to what the colours that a packet sees may make their
-/// pixels' be off by, and takes the lanes of which that is too much out of `goes_on`. Returns the
-/// errors of the rays that follow.
+/// Refracted by what packets have met; `index` is that of here over there.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE auto refracted_at(D d, const PacketScene<T>& scene, V index, const Meeting<V>& met,
+                             const V3<V>& incoming) {
+  return scene.corners.empty() ? refracted(d, index, incoming, met.normal)
+                               : refracted(d, index, incoming, met.shading_normal, met.normal);
+}
+
+/// How the lanes of `goes_on` do, in double, if `rest` is what single rounds off of the packet:
+/// `index` as refracted_at() has it, if a lane `bends`.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_NOINLINE ExactNextRays<V> next_in_double(D d, const PacketScene<double>& scene,
+                                             const Packet<V>& packet, const RayRest<V>& rest, V t,
+                                             const Surface<D>& surface, M goes_on, V index,
+                                             bool bends) {
+  static_assert(hn::MaxLanes(D()) <= PathStep::most_lanes);
+  PathStep step;
+  step.lanes = hn::Lanes(d);
+  step.bends = bends;
+  store(d, packet.from.point, step.from.rounded);
+  store(d, rest.point, step.from.rest);
+  store(d, packet.direction, step.direction.rounded);
+  store(d, rest.direction, step.direction.rest);
+  store(d, packet.from.normal, step.from_normal);
+  hn::Store(packet.from.id, d, step.from_id.data());
+  hn::Store(hn::IfThenElse(goes_on, surface.at.id, hn::Set(d, -1.0F)), d, step.id.data());
+  hn::Store(t, d, step.t.data());
+  hn::Store(surface.at.u, d, step.u.data());
+  hn::Store(surface.at.v, d, step.v.data());
+  hn::Store(index, d, step.index.data());
+  store(d, surface.at.normal, step.normal);
+  follow_in_double(scene, step);
+  const PathStep::LongVectors& refracted = bends ? step.refracted : step.direction;
+  return {{load(d, step.at.rounded), load(d, step.mirrored.rounded), load(d, refracted.rounded)},
+          {load(d, step.at.rest), load(d, step.mirrored.rest), load(d, refracted.rest)}};
+}
+
+/// What of packets goes on through surfaces, and how.
+template <class V, class M>
+struct Refraction {
+  M clear;          ///< lanes of which something does
+  M bends;          ///< that go into or out of what has an inside
+  V index;          ///< of here over there
+  V3<V> direction;  ///< of what goes on
+  V share;          ///< of the light
+  V reflectivity;   ///< what is turned back where it would bend
+};
+
+/// Of the lanes of `goes_on`, at least one.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE PathError<V> note_errors(D d, const PacketScene<T>& scene, const Surface<D>& surface,
-                                      const Packet<V>& packet, V t, M is_hit, M& goes_on,
-                                      V* doubt) {
-  const SurfaceError<V> at = surface_error(d, scene, surface, packet.error, packet.direction,
-                                           hn::IfThenElseZero(is_hit, t), is_hit);
-  if (doubt != nullptr) {
-    *doubt = hn::IfThenElseZero(
-        is_hit, hn::Mul(packet.weight, colour_error(d, scene, surface, packet.error, at)));
-    goes_on = hn::And(goes_on, hn::Le(*doubt, hn::Set(d, static_cast<T>(most_colour_error))));
-  }
-  return error_beyond(d, packet.error, at);
-}
-
-/// Adds the rays that go on through the lanes of `clear`, at least one, and to `reflectivity` what
-/// does not.
-template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
-          typename T = hn::TFromD<D>>
-HWY_NOINLINE void refract(D d, const PacketScene<T>& scene, const Surface<D>& surface,
-                          const Packet<V>& packet, const PathError<V>& error,
-                          const Rows<D, GlassRow<T>>& glass, M clear, V& reflectivity,
-                          Followed& followed) {
+HWY_NOINLINE Refraction<V, M> refraction_at(D d, const PacketScene<T>& scene,
+                                            const Surface<D>& surface, const V3<V>& direction,
+                                            M goes_on) {
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, T(1));
+  const Rows<D, GlassRow<T>> glass = glass_of(d, scene, surface.at.id, goes_on);
   const V ior = glass(d, &GlassRow<T>::ior);
   const V transparency = glass(d, &GlassRow<T>::transparency);
-  const V3<V>& direction = packet.direction;
+  const M clear = hn::And(goes_on, hn::Gt(transparency, zero));
   const M bends = hn::Ge(surface.at.u, zero);
   const V index = hn::IfThenElse(hn::Gt(surface.at.u, zero), ior, hn::Div(one, ior));
-  const auto bent = scene.corners.empty()
-                        ? refracted(d, index, direction, surface.at.normal)
-                        : refracted(d, index, direction, surface.normal, surface.at.normal);
+  if (hn::AllFalse(d, clear)) return {clear, bends, index, direction, zero, zero};
+  const auto bent = refracted_at(d, scene, index, surface.meeting(), direction);
   const M by_angle = hn::Or(bent.is_total, hn::Gt(glass(d, &GlassRow<T>::fresnel), zero));
   const V turned_back = hn::IfThenElseZero(hn::And(bends, by_angle), bent.reflectance);
   const V share = hn::IfThenElseZero(clear, transparency);
-  reflectivity = hn::MulAdd(share, turned_back, reflectivity);
+  return {clear,
+          bends,
+          index,
+          select(bends, bent.direction, direction),
+          hn::Mul(share, hn::Sub(one, turned_back)),
+          hn::Mul(share, turned_back)};
+}
 
+/// Adds the rays that follow a packet through surfaces, at `point` in `direction`.
+template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_NOINLINE void add_refracted(D d, const PacketScene<T>& scene, const Surface<D>& surface,
+                                const Packet<V>& packet, const Refraction<V, M>& refraction,
+                                const NextRays<V>& next, const RayRest<V>* rest,
+                                Followed& followed) {
+  const M clear = refraction.clear;
+  const V weight = hn::Mul(packet.weight, refraction.share);
+  const M counts = hn::And(clear, hn::Ge(weight, hn::Set(d, least_weight<Followed, T>)));
+  if (hn::AllFalse(d, counts)) return;
   Packet<V> on = packet;
   on.from = surface.at;
+  on.from.point = next.point;
   on.from.normal = negate(surface.at.normal);
-  on.error = error;
-  on.direction = select(bends, bent.direction, direction);
-  on.weight = hn::Mul(packet.weight, hn::Mul(share, hn::Sub(one, turned_back)));
+  on.direction = next.refracted;
+  on.weight = weight;
   on.solids = depth_beyond(d, scene, surface, clear, packet.solids);
-  on.followers = hn::Sub(packet.followers, one);
-  const M counts = hn::And(clear, hn::Ge(on.weight, hn::Set(d, least_weight<Followed, T>)));
-  if (!hn::AllFalse(d, counts)) followed.add(d, on, counts, false);
+  on.followers = hn::Sub(packet.followers, hn::Set(d, T(1)));
+  followed.add(d, on, rest, counts, false);
+}
+
+/// Adds the rays that surfaces of such reflectivity mirror.
+template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE void add_mirrored(D d, const Surface<D>& surface, const Packet<V>& packet, M goes_on,
+                             V reflectivity, const NextRays<V>& next, const RayRest<V>* rest,
+                             Followed& followed) {
+  const V weight = hn::Mul(packet.weight, reflectivity);
+  const M mirrors = hn::And(goes_on, hn::Ge(weight, hn::Set(d, least_weight<Followed, T>)));
+  if (hn::AllFalse(d, mirrors)) return;
+  const V followers = hn::Sub(packet.followers, hn::Set(d, T(1)));
+  const RayOrigin<V>& at = surface.at;
+  followed.add(d,
+               Packet<V>{{next.point, at.normal, at.id, at.u, at.v},
+                         next.mirrored,
+                         weight,
+                         packet.pixel,
+                         followers,
+                         packet.solids},
+               rest, mirrors, true);
+}
+
+/// Adds the rays that follow a packet whose path is carried in double.
+template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_NOINLINE void add_exact_followers(D d, const PacketScene<float>& scene, const Packet<V>& packet,
+                                      const RayRest<V>& rest, V t, const Surface<D>& surface,
+                                      M goes_on, V reflectivity, Followed& followed) {
+  const PacketScene<double>& exact = *scene.exact.scene;
+  if constexpr (Followed::branches) {
+    const auto refraction = refraction_at(d, scene, surface, packet.direction, goes_on);
+    reflectivity = hn::Add(reflectivity, refraction.reflectivity);
+    goes_on = hn::And(goes_on, hn::Or(refraction.clear, hn::Gt(reflectivity, hn::Zero(d))));
+    if (hn::AllFalse(d, goes_on)) return;
+    auto next = next_in_double(d, exact, packet, rest, t, surface, goes_on, refraction.index,
+                               !hn::AllFalse(d, refraction.clear));
+    // What does not bend keeps its direction.
+    next.rounded.refracted = select(refraction.bends, next.rounded.refracted, packet.direction);
+    next.rest.refracted = select(refraction.bends, next.rest.refracted, rest.direction);
+    const RayRest<V> of_refracted{next.rest.point, next.rest.refracted};
+    add_refracted(d, scene, surface, packet, refraction, next.rounded, &of_refracted, followed);
+    const RayRest<V> of_mirrored{next.rest.point, next.rest.mirrored};
+    add_mirrored(d, surface, packet, goes_on, reflectivity, next.rounded, &of_mirrored, followed);
+  } else {
+    const auto next =
+        next_in_double(d, exact, packet, rest, t, surface, goes_on, hn::Zero(d), false);
+    const RayRest<V> of_mirrored{next.rest.point, next.rest.mirrored};
+    add_mirrored(d, surface, packet, goes_on, reflectivity, next.rounded, &of_mirrored, followed);
+  }
 }
 
 /// What a packet's rays meet.
@@ -101,11 +194,13 @@ HWY_INLINE auto between_lights(D d, const Packet<V>& packet) {
 }
 
 /// The colours that a packet sees, and in `doubt`, if somebody wants it, by how much they may make
-/// their pixels' be off; the rays that follow are kept in `followed`.
-template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
+/// their pixels' be off; the rays that follow are kept in `followed`. rest() is what single rounds
+/// off of its rays, if paths are carried in double.
+template <class D, class Rest, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>& packet,
-                              const Hit<V>& hit, M active, Followed& followed, V* doubt) {
+                              const Rest& rest, const Hit<V>& hit, M active, Followed& followed,
+                              V* doubt) {
   const V zero = hn::Zero(d);
   const M is_hit = hn::And(active, hn::Ge(hit.id, zero));
   const V3<V> background = broadcast(d, scene.background);
@@ -119,29 +214,35 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
                               background);
   if (scene.max_depth == 0) return colour;
 
-  V reflectivity = surface.material(d, &MaterialRow<T>::reflectivity);
   M goes_on = hn::And(is_hit, hn::Gt(packet.followers, zero));
-  if constexpr (!Followed::branches) goes_on = hn::And(goes_on, hn::Gt(reflectivity, zero));
-  PathError<V> error = packet.error;
   if constexpr (may_be_inexact<T>)
-    if (scene.exact.scene && (doubt != nullptr || !hn::AllFalse(d, goes_on)))
-      error = note_errors(d, scene, surface, packet, hit.t, is_hit, goes_on, doubt);
+    if (doubt != nullptr && !scene.exact.lamps.empty()) {
+      const M is_beyond = hn::And(is_hit, beyond_reach(d, scene.exact, surface.at.point));
+      *doubt = hn::IfThenElseZero(is_beyond, packet.weight);
+      goes_on = hn::AndNot(is_beyond, goes_on);
+    }
+  const V reflectivity = surface.material(d, &MaterialRow<T>::reflectivity);
+  if constexpr (!Followed::branches) goes_on = hn::And(goes_on, hn::Gt(reflectivity, zero));
   if (hn::AllFalse(d, goes_on)) return colour;
 
+  if constexpr (may_be_inexact<T>)
+    if (scene.exact.scene) {
+      add_exact_followers(d, scene, packet, rest(), hit.t, surface, goes_on, reflectivity,
+                          followed);
+      return colour;
+    }
+  const V3<V> mirrored = unit(d, reflected_at(d, scene, surface.meeting(), packet.direction));
+  const RayRest<V>* const none = nullptr;
   if constexpr (Followed::branches) {
-    const Rows<D, GlassRow<T>> glass = glass_of(d, scene, surface.at.id, is_hit);
-    const M clear = hn::And(goes_on, hn::Gt(glass(d, &GlassRow<T>::transparency), zero));
-    if (!hn::AllFalse(d, clear))
-      refract(d, scene, surface, packet, error, glass, clear, reflectivity, followed);
+    const auto refraction = refraction_at(d, scene, surface, packet.direction, goes_on);
+    const NextRays<V> next{surface.at.point, mirrored, refraction.direction};
+    add_refracted(d, scene, surface, packet, refraction, next, none, followed);
+    add_mirrored(d, surface, packet, goes_on, hn::Add(reflectivity, refraction.reflectivity), next,
+                 none, followed);
+  } else {
+    const NextRays<V> next{surface.at.point, mirrored, mirrored};
+    add_mirrored(d, surface, packet, goes_on, reflectivity, next, none, followed);
   }
-  const V weight = hn::Mul(packet.weight, reflectivity);
-  const M mirrors = hn::And(goes_on, hn::Ge(weight, hn::Set(d, least_weight<Followed, T>)));
-  if (hn::AllFalse(d, mirrors)) return colour;
-  const V3<V> direction = mirrored(d, scene, surface, packet.direction);
-  const V followers = hn::Sub(packet.followers, hn::Set(d, T(1)));
-  followed.add(
-      d, Packet<V>{surface.at, direction, weight, packet.pixel, followers, packet.solids, error},
-      mirrors, true);
   return colour;
 }
 
@@ -156,7 +257,7 @@ HWY_INLINE void add_to_pixels(D d, const PacketScene<T>& scene, const V3<V>& col
   hn::Store(hn::Mul(colour.y, packet.weight), d, weighted[1]);
   hn::Store(hn::Mul(colour.z, packet.weight), d, weighted[2]);
   hn::Store(doubt, d, weighted[3]);
-  const bool may_doubt = may_be_inexact<T> && scene.exact.scene;
+  const bool may_doubt = may_be_inexact<T> && scene.exact.traces_again();
   const std::size_t count = count_true(d, active);
   for (std::size_t lane = 0; lane < count; ++lane) {
     const auto of_all = static_cast<std::size_t>(pixels[lane]);
@@ -182,7 +283,8 @@ HWY_NOINLINE void trace_followed(const PacketScene<T>& scene, Followed& followed
       const auto hit =
           are_found ? followed.hits(d, scene, i) : find_hits<Followed>(d, scene, packet, active);
       auto doubt = hn::Zero(d);
-      const auto colour = shade_packet(d, scene, packet, hit, active, followed, &doubt);
+      const auto rest = [&]() HWY_ATTR { return followed.rest(d, i, active); };
+      const auto colour = shade_packet(d, scene, packet, rest, hit, active, followed, &doubt);
       add_to_pixels(d, scene, colour, doubt, packet, active, colours);
     }
   }

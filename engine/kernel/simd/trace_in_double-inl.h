@@ -24,8 +24,8 @@ void trace_in_double(const PacketScene<double>& scene, DoubtfulSamples& samples,
       const std::size_t at = begin + i;
       const auto active = hn::FirstN(d, count - i);
       const V3<V> direction =
-          eye.direction(d, 0, 0, hn::IfThenElseZero(active, hn::Load(d, samples.x + at)),
-                        hn::Neg(hn::IfThenElseZero(active, hn::Load(d, samples.y + at))));
+          eye.direction(d, {0, 0, hn::IfThenElseZero(active, hn::Load(d, samples.x + at)),
+                            hn::Neg(hn::IfThenElseZero(active, hn::Load(d, samples.y + at)))});
       const Hit<V> hit = find_followed(d, scene, origin, direction, far_away, active);
       store(d, direction, hit, hn::Iota(d, static_cast<double>(at)), active, scene.has_own_normals,
             i, hits);

@@ -1,4 +1,4 @@
-// Where packets have met cones: their normals, curvatures and sides.
+// Where packets have met cones: their normals and sides.
 
 #include <limits>
 
@@ -32,16 +32,6 @@ HWY_INLINE V3<V> normals_at(D d, const ConeItem<T>& item, const V3<V>& points,
   const M has_disc = hn::Gt(hn::IfThenElse(is_low, c.low_girth2, c.high_girth2), zero);
   const M is_cap = hn::And(has_disc, hn::Or(is_out, hn::Lt(off_cap, off_side)));
   return select(is_cap, scale(c.axis, hn::IfThenElse(is_low, hn::Neg(one), one)), side);
-}
-
-/// Of the side where that is: the cosine by the radius.
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V curvatures_at(D d, const ConeItem<T>& item, const V3<V>& points) {
-  const Cones<V> c = in_all_lanes(d, item);
-  const AlongCone<V> f = place_along(c, points);
-  const V square =
-      hn::Max(hn::MulAdd(f.u, f.u, hn::Mul(f.v, f.v)), hn::Set(d, std::numeric_limits<T>::min()));
-  return hn::Div(dot(c.across, c.across), hn::Sqrt(square));  // |f| is in cosines, too
 }
 
 /// Lanes whose rays came to a closed cone from within: the nearest of its surfaces looks their way.

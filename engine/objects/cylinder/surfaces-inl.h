@@ -1,4 +1,4 @@
-// Where packets have met cylinders: their normals, curvatures and sides.
+// Where packets have met cylinders: their normals and sides.
 
 #include <cmath>
 
@@ -33,11 +33,6 @@ HWY_INLINE V3<V> normals_at(D d, const CylinderItem<T>& item, const V3<V>& point
          zero};
   }
   return mul_add(c.across, n.u, mul_add(c.towards, n.v, scale(c.axis, n.w)));
-}
-
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V curvatures_at(D d, const CylinderItem<T>& item, const V3<V>&) {
-  return hn::Set(d, 1 / std::sqrt(item.radius2));
 }
 
 /// Lanes whose rays came to a closed cylinder from within: the nearest of its surfaces looks their

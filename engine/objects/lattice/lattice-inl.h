@@ -173,14 +173,21 @@ HWY_INLINE M occluded_by(D d, const Geometry<LatticeKind, T>& lattices, const Pa
   return dark;
 }
 
-/// Sets the curvatures of the lanes of `own` that hit a lattice's sphere.
+/// Sets where the rays of the lanes of `own` meet the spheres of lattices that they are known to
+/// hit, and the normals there.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void own_curvatures(D d, const PrimitiveRows<T>&,
-                               const Geometry<LatticeKind, T>& lattices, M own,
-                               const RayOrigin<V>& at, V& curvature) {
-  for (const LatticeItem<T>& item : lattices.items)
-    curvature = hn::IfThenElse(hn::And(own, hn::Eq(at.id, hn::Set(d, item.id))),
-                               hn::Set(d, 2 * item.cells_per_unit), curvature);
+HWY_INLINE void own_distances(D d, const PrimitiveRows<T>&,
+                              const Geometry<LatticeKind, T>& lattices, const RayOrigin<V>& from,
+                              const V3<V>& direction, M own, Hit<V>& hit) {
+  for (const LatticeItem<T>& lattice : lattices.items) {
+    const V3<V> origin = mul_add(along_lattice(lattice, from.point),
+                                 hn::Set(d, lattice.cells_per_unit), broadcast(d, lattice.eye));
+    const M here = hn::And(own, hn::Eq(hit.id, hn::Set(d, lattice.id)));
+    CellHit<V, M> found{here, hit.t, hit.u, hit.v, hit.normal};
+    measure(d, origin, along_lattice(lattice, direction), found);
+    hit.t = hn::IfThenElse(here, hn::Mul(found.t, hn::Set(d, lattice.unit_per_cell)), hit.t);
+    hit.normal = select(here, from_lattice(lattice, found.normal), hit.normal);
+  }
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

@@ -27,7 +27,7 @@ struct PacketLayout<PlaneKind, T> : DefaultLayout {
   using LightView = PlaneLightView<T>;
 
   static PrimitiveRow<T> row(const PackedPlane& p, std::size_t /*item*/) {
-    return flat_row<T>(p.normal);
+    return flat_row<T>(p.normal, p.point);
   }
   static Item item(const PackedPlane& p, std::int32_t number) {
     return flat_item<T>(p.normal, p.point, number);

@@ -107,7 +107,7 @@ struct PacketLayout<TriangleKind, T> : DefaultLayout {
   }
 
   static PrimitiveRow<T> row(const PackedTriangle& t, std::size_t /*item*/) {
-    return flat_row<T>(t.normal);
+    return flat_row<T>(t.normal, t.vertices[0]);
   }
   static Item item(const PackedTriangle& t, std::int32_t number) {
     const auto& [a, b, c] = t.vertices;

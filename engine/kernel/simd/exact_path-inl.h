@@ -1,0 +1,70 @@
+// Paths that are carried in double: single finds what their rays meet and shades it, but what it
+// rounds off where they turn would be magnified by each curved mirror or lens that follows.
+//
+// A ray's error grows as the distance of two neighbouring rays does (Igehy: "Tracing Ray
+// Differentials", 1999): over a distance by its error of direction, at a curved surface by the turn
+// of the normal. What a ray finds is off by what single rounds off on its way alone.
+
+#include <cstddef>
+#include <type_traits>
+
+#include "engine/kernel/exact_scene.h"
+#include "engine/kernel/path_step.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raytracer::HWY_NAMESPACE {
+
+/// Whether packets of T may have paths that are carried in double.
+template <typename T>
+inline constexpr bool may_be_inexact = std::is_same_v<T, float>;
+
+/// What single rounds off of where rays begin and of their directions.
+template <class V>
+struct RayRest {
+  V3<V> point;
+  V3<V> direction;
+};
+
+/// How rays go on from what they have met.
+template <class V>
+struct NextRays {
+  V3<V> point;
+  V3<V> mirrored;
+  V3<V> refracted;
+};
+
+/// The same of paths that are carried in double.
+template <class V>
+struct ExactNextRays {
+  NextRays<V> rounded;
+  NextRays<V> rest;  ///< what is rounded off
+};
+
+/// Sets where the paths of a step go on. What is to be done in double is compiled with the kernels
+/// that are, once.
+void follow_in_double(const PacketScene<double>& scene, PathStep& step);
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void store(D d, const V3<V>& values, PathStep::Vectors& to) {
+  hn::Store(values.x, d, to[0].data());
+  hn::Store(values.y, d, to[1].data());
+  hn::Store(values.z, d, to[2].data());
+}
+template <class D>
+HWY_INLINE V3<hn::Vec<D>> load(D d, const PathStep::Vectors& from) {
+  return load(d, from[0].data(), from[1].data(), from[2].data());
+}
+
+/// The lanes whose points are beyond a light's reach.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE M beyond_reach(D d, const ExactScene& exact, const V3<V>& point) {
+  M beyond = hn::Lt(hn::Zero(d), hn::Zero(d));
+  for (const LampReach& lamp : exact.lamps) {
+    const V3<V> path = sub(point, broadcast(d, lamp.place));
+    beyond = hn::Or(beyond, hn::Gt(dot(path, path), hn::Set(d, lamp.reach2)));
+  }
+  return beyond;
+}
+
+}  // namespace raytracer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
