@@ -25,6 +25,7 @@ struct LampReach {
 /// all of it in double.
 struct ExactScene {
   std::shared_ptr<const PacketScene<double>> scene;  ///< none: single suffices
+  bool carries_paths = false;                        ///< else samples are only traced again
   float nearest = 0;               ///< what rays from the eye meet nearer is traced again
   std::vector<LampReach> lamps{};  ///< and what any ray meets beyond their reach
 

@@ -56,6 +56,14 @@ inline double turn_between(const std::array<Vec3, 3>& normals, std::size_t i, st
   return length(normals[k] - normals[i]) / shortest;
 }
 
+/// The least of a triangle's heights.
+inline double thickness(const std::array<Vec3, 3>& corners) {
+  const Vec3 ab = corners[1] - corners[0];
+  const Vec3 ac = corners[2] - corners[0];
+  const double longest = std::max({length(ab), length(ac), length(ac - ab)});
+  return longest > 0 ? length(cross(ab, ac)) / longest : 0;
+}
+
 /// The least radius of a sphere whose normals turn as fast as those between the corners.
 inline double least_radius(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>& normals) {
   double least = infinity;

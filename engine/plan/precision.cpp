@@ -137,6 +137,11 @@ double lamp_reach_in_single(const LampDistances& lamp, const Features& features,
              : infinity;
 }
 
+bool are_paths_magnified(const SceneStatistics& statistics) {
+  const double direction_error_px = kappa * single_rounding / statistics.pixel_angle;
+  return direction_error_px * statistics.magnification > mirror_tolerance_px;
+}
+
 Choice<Precision> choose_precision(Precision requested, const Features& features,
                                    const SceneStatistics& statistics) {
   using enum Precision;
@@ -232,8 +237,7 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
                     path_error_px, statistics.shadow_path / statistics.nearest,
                     nearest_in_single(features, statistics))};
 
-  const double mirror_error_px = direction_error_px * statistics.magnification;
-  if (mirror_error_px > mirror_tolerance_px)
+  if (are_paths_magnified(statistics))
     return {mixed, because("single displaces edges by at most {:.2g} pixels, but curved mirrors or "
                            "lenses may magnify that {:.3g} times: double carries the paths of rays "
                            "from one to the next",

@@ -29,6 +29,10 @@ double nearest_in_single(const Features& features, const SceneStatistics& statis
 double lamp_reach_in_single(const LampDistances& lamp, const Features& features,
                             const SceneStatistics& statistics);
 
+/// Whether curved mirrors or lenses may magnify what single displaces beyond what is tolerated:
+/// then double carries the paths of rays from one to the next.
+bool are_paths_magnified(const SceneStatistics& statistics);
+
 /// Single where its errors stay below a small part of a pixel and half a level of shading, else
 /// double; the first bound that single would break is the reason. `requested` other than automatic
 /// is granted, unless single cannot hold the scene's sizes or number its primitives.

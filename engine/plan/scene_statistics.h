@@ -60,12 +60,15 @@ SceneStatistics gather_statistics(const Scene& scene, const PackedScene& packed,
                                   const Features& features, WorkerPool* pool);
 
 /// The least radius that its corners' normals give something between corners; infinite where they
-/// are all the same.
+/// are all the same, and of what is thinner than single's rounding of its place: rays meet next to
+/// nothing of it.
 template <typename Primitive>
 double smooth_radius(const PackedScene& packed, const Primitive& primitive) {
   const CornerValues* const values = packed.corner_values_of(primitive.id);
   if (values == nullptr || values->normals.empty()) return infinity;
-  return least_radius(corners_of(primitive), values->normals_of(primitive.id.item));
+  const std::array<Vec3, 3>& corners = corners_of(primitive);
+  if (thickness(corners) < unit_roundoff<float> * length(corners[0])) return infinity;
+  return least_radius(corners, values->normals_of(primitive.id.item));
 }
 
 /// Whether a kind's shadows under a point light are looked for from the points, of which an image

@@ -189,6 +189,7 @@ FinderTable finders_to_trace_again(const Plan& plan) {
 /// What carries paths, and traces samples again if some are to be.
 ExactScene make_exact_scene(const Plan& plan, const PackedScene& packed, WorkerPool& pool) {
   ExactScene exact;
+  exact.carries_paths = are_paths_magnified(plan.statistics);
   const double nearest = nearest_in_single(plan.features, plan.statistics);
   if (plan.statistics.nearest < nearest) exact.nearest = static_cast<float>(nearest);
   for (const LampDistances& lamp : plan.statistics.lamps) {

@@ -153,6 +153,18 @@ TEST(Plan, mixes_for_shadows_from_afar_of_what_is_round_but_not_of_triangles) {
   EXPECT_EQ(precision_with({Cone{{0, 0, 500}, {0, 500, 500}, 500, 0}, 0}), Precision::mixed);
 }
 
+TEST(Plan, computes_in_single_though_a_round_mesh_has_slivers_at_its_pole) {
+  const auto precision_with = [](double width) {
+    Mesh mesh;
+    mesh.vertices = {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}, {width, 1, 0}};
+    mesh.normals = {{0, 1, 0}, {1, 0.5, 0}, {0, 0.5, -1}, {0.2, 1, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 3, 2}};
+    return make_plan(scene_with({{mesh, 0}}), machine).precision.value;
+  };
+  EXPECT_EQ(precision_with(1e-17), Precision::single_precision);
+  EXPECT_EQ(precision_with(1e-4), Precision::double_precision) << "rays meet what is so thin";
+}
+
 TEST(Plan, follows_rays_through_glass_but_that_of_squares) {
   Scene scene = scene_with({{many_spheres(5), 1}});
   EXPECT_EQ(explained(scene)["kernel"]["choice"], "packets of rays");

@@ -305,7 +305,7 @@ HWY_INLINE void intersect_from_eye(D d, const EyeRays<D>& eye, const Rays& rays,
     const V pixel = hn::Iota(d, static_cast<T>(rays.first_pixel() + at));
     store(d, direction, hit, pixel, active, scene.has_own_normals, at, hits);
     if constexpr (may_be_inexact<T>)
-      if (scene.exact.scene) set_rests(d, *scene.exact.scene, points, at, hits);
+      if (scene.exact.carries_paths) set_rests(d, *scene.exact.scene, points, at, hits);
     if (cover != nullptr)
       hn::Store(hn::IfThenElseZero(hn::Ge(hit.id, hn::Zero(d)), hn::Set(d, T(1))), d, cover + at);
   }

@@ -21,7 +21,7 @@ class FollowedRays {
   /// Of so many blocks. Without memory if the scene has none.
   FollowedRays(const PacketScene<T>& scene, std::size_t block_count)
       : batch_size_(branch ? of_branching : block_count * block_pixels),
-        has_rests_(scene.exact.scene != nullptr) {
+        has_rests_(scene.exact.carries_paths) {
     if (scene.max_depth == 0 || scene.transmits != branch) return;
     taken_ = make_batch();
     next_ = make_batch();

@@ -226,7 +226,7 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
   if (hn::AllFalse(d, goes_on)) return colour;
 
   if constexpr (may_be_inexact<T>)
-    if (scene.exact.scene) {
+    if (scene.exact.carries_paths) {
       add_exact_followers(d, scene, packet, rest(), hit.t, surface, goes_on, reflectivity,
                           followed);
       return colour;
