@@ -78,6 +78,13 @@ bool is_used(Finder finder, const FinderRow& finders) {
   return std::find(finders.begin(), finders.end(), finder) != finders.end();
 }
 
+/// Whether any: paths are carried without.
+bool finds_rays(const FinderTable& finders) {
+  return std::any_of(finders.begin(), finders.end(), [](const FinderRow& row) {
+    return std::any_of(row.begin(), row.end(), [](Finder f) { return f != Finder::none; });
+  });
+}
+
 /// Items, and the rows of the table that hits look into.
 template <class Kind, typename T>
 void add_rows(const PrimitivesOf<Kind>& primitives, Geometry<Kind, T>& geometry,
@@ -193,10 +200,13 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
   packed.primitives.resize(scene.numbers.count());
   for (const CornerValues& values : scene.corner_values)
     if (!values.empty()) packed.corners.resize(values.first + values.corners.size());
-  std::vector<PackedLight> lights = scene.lights;
-  for (std::size_t i = 0; i < lights.size(); ++i)
-    packed.lights.push_back(packet_light<T>(lights[i], i));
-  for (const SoftLight& soft : scene.soft_lights) add_soft_light(soft, lights, packed);
+  std::vector<PackedLight> lights;
+  if (finds_rays(finders)) {
+    lights = scene.lights;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+      packed.lights.push_back(packet_light<T>(lights[i], i));
+    for (const SoftLight& soft : scene.soft_lights) add_soft_light(soft, lights, packed);
+  }
   packed.light_sets = scene.light_sets;
   packed.sets_to_be_sure = scene.sets_to_be_sure;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {

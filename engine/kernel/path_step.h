@@ -29,7 +29,6 @@ struct PathStep {
   Column id;       ///< of what single has found that they meet
   Column t;        ///< about there
   Column u, v;     ///< as Hit has them; of what has an inside `u` is the side
-  Column index;    ///< of refraction, of here over there
   Vectors normal;  ///< of the side that is met; as single has found it
 
   // What follows.

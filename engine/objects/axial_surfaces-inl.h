@@ -25,8 +25,16 @@ template <class D, AxialKind Kind, class Origin, class V = hn::Vec<D>, class M =
 HWY_NOINLINE void own_distances(D d, const PrimitiveRows<T>& rows, const Geometry<Kind, T>& solids,
                                 const Origin& from, const V3<V>& direction, M own, Hit<V>& hit) {
   for_each_item(d, rows, solids.items, own, hit.id, [&](const auto& item, M here) HWY_ATTR {
+    // What it leaves it leaves from the same surface, whose normal was told in single.
+    Origin exact = from;
+    const M leaves = hn::And(here, hn::Eq(from.id, hit.id));
+    if (!hn::AllFalse(d, leaves)) {
+      const V3<V> normal = normals_at(d, item, from.point, direction);
+      const M is_opposite = hn::Lt(dot(normal, from.normal), hn::Zero(d));
+      exact.normal = select(leaves, select(is_opposite, negate(normal), normal), exact.normal);
+    }
     V t;
-    const M is_hit = intersect(d, in_all_lanes(d, item), from, direction, here, t);
+    const M is_hit = intersect(d, in_all_lanes(d, item), exact, direction, here, t);
     hit.t = hn::IfThenElse(is_hit, t, hit.t);
   });
 }

@@ -99,7 +99,7 @@ concept HasOwnNormals = requires(FloatPacket::D d, const PrimitiveRows<float>& r
 };
 
 /// Sets the distances at which the rays of the lanes of `own` meet those of the kind that they are
-/// known to hit; else a hit's row tells them.
+/// known to hit, and the normals there if own_normals() does not; else a hit's row tells them.
 template <class Kind>
 concept HasOwnDistances = requires(FloatPacket::D d, const PrimitiveRows<float>& rows,
                                    const Geometry<Kind, float>& geometry, const FloatPacket& packet,

@@ -1,8 +1,8 @@
-// Two opposite directions that rays to a sky share.
+// Two opposite directions that rays to a sky share. No functions: HWY_BEFORE_NAMESPACE would have
+// nothing to apply to, of which clang warns.
 
 #include "engine/lights/packet_light.h"
 
-HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
 /// A direction that rays to a soft light share; of a sky's the lanes of a packet may look to either
@@ -16,4 +16,3 @@ struct LightAxis {
 };
 
 }  // namespace raytracer::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();

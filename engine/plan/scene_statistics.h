@@ -1,9 +1,11 @@
 // How near, far and large the things of a scene are: what the choice of precision rests on.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
+#include "engine/math/tolerances.h"
 #include "engine/objects/geometry_statistics.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/parallel/worker_pool.h"
@@ -67,7 +69,8 @@ double smooth_radius(const PackedScene& packed, const Primitive& primitive) {
   const CornerValues* const values = packed.corner_values_of(primitive.id);
   if (values == nullptr || values->normals.empty()) return infinity;
   const std::array<Vec3, 3>& corners = corners_of(primitive);
-  if (thickness(corners) < unit_roundoff<float> * length(corners[0])) return infinity;
+  const double nearest = std::min({length(corners[0]), length(corners[1]), length(corners[2])});
+  if (thickness(corners) < unit_roundoff<float> * nearest) return infinity;
   return least_radius(corners, values->normals_of(primitive.id.item));
 }
 

@@ -34,7 +34,7 @@ enum class Precision : std::uint8_t {
   automatic,
   single_precision,
   double_precision,
-  mixed  ///< only chosen: single, and double for samples whose paths magnify its errors
+  mixed  ///< only chosen: single, and double for what magnifies its errors
 };
 
 struct RenderSettings {

@@ -91,7 +91,7 @@ struct ClosePacked {
 
 std::vector<ClosePacked> magnifying_scenes() {
   const std::string mirror = R"("kd": 0.5, "reflectivity": 0.95)";
-  const std::string glass = R"("kd": 0.5, "transparency": 0.98, "ior": 2)";
+  const std::string glass = R"("kd": 0.5, "transparency": 0.98, "ior": 1.52)";
   const auto solid = [](const char* type, const char* sizes) {
     return [=](const Vec3& at) {
       return fmt::format(
@@ -124,6 +124,7 @@ std::vector<ClosePacked> magnifying_scenes() {
   const char* const closed = R"("radius": 0.5)";
   const char* const open = R"("radius": 0.5, "caps": false)";
   const char* const narrowing = R"("radius_from": 0.6, "radius_to": 0.2)";
+  const char* const wide_open = R"("radius_from": 0.2, "radius_to": 0.6, "caps": false)";
   return {{"mirroring spheres", true, close_together(mirror, ball)},
           {"glass spheres", false, close_together(glass, ball)},
           {"mirroring squares of spheres", true, close_together(mirror, square)},
@@ -131,6 +132,7 @@ std::vector<ClosePacked> magnifying_scenes() {
           {"mirroring pipes", true, close_together(mirror, solid("cylinder", open))},
           {"glass cylinders", false, close_together(glass, solid("cylinder", closed))},
           {"mirroring cones", true, close_together(mirror, solid("cone", narrowing))},
+          {"mirroring open cones", true, close_together(mirror, solid("cone", wide_open))},
           {"glass cones", false, close_together(glass, solid("cone", narrowing))},
           {"mirroring smooth triangles", true, close_together(mirror, smooth)},
           {"glass smooth triangles", false, close_together(glass, smooth)}};

@@ -133,7 +133,8 @@ struct BlockColours {
 /// Those of one sample.
 template <typename T>
 struct SampleColours : BlockColours<T> {
-  alignas(64) T doubt[block_pixels];  ///< by how much a colour may be off; set if somebody asks
+  alignas(
+      64) T doubt[block_pixels];  ///< what counts of what single cannot tell; set if somebody asks
 };
 
 template <class D, typename T = hn::TFromD<D>>

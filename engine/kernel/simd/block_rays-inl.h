@@ -19,17 +19,17 @@ class BlockRays {
   /// Of `sample` in the packet's pixels.
   HWY_INLINE ImagePoints<V> image_points(D d, const PacketPlace<D>& place,
                                          const SamplePoint& sample) const {
-    V right = offsets_.x;
-    V down = offsets_.y;
+    ImagePoints<V> points{block_.x_begin + place.x + sample.x,
+                          height_ - 1 - block_.y_begin - place.y + sample.y, offsets_.x,
+                          offsets_.y};
     if (jitter_ > 0) {
       const Jitters<D> jitters(d, place);
-      const auto across = static_cast<T>(away_from_middle(sample.x, jitter_));
-      const auto up = static_cast<T>(away_from_middle(sample.y, jitter_));
-      right = hn::MulAdd(jitters.x, hn::Set(d, across), right);
-      down = hn::NegMulAdd(jitters.y, hn::Set(d, up), down);
+      points.most_moved_x = away_from_middle(sample.x, jitter_);
+      points.most_moved_y = away_from_middle(sample.y, jitter_);
+      points.moved_x = jitters.x;
+      points.moved_y = jitters.y;
     }
-    return {block_.x_begin + place.x + sample.x, height_ - 1 - block_.y_begin - place.y + sample.y,
-            right, down};
+    return points;
   }
 
   /// As image_points(), of one pixel: from the image's lower left corner, in pixels.

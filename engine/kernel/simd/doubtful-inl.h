@@ -25,8 +25,7 @@ HWY_INLINE void find_doubtful(D d, const Rays& rays, bool by_quarters, int quart
                               DoubtfulSamples& samples, const Full& full) {
   const auto most = hn::Set(d, static_cast<T>(most_colour_error));
   for (std::size_t begin = 0; begin < block_pixels; begin += hn::Lanes(d)) {
-    // What is no number is doubtful as well.
-    const auto doubtful = hn::Not(hn::Le(hn::Load(d, colours.doubt + begin), most));
+    const auto doubtful = hn::Gt(hn::Load(d, colours.doubt + begin), most);
     for (std::uint64_t bits = bits_of(d, doubtful); bits != 0; bits &= bits - 1) {
       const std::size_t at = begin + hwy::Num0BitsBelowLS1Bit_Nonzero64(bits);
       const auto ray = static_cast<int>(at);

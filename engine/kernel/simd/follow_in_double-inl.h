@@ -74,15 +74,15 @@ HWY_INLINE V distance_by_row(D d, const Rows<D, PrimitiveRow<T>>& primitive, con
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_NOINLINE void meet_own(D d, const PacketScene<T>& scene, const RayOrigin<V>& from,
                            const V3<V>& direction, Hit<V> hit, M own, M within, RayOrigin<V>& at) {
-  for_each_geometry(
-      scene, [&]<class Kind>(const Geometry<Kind, T>& geometry) RAYTRACER_INLINE_ATTR {
-        if constexpr (HasOwnDistances<Kind>) {
-          if (geometry.transmits)
-            own_distances(d, scene.primitives, geometry, InnerOrigin<V>{from}, direction, own, hit);
-          else
-            own_distances(d, scene.primitives, geometry, from, direction, own, hit);
-        }
-      });
+  for_each_geometry(scene, [&]<class Kind>(
+                               const Geometry<Kind, T>& geometry) RAYTRACER_INLINE_ATTR {
+    if constexpr (HasOwnDistances<Kind>) {
+      const M leaving = geometry.transmits ? hn::And(own, within) : hn::AndNot(own, own);
+      own_distances(d, scene.primitives, geometry, from, direction, hn::AndNot(leaving, own), hit);
+      if (!hn::AllFalse(d, leaving))
+        own_distances(d, scene.primitives, geometry, InnerOrigin<V>{from}, direction, leaving, hit);
+    }
+  });
   at.point = select(own, mul_add(direction, hit.t, from.point), at.point);
   at.normal = select(own, hit.normal, at.normal);
   for_each_geometry(scene,
@@ -129,7 +129,7 @@ HWY_INLINE Meeting<V> meet_again(D d, const PacketScene<T>& scene, const PathSte
     met.shading_normal = shading_normal;
   }
   if (!scene.transmits) return met;
-  const M is_other_side = hn::Lt(dot(met.normal, lanes.get(step.normal)), zero);
+  const M is_other_side = hn::AndNot(own, hn::Lt(dot(met.normal, lanes.get(step.normal)), zero));
   met.normal = select(is_other_side, negate(met.normal), met.normal);
   met.shading_normal = select(is_other_side, negate(met.shading_normal), met.shading_normal);
   return met;
@@ -150,9 +150,12 @@ void follow_in_double(const PacketScene<double>& scene, PathStep& step) {
     // By a step of Newton's method from 1.
     const auto half_length2 = hn::Mul(hn::Set(d, 0.5), dot(mirrored, mirrored));
     lanes.set(step.mirrored, scale(mirrored, hn::Sub(hn::Set(d, 1.5), half_length2)));
-    if (step.bends)
-      lanes.set(step.refracted,
-                refracted_at(d, scene, lanes.get(step.index), met, direction).direction);
+    if (step.bends) {
+      const auto ior = glass_of(d, scene, id, active)(d, &GlassRow<double>::ior);
+      const auto from_within = hn::Gt(lanes.get(step.u), hn::Zero(d));
+      const auto index = hn::IfThenElse(from_within, ior, hn::Div(hn::Set(d, 1.0), ior));
+      lanes.set(step.refracted, refracted_at(d, scene, index, met, direction).direction);
+    }
   }
 }
 

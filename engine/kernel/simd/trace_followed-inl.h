@@ -36,13 +36,12 @@ HWY_INLINE auto refracted_at(D d, const PacketScene<T>& scene, V index, const Me
                                : refracted(d, index, incoming, met.shading_normal, met.normal);
 }
 
-/// How the lanes of `goes_on` do, in double, if `rest` is what single rounds off of the packet:
-/// `index` as refracted_at() has it, if a lane `bends`.
+/// How the lanes of `goes_on` do, in double, if `rest` is what single rounds off of the packet;
+/// some lane `bends`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_NOINLINE ExactNextRays<V> next_in_double(D d, const PacketScene<double>& scene,
                                              const Packet<V>& packet, const RayRest<V>& rest, V t,
-                                             const Surface<D>& surface, M goes_on, V index,
-                                             bool bends) {
+                                             const Surface<D>& surface, M goes_on, bool bends) {
   static_assert(hn::MaxLanes(D()) <= PathStep::most_lanes);
   PathStep step;
   step.lanes = hn::Lanes(d);
@@ -57,7 +56,6 @@ HWY_NOINLINE ExactNextRays<V> next_in_double(D d, const PacketScene<double>& sce
   hn::Store(t, d, step.t.data());
   hn::Store(surface.at.u, d, step.u.data());
   hn::Store(surface.at.v, d, step.v.data());
-  hn::Store(index, d, step.index.data());
   store(d, surface.at.normal, step.normal);
   follow_in_double(scene, step);
   const PathStep::LongVectors& refracted = bends ? step.refracted : step.direction;
@@ -70,7 +68,6 @@ template <class V, class M>
 struct Refraction {
   M clear;          ///< lanes of which something does
   M bends;          ///< that go into or out of what has an inside
-  V index;          ///< of here over there
   V3<V> direction;  ///< of what goes on
   V share;          ///< of the light
   V reflectivity;   ///< what is turned back where it would bend
@@ -89,17 +86,13 @@ HWY_NOINLINE Refraction<V, M> refraction_at(D d, const PacketScene<T>& scene,
   const M clear = hn::And(goes_on, hn::Gt(transparency, zero));
   const M bends = hn::Ge(surface.at.u, zero);
   const V index = hn::IfThenElse(hn::Gt(surface.at.u, zero), ior, hn::Div(one, ior));
-  if (hn::AllFalse(d, clear)) return {clear, bends, index, direction, zero, zero};
+  if (hn::AllFalse(d, clear)) return {clear, bends, direction, zero, zero};
   const auto bent = refracted_at(d, scene, index, surface.meeting(), direction);
   const M by_angle = hn::Or(bent.is_total, hn::Gt(glass(d, &GlassRow<T>::fresnel), zero));
   const V turned_back = hn::IfThenElseZero(hn::And(bends, by_angle), bent.reflectance);
   const V share = hn::IfThenElseZero(clear, transparency);
-  return {clear,
-          bends,
-          index,
-          select(bends, bent.direction, direction),
-          hn::Mul(share, hn::Sub(one, turned_back)),
-          hn::Mul(share, turned_back)};
+  return {clear, bends, select(bends, bent.direction, direction),
+          hn::Mul(share, hn::Sub(one, turned_back)), hn::Mul(share, turned_back)};
 }
 
 /// Adds the rays that follow a packet through surfaces, at `point` in `direction`.
@@ -156,7 +149,7 @@ HWY_NOINLINE void add_exact_followers(D d, const PacketScene<float>& scene, cons
     reflectivity = hn::Add(reflectivity, refraction.reflectivity);
     goes_on = hn::And(goes_on, hn::Or(refraction.clear, hn::Gt(reflectivity, hn::Zero(d))));
     if (hn::AllFalse(d, goes_on)) return;
-    auto next = next_in_double(d, exact, packet, rest, t, surface, goes_on, refraction.index,
+    auto next = next_in_double(d, exact, packet, rest, t, surface, goes_on,
                                !hn::AllFalse(d, refraction.clear));
     // What does not bend keeps its direction.
     next.rounded.refracted = select(refraction.bends, next.rounded.refracted, packet.direction);
@@ -166,8 +159,7 @@ HWY_NOINLINE void add_exact_followers(D d, const PacketScene<float>& scene, cons
     const RayRest<V> of_mirrored{next.rest.point, next.rest.mirrored};
     add_mirrored(d, surface, packet, goes_on, reflectivity, next.rounded, &of_mirrored, followed);
   } else {
-    const auto next =
-        next_in_double(d, exact, packet, rest, t, surface, goes_on, hn::Zero(d), false);
+    const auto next = next_in_double(d, exact, packet, rest, t, surface, goes_on, false);
     const RayRest<V> of_mirrored{next.rest.point, next.rest.mirrored};
     add_mirrored(d, surface, packet, goes_on, reflectivity, next.rounded, &of_mirrored, followed);
   }
@@ -193,9 +185,9 @@ HWY_INLINE auto between_lights(D d, const Packet<V>& packet) {
     return OpaqueSurfaces();
 }
 
-/// The colours that a packet sees, and in `doubt`, if somebody wants it, by how much they may make
-/// their pixels' be off; the rays that follow are kept in `followed`. rest() is what single rounds
-/// off of its rays, if paths are carried in double.
+/// The colours that a packet sees, and in `doubt`, if somebody wants it, what counts in their
+/// pixels of those beyond a light's reach; the rays that follow are kept in `followed`. rest() is
+/// what single rounds off of its rays, if paths are carried in double.
 template <class D, class Rest, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>& packet,
@@ -246,7 +238,7 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
   return colour;
 }
 
-/// Adds the colours that a packet's rays see to their pixels, and by how much they may be off.
+/// Adds the colours that a packet's rays see to their pixels, and what is to be doubted of them.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE void add_to_pixels(D d, const PacketScene<T>& scene, const V3<V>& colour, V doubt,
                               const Packet<V>& packet, M active, SampleColours<T>* colours) {

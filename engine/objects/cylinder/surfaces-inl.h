@@ -1,7 +1,5 @@
 // Where packets have met cylinders: their normals and sides.
 
-#include <cmath>
-
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 

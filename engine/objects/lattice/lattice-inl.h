@@ -182,9 +182,13 @@ HWY_INLINE void own_distances(D d, const PrimitiveRows<T>&,
   for (const LatticeItem<T>& lattice : lattices.items) {
     const V3<V> origin = mul_add(along_lattice(lattice, from.point),
                                  hn::Set(d, lattice.cells_per_unit), broadcast(d, lattice.eye));
-    const M here = hn::And(own, hn::Eq(hit.id, hn::Set(d, lattice.id)));
-    CellHit<V, M> found{here, hit.t, hit.u, hit.v, hit.normal};
+    const M met = hn::And(own, hn::Eq(hit.id, hn::Set(d, lattice.id)));
+    CellHit<V, M> found{met, hit.t, hit.u, hit.v, hit.normal};
     measure(d, origin, along_lattice(lattice, direction), found);
+    // Where spheres touch what is left may be no number.
+    const M is_ahead = hn::And(hn::Ge(found.t, hn::Zero(d)),
+                               hn::Lt(found.t, hn::Set(d, std::numeric_limits<T>::max())));
+    const M here = hn::And(met, is_ahead);
     hit.t = hn::IfThenElse(here, hn::Mul(found.t, hn::Set(d, lattice.unit_per_cell)), hit.t);
     hit.normal = select(here, from_lattice(lattice, found.normal), hit.normal);
   }
