@@ -133,8 +133,8 @@ struct BlockColours {
 /// Those of one sample.
 template <typename T>
 struct SampleColours : BlockColours<T> {
-  alignas(
-      64) T doubt[block_pixels];  ///< what counts of what single cannot tell; set if somebody asks
+  /// What counts of what single cannot tell; set if somebody asks.
+  alignas(64) T doubt[block_pixels];
 };
 
 template <class D, typename T = hn::TFromD<D>>
