@@ -14,7 +14,7 @@ using Real = double;
 
 // clang-format off
 #include "engine/kernel/simd/kernel-inl.h"
-#include "engine/kernel/simd/follow_in_double-inl.h"
+#include "engine/kernel/simd/turn_in_double-inl.h"
 #include "engine/kernel/simd/trace_in_double-inl.h"
 #include "engine/kernel/simd/entries-inl.h"
 // clang-format on

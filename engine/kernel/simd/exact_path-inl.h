@@ -5,11 +5,10 @@
 // Differentials", 1999): over a distance by its error of direction, at a curved surface by the turn
 // of the normal. What a ray finds is off by what single rounds off on its way alone.
 
-#include <cstddef>
 #include <type_traits>
 
 #include "engine/kernel/exact_scene.h"
-#include "engine/kernel/path_step.h"
+#include "engine/kernel/ray_columns.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -25,35 +24,18 @@ struct RayRest {
   V3<V> direction;
 };
 
-/// How rays go on from what they have met.
+/// What else double wants to know of a packet's way to a surface, to tell how it goes on.
 template <class V>
-struct NextRays {
-  V3<V> point;
-  V3<V> mirrored;
-  V3<V> refracted;
+struct WayTo {
+  RayRest<V> rest;
+  V t;                ///< to the surface
+  V left_id;          ///< of the surface where the way begins
+  V3<V> left_normal;  ///< its normal there
 };
 
-/// The same of paths that are carried in double.
-template <class V>
-struct ExactNextRays {
-  NextRays<V> rounded;
-  NextRays<V> rest;  ///< what is rounded off
-};
-
-/// Sets where the paths of a step go on. What is to be done in double is compiled with the kernels
-/// that are, once.
-void follow_in_double(const PacketScene<double>& scene, PathStep& step);
-
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE void store(D d, const V3<V>& values, PathStep::Vectors& to) {
-  hn::Store(values.x, d, to[0].data());
-  hn::Store(values.y, d, to[1].data());
-  hn::Store(values.z, d, to[2].data());
-}
-template <class D>
-HWY_INLINE V3<hn::Vec<D>> load(D d, const PathStep::Vectors& from) {
-  return load(d, from[0].data(), from[1].data(), from[2].data());
-}
+/// Turns rays where they meet what they have come to. What is to be done in double is compiled with
+/// the kernels that are, once.
+void turn_in_double(const PacketScene<double>& scene, const TurningRays& rays);
 
 /// The lanes whose points are beyond a light's reach.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>

@@ -18,10 +18,8 @@ class FollowedRays {
   static constexpr bool branches = branch;
   LightSet<T> light_set{};  ///< of all
 
-  /// Of so many blocks. Without memory if the scene has none.
-  FollowedRays(const PacketScene<T>& scene, std::size_t block_count)
-      : batch_size_(branch ? of_branching : block_count * block_pixels),
-        has_rests_(scene.exact.carries_paths) {
+  /// Without memory if the scene has none.
+  explicit FollowedRays(const PacketScene<T>& scene) : is_carried_(scene.exact.carries_paths) {
     if (scene.max_depth == 0 || scene.transmits != branch) return;
     taken_ = make_batch();
     next_ = make_batch();
@@ -31,18 +29,20 @@ class FollowedRays {
       hits_.reset(new BatchHits<T>);
   }
 
-  /// Adds the lanes of `mask`, at least one, that mirrors send on or that go through surfaces;
-  /// `rest` as RayBatch::add() has it.
+  /// Adds the lanes of `mask`, at least one, that mirrors send on; `way` as RayBatch::add() has it.
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-  HWY_INLINE void add(D d, const Packet<V>& rays, const RayRest<V>* rest, M mask,
-                      bool is_mirrored) {
-    std::unique_ptr<Batch>& batch = branch && is_mirrored ? mirrored_ : next_;
-    if (branch && !batch->has_room_for(hn::Lanes(d))) put_aside(batch);
-    batch->add(d, rays, rest, mask);
+  HWY_INLINE void add_mirrored(D d, const Packet<V>& rays, const WayTo<V>* way, M mask) {
+    add_to(branch ? mirrored_ : next_, d, rays, way, turned(d, Turn::mirrored), mask);
+  }
+  /// The same of lanes that go on through surfaces, and of those `bends` are refracted.
+  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+  HWY_INLINE void add_refracted(D d, const Packet<V>& rays, const WayTo<V>* way, M bends, M mask) {
+    const V turn = hn::IfThenElse(bends, turned(d, Turn::refracted), turned(d, Turn::straight));
+    add_to(next_, d, rays, way, turn, mask);
   }
 
   /// Takes a batch, and returns how many rays it has: 0 once none is left.
-  std::size_t take() {
+  std::size_t take(const PacketScene<T>& scene) {
     if constexpr (branch) {
       if (!next_->has_room_for(mirrored_->count())) put_aside(next_);
       next_->append(*mirrored_);
@@ -53,6 +53,8 @@ class FollowedRays {
       taken_ = std::move(aside_.back());
       aside_.pop_back();
     }
+    if constexpr (may_be_inexact<T>)
+      if (is_carried_) taken_->turn(*scene.exact.scene);
     return taken_->count();
   }
 
@@ -84,19 +86,24 @@ class FollowedRays {
 
  private:
   using Batch = RayBatch<T, branch>;
-  /// The shipped glass takes 1.2 times as long with 64, 1.05 with 256.
-  static constexpr std::size_t of_branching = 1024;
-
-  std::unique_ptr<Batch> make_batch() const {
-    return std::make_unique<Batch>(batch_size_, has_rests_);
+  template <class D, class V = hn::Vec<D>>
+  static HWY_INLINE V turned(D d, Turn turn) {
+    return hn::Set(d, static_cast<T>(turn));
   }
+  template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+  HWY_INLINE void add_to(std::unique_ptr<Batch>& batch, D d, const Packet<V>& rays,
+                         const WayTo<V>* way, V turn, M mask) {
+    if (branch && !batch->has_room_for(hn::Lanes(d))) put_aside(batch);
+    batch->add(d, rays, way, turn, mask);
+  }
+
+  std::unique_ptr<Batch> make_batch() const { return std::make_unique<Batch>(is_carried_); }
   HWY_NOINLINE void put_aside(std::unique_ptr<Batch>& batch) {
     aside_.push_back(std::move(batch));
     batch = make_batch();
   }
 
-  std::size_t batch_size_;  ///< where none branch, no more follow than came
-  bool has_rests_;
+  bool is_carried_;
   std::unique_ptr<Batch> taken_;
   std::unique_ptr<Batch> next_;
   std::unique_ptr<Batch> mirrored_;            ///< that come after the next, where rays branch
@@ -110,9 +117,7 @@ struct RayQueues {
   FollowedRays<T, false> single;
   FollowedRays<T, true> branching;
 
-  /// Of as many blocks as are traced together.
-  RayQueues(const PacketScene<T>& scene, std::size_t block_count)
-      : single(scene, block_count), branching(scene, block_count) {}
+  explicit RayQueues(const PacketScene<T>& scene) : single(scene), branching(scene) {}
 };
 
 }  // namespace raytracer::HWY_NAMESPACE

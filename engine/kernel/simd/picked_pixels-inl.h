@@ -129,7 +129,7 @@ void sample_side_by_side(const PacketScene<T>& scene, const SamplePattern& patte
     new (&picked[i]) PickedPixels<T>(scene, pattern, blocks[i], i);
   const auto hits = make_aligned_array<Hits<T>>(count);
   const auto colours = make_aligned_array<SampleColours<T>>(count);
-  RayQueues<T> queues(scene, count);
+  RayQueues<T> queues(scene);
   const EyeRays<hn::ScalableTag<T>> eye(d, scene);
   for (std::size_t nth = 0; nth < pattern.points.size(); ++nth) {
     const SamplePoint& sample = pattern.points[nth];

@@ -44,22 +44,20 @@ HWY_INLINE auto compressing_order(D d, M mask) {
 template <typename T, bool branch>
 class RayBatch {
  public:
-  /// For so many rays, a multiple of the lanes; with what single rounds off of them if paths are
-  /// carried in double.
-  RayBatch(std::size_t most, bool has_rests)
-      : has_rests_(may_be_inexact<T> && has_rests),
-        most_(most),
-        stride_(most + 64 / sizeof(T)),
-        values_(make_aligned_array<T>(column_count * stride_)) {}
+  /// Of rays whose paths are carried in double, or not.
+  explicit RayBatch(bool is_carried)
+      : is_carried_(may_be_inexact<T> && is_carried),
+        values_(make_aligned_array<T>(Column::count * ray_stride<T>)) {}
 
   std::size_t count() const { return count_; }
   void clear() { count_ = 0; }
-  bool has_room_for(std::size_t more) const { return count_ + more <= most_; }
+  bool has_room_for(std::size_t more) const { return count_ + more <= most_rays; }
 
-  /// Adds the lanes of `mask`, at least one; there must be room for all lanes. `rest` is null where
-  /// paths are in T.
+  /// Adds the lanes of `mask`, at least one; there must be room for all lanes. Where paths are
+  /// carried in double `way` is theirs to the surface that they leave, where they have yet to turn;
+  /// else it is null.
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-  HWY_INLINE void add(D d, const Packet<V>& rays, const RayRest<V>* rest, M mask) {
+  HWY_INLINE void add(D d, const Packet<V>& rays, const WayTo<V>* way, V turn, M mask) {
     const auto first_of_mask = compressing_order(d, mask);
     const auto keep = [&](std::size_t column, V values) HWY_ATTR {
       hn::StoreU(hn::TableLookupLanes(values, first_of_mask), d, of_column(column) + count_);
@@ -69,51 +67,62 @@ class RayBatch {
       keep(column + 1, values.y);
       keep(column + 2, values.z);
     };
-    keep_all(0, rays.direction);
-    keep_all(3, rays.from.point);
-    keep_all(6, rays.from.normal);
-    keep_all(9, {rays.from.id, rays.from.u, rays.from.v});
-    keep_all(12, {rays.weight, rays.pixel, rays.followers});
-    if constexpr (branch) keep(15, rays.solids);
-    if (rest != nullptr) {
-      keep_all(16, rest->point);
-      keep_all(19, rest->direction);
+    keep_all(Column::direction, rays.direction);
+    keep_all(Column::point, rays.from.point);
+    keep_all(Column::normal, rays.from.normal);
+    keep(Column::id, rays.from.id);
+    keep(Column::u, rays.from.u);
+    keep(Column::v, rays.from.v);
+    keep(Column::weight, rays.weight);
+    keep(Column::pixel, rays.pixel);
+    keep(Column::followers, rays.followers);
+    if constexpr (branch) keep(Column::solids, rays.solids);
+    if (way != nullptr) {
+      keep_all(Column::direction_rest, way->rest.direction);
+      keep_all(Column::point_rest, way->rest.point);
+      if constexpr (branch) keep(Column::turn, turn);
+      keep(Column::t, way->t);
+      keep(Column::left_id, way->left_id);
+      keep_all(Column::left_normal, way->left_normal);
     }
     count_ += count_true(d, mask);
   }
+
+  /// Turns the rays, of a scene whose paths are carried in double.
+  void turn(const PacketScene<double>& scene) { turn_in_double(scene, {values_.get(), count_}); }
 
   /// The rays from the i-th on. Lanes that are not `active` hold zeros: kept from becoming indices
   /// or NaN traps.
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
   HWY_INLINE Packet<V> packet(D d, std::size_t i, M active, const LightSet<T>& light_set) const {
-    const auto at = [&](std::size_t column) HWY_ATTR {
-      return hn::IfThenElseZero(active, hn::LoadU(d, of_column(column) + i));
-    };
-    return {{{at(3), at(4), at(5)}, {at(6), at(7), at(8)}, at(9), at(10), at(11)},
-            {at(0), at(1), at(2)},
-            at(12),
-            at(13),
-            at(14),
-            branch ? at(15) : hn::Zero(d),
+    const Lanes<D> at{*this, d, i, active};
+    return {{at.vectors(Column::point), at.vectors(Column::normal), at(Column::id), at(Column::u),
+             at(Column::v)},
+            at.vectors(Column::direction),
+            at(Column::weight),
+            at(Column::pixel),
+            at(Column::followers),
+            branch ? at(Column::solids) : hn::Zero(d),
             light_set};
   }
 
   /// What single rounds off of the rays from the i-th on.
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
   HWY_INLINE RayRest<V> rest(D d, std::size_t i, M active) const {
-    const auto at = [&](std::size_t column) HWY_ATTR {
-      return hn::IfThenElseZero(active, hn::LoadU(d, of_column(column) + i));
-    };
-    return {{at(16), at(17), at(18)}, {at(19), at(20), at(21)}};
+    const Lanes<D> at{*this, d, i, active};
+    return {at.vectors(Column::point_rest), at.vectors(Column::direction_rest)};
   }
 
   /// Ray i in all lanes, for trees.
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE TreeRays<V> ray(D d, std::size_t i) const {
     const auto at = [&](std::size_t column) HWY_ATTR { return hn::Set(d, of_column(column)[i]); };
-    const V3<V> direction{at(0), at(1), at(2)};
+    const auto vectors = [&](std::size_t first) HWY_ATTR {
+      return V3<V>{at(first), at(first + 1), at(first + 2)};
+    };
+    const V3<V> direction = vectors(Column::direction);
     const V none = hn::Zero(d);
-    return {{{at(3), at(4), at(5)}, {at(6), at(7), at(8)}, at(9), none, none},
+    return {{vectors(Column::point), vectors(Column::normal), at(Column::id), none, none},
             direction,
             {none, none, none},
             basis_across(d, direction)};
@@ -121,26 +130,41 @@ class RayBatch {
 
   /// Moves others here, for which there must be room.
   void append(RayBatch& others) {
-    for (std::size_t i = 0; i < column_count; ++i)
+    for (std::size_t i = 0; i < Column::count; ++i)
       if (is_kept(i)) std::copy_n(others.of_column(i), others.count_, of_column(i) + count_);
     count_ += std::exchange(others.count_, 0);
   }
 
  private:
-  static constexpr std::size_t column_count = 22;
+  using Column = RayColumn;
+
+  /// Values of the `active` lanes from the i-th ray on, the others 0.
+  template <class D>
+  struct Lanes {
+    const RayBatch& batch;
+    D d;
+    std::size_t i;
+    hn::Mask<D> active;
+
+    HWY_INLINE hn::Vec<D> operator()(std::size_t column) const {
+      return hn::IfThenElseZero(active, hn::LoadU(d, batch.of_column(column) + i));
+    }
+    HWY_INLINE V3<hn::Vec<D>> vectors(std::size_t first) const {
+      return {(*this)(first), (*this)(first + 1), (*this)(first + 2)};
+    }
+  };
+
   HWY_INLINE bool is_kept(std::size_t column) const {
-    if (column == 15) return branch;
-    return column < 15 || has_rests_;
+    if (column == Column::solids) return branch;
+    return column < Column::solids || is_carried_;
   }
 
-  HWY_INLINE T* of_column(std::size_t column) { return values_.get() + column * stride_; }
+  HWY_INLINE T* of_column(std::size_t column) { return values_.get() + column * ray_stride<T>; }
   HWY_INLINE const T* of_column(std::size_t column) const {
-    return values_.get() + column * stride_;
+    return values_.get() + column * ray_stride<T>;
   }
 
-  bool has_rests_;
-  std::size_t most_;
-  std::size_t stride_;  ///< an odd number of cache lines: columns would displace each other
+  bool is_carried_;
   std::size_t count_ = 0;
   AlignedArray<T> values_;  ///< column by column
 };

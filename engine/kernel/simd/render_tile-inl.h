@@ -31,7 +31,7 @@ class BlockGroup {
   explicit BlockGroup(const TileTask<T>& task)
       : task_(task),
         most_(size_for(task)),
-        queues_(task.scene, most_),
+        queues_(task.scene),
         colours_(make_aligned_array<SampleColours<T>>(most_)),
         blocks_(make_aligned_array<SampledBlock<T>>(most_)) {}
 
@@ -102,7 +102,7 @@ void record_blocks(const PacketScene<T>& scene, const SamplePattern& pattern, co
   using D = hn::ScalableTag<T>;
   const D d;
   ledger.begin(PacketShape<D>::lanes);
-  RayQueues<T> queues(scene, 1);
+  RayQueues<T> queues(scene);
   SampleColours<T> colours;
   for (int y = tile.y_begin; y < tile.y_end; y += tile.block_step)
     for (int x = tile.x_begin; x < tile.x_end; x += tile.block_step) {

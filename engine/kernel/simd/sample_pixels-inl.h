@@ -166,7 +166,7 @@ void sample_each(const PacketScene<T>& scene, const SamplePattern& pattern, Tran
     });
   NarrowedEntries found;
   const bool has_cover = pixels.channels == 4;
-  RayQueues<T> queues(scene, 1);
+  RayQueues<T> queues(scene);
   PixelSums<T> sums;
   std::fill_n(sums.is_number, block_pixels, true);
   for (std::size_t begin = 0; begin < pattern.points.size(); begin += block_pixels) {

@@ -29,11 +29,19 @@ struct Surface {
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V3<V> normal_by_row(D d, const PacketScene<T>& scene, const V3<V>& place, V curvature,
                                const V3<V>& point, const V3<V>& direction) {
-  const V3<V> normal = scale(sub(point, place), curvature);
-  if (!scene.has_flat) return normal;
-  const auto flat = hn::Eq(curvature, hn::Zero(d));
-  const auto ahead = hn::Gt(dot(place, direction), hn::Zero(d));
-  return select(flat, select(ahead, negate(place), place), normal);
+  V3<V> normal = scale(sub(point, place), curvature);
+  if (scene.has_flat) {
+    const auto flat = hn::Eq(curvature, hn::Zero(d));
+    const auto ahead = hn::Gt(dot(place, direction), hn::Zero(d));
+    // One by one, not as a vector: that would be kept in memory.
+    const auto take = [&](V of_flat, V& of_round) HWY_ATTR {
+      of_round = hn::IfThenElse(flat, hn::IfThenElse(ahead, hn::Neg(of_flat), of_flat), of_round);
+    };
+    take(place.x, normal.x);
+    take(place.y, normal.y);
+    take(place.z, normal.z);
+  }
+  return normal;
 }
 
 /// Takes the normals and colours of the lanes of `is_hit` whose corners tell them. `place` is of

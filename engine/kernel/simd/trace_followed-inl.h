@@ -36,33 +36,6 @@ HWY_INLINE auto refracted_at(D d, const PacketScene<T>& scene, V index, const Me
                                : refracted(d, index, incoming, met.shading_normal, met.normal);
 }
 
-/// How the lanes of `goes_on` do, in double, if `rest` is what single rounds off of the packet;
-/// some lane `bends`.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-HWY_NOINLINE ExactNextRays<V> next_in_double(D d, const PacketScene<double>& scene,
-                                             const Packet<V>& packet, const RayRest<V>& rest, V t,
-                                             const Surface<D>& surface, M goes_on, bool bends) {
-  static_assert(hn::MaxLanes(D()) <= PathStep::most_lanes);
-  PathStep step;
-  step.lanes = hn::Lanes(d);
-  step.bends = bends;
-  store(d, packet.from.point, step.from.rounded);
-  store(d, rest.point, step.from.rest);
-  store(d, packet.direction, step.direction.rounded);
-  store(d, rest.direction, step.direction.rest);
-  store(d, packet.from.normal, step.from_normal);
-  hn::Store(packet.from.id, d, step.from_id.data());
-  hn::Store(hn::IfThenElse(goes_on, surface.at.id, hn::Set(d, -1.0F)), d, step.id.data());
-  hn::Store(t, d, step.t.data());
-  hn::Store(surface.at.u, d, step.u.data());
-  hn::Store(surface.at.v, d, step.v.data());
-  store(d, surface.at.normal, step.normal);
-  follow_in_double(scene, step);
-  const PathStep::LongVectors& refracted = bends ? step.refracted : step.direction;
-  return {{load(d, step.at.rounded), load(d, step.mirrored.rounded), load(d, refracted.rounded)},
-          {load(d, step.at.rest), load(d, step.mirrored.rest), load(d, refracted.rest)}};
-}
-
 /// What of packets goes on through surfaces, and how.
 template <class V, class M>
 struct Refraction {
@@ -95,13 +68,20 @@ HWY_NOINLINE Refraction<V, M> refraction_at(D d, const PacketScene<T>& scene,
           hn::Mul(share, hn::Sub(one, turned_back)), hn::Mul(share, turned_back)};
 }
 
-/// Adds the rays that follow a packet through surfaces, at `point` in `direction`.
+/// Where packets go on, and how.
+template <class V>
+struct NextRays {
+  V3<V> point;
+  V3<V> mirrored;
+  V3<V> refracted;
+};
+
+/// Adds the rays that follow a packet through surfaces.
 template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_NOINLINE void add_refracted(D d, const PacketScene<T>& scene, const Surface<D>& surface,
                                 const Packet<V>& packet, const Refraction<V, M>& refraction,
-                                const NextRays<V>& next, const RayRest<V>* rest,
-                                Followed& followed) {
+                                const NextRays<V>& next, const WayTo<V>* way, Followed& followed) {
   const M clear = refraction.clear;
   const V weight = hn::Mul(packet.weight, refraction.share);
   const M counts = hn::And(clear, hn::Ge(weight, hn::Set(d, least_weight<Followed, T>)));
@@ -114,55 +94,49 @@ HWY_NOINLINE void add_refracted(D d, const PacketScene<T>& scene, const Surface<
   on.weight = weight;
   on.solids = depth_beyond(d, scene, surface, clear, packet.solids);
   on.followers = hn::Sub(packet.followers, hn::Set(d, T(1)));
-  followed.add(d, on, rest, counts, false);
+  followed.add_refracted(d, on, way, refraction.bends, counts);
 }
 
 /// Adds the rays that surfaces of such reflectivity mirror.
 template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE void add_mirrored(D d, const Surface<D>& surface, const Packet<V>& packet, M goes_on,
-                             V reflectivity, const NextRays<V>& next, const RayRest<V>* rest,
+                             V reflectivity, const NextRays<V>& next, const WayTo<V>* way,
                              Followed& followed) {
   const V weight = hn::Mul(packet.weight, reflectivity);
   const M mirrors = hn::And(goes_on, hn::Ge(weight, hn::Set(d, least_weight<Followed, T>)));
   if (hn::AllFalse(d, mirrors)) return;
   const V followers = hn::Sub(packet.followers, hn::Set(d, T(1)));
   const RayOrigin<V>& at = surface.at;
-  followed.add(d,
-               Packet<V>{{next.point, at.normal, at.id, at.u, at.v},
-                         next.mirrored,
-                         weight,
-                         packet.pixel,
-                         followers,
-                         packet.solids},
-               rest, mirrors, true);
+  followed.add_mirrored(d,
+                        Packet<V>{{next.point, at.normal, at.id, at.u, at.v},
+                                  next.mirrored,
+                                  weight,
+                                  packet.pixel,
+                                  followers,
+                                  packet.solids},
+                        way, mirrors);
 }
 
-/// Adds the rays that follow a packet whose path is carried in double.
-template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>>
-HWY_NOINLINE void add_exact_followers(D d, const PacketScene<float>& scene, const Packet<V>& packet,
-                                      const RayRest<V>& rest, V t, const Surface<D>& surface,
-                                      M goes_on, V reflectivity, Followed& followed) {
-  const PacketScene<double>& exact = *scene.exact.scene;
+/// Adds the rays that follow the lanes of `goes_on`, at least one. Where paths are carried in
+/// double, `next` is not to be computed: they turn later, on their `way`.
+template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE void add_followers(D d, const PacketScene<T>& scene, const Packet<V>& packet,
+                              const Surface<D>& surface, M goes_on, V reflectivity,
+                              const WayTo<V>* way, Followed& followed) {
+  NextRays<V> next{packet.from.point, packet.direction, packet.direction};
+  if (way == nullptr) {
+    next.point = surface.at.point;
+    next.mirrored = unit(d, reflected_at(d, scene, surface.meeting(), packet.direction));
+  }
   if constexpr (Followed::branches) {
     const auto refraction = refraction_at(d, scene, surface, packet.direction, goes_on);
+    if (way == nullptr) next.refracted = refraction.direction;
     reflectivity = hn::Add(reflectivity, refraction.reflectivity);
-    goes_on = hn::And(goes_on, hn::Or(refraction.clear, hn::Gt(reflectivity, hn::Zero(d))));
-    if (hn::AllFalse(d, goes_on)) return;
-    auto next = next_in_double(d, exact, packet, rest, t, surface, goes_on,
-                               !hn::AllFalse(d, refraction.clear));
-    // What does not bend keeps its direction.
-    next.rounded.refracted = select(refraction.bends, next.rounded.refracted, packet.direction);
-    next.rest.refracted = select(refraction.bends, next.rest.refracted, rest.direction);
-    const RayRest<V> of_refracted{next.rest.point, next.rest.refracted};
-    add_refracted(d, scene, surface, packet, refraction, next.rounded, &of_refracted, followed);
-    const RayRest<V> of_mirrored{next.rest.point, next.rest.mirrored};
-    add_mirrored(d, surface, packet, goes_on, reflectivity, next.rounded, &of_mirrored, followed);
-  } else {
-    const auto next = next_in_double(d, exact, packet, rest, t, surface, goes_on, false);
-    const RayRest<V> of_mirrored{next.rest.point, next.rest.mirrored};
-    add_mirrored(d, surface, packet, goes_on, reflectivity, next.rounded, &of_mirrored, followed);
+    add_refracted(d, scene, surface, packet, refraction, next, way, followed);
   }
+  add_mirrored(d, surface, packet, goes_on, reflectivity, next, way, followed);
 }
 
 /// What a packet's rays meet.
@@ -219,22 +193,12 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
 
   if constexpr (may_be_inexact<T>)
     if (scene.exact.carries_paths) {
-      add_exact_followers(d, scene, packet, rest(), hit.t, surface, goes_on, reflectivity,
-                          followed);
+      const WayTo<V> way{rest(), hit.t, packet.from.id, packet.from.normal};
+      add_followers(d, scene, packet, surface, goes_on, reflectivity, &way, followed);
       return colour;
     }
-  const V3<V> mirrored = unit(d, reflected_at(d, scene, surface.meeting(), packet.direction));
-  const RayRest<V>* const none = nullptr;
-  if constexpr (Followed::branches) {
-    const auto refraction = refraction_at(d, scene, surface, packet.direction, goes_on);
-    const NextRays<V> next{surface.at.point, mirrored, refraction.direction};
-    add_refracted(d, scene, surface, packet, refraction, next, none, followed);
-    add_mirrored(d, surface, packet, goes_on, hn::Add(reflectivity, refraction.reflectivity), next,
-                 none, followed);
-  } else {
-    const NextRays<V> next{surface.at.point, mirrored, mirrored};
-    add_mirrored(d, surface, packet, goes_on, reflectivity, next, none, followed);
-  }
+  const WayTo<V>* const none = nullptr;
+  add_followers(d, scene, packet, surface, goes_on, reflectivity, none, followed);
   return colour;
 }
 
@@ -267,7 +231,7 @@ template <class Followed, typename T>
 HWY_NOINLINE void trace_followed(const PacketScene<T>& scene, Followed& followed,
                                  SampleColours<T>* colours) {
   const hn::ScalableTag<T> d;
-  while (const std::size_t count = followed.take()) {
+  while (const std::size_t count = followed.take(scene)) {
     const bool are_found = followed.find_at_once(scene);
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
       const auto active = hn::FirstN(d, count - i);

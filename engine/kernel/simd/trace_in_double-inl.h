@@ -16,7 +16,7 @@ void trace_in_double(const PacketScene<double>& scene, DoubtfulSamples& samples,
   const EyeRays<D> eye(d, scene);
   const RayOrigin<V> origin = eye.origin(d);
   const V far_away = hn::Set(d, std::numeric_limits<double>::max());
-  RayQueues<double> queues(scene, (samples.count + block_pixels - 1) / block_pixels);
+  RayQueues<double> queues(scene);
   for (std::size_t begin = 0; begin < samples.count; begin += block_pixels) {
     const std::size_t count = std::min<std::size_t>(samples.count - begin, block_pixels);
     Hits<double> hits;
