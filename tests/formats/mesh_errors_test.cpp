@@ -167,6 +167,7 @@ TEST(MeshErrors, ply_says_line_and_what_is_wrong) {
           {"0 0 0\n1 0 0\n0 1 0\n3 0 1\n3 2 1 0", 14,
            "the line ends where the index of a vertex is to be"},
           {"0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 b", 15, "'b' stands where the index of a vertex"},
+          {"0 0 0\n1 0 0\n0 1 0\n0\n3 2 1 0", 14, "a face without corners"},
           {"0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n-3 2 1 0", 15, "'-3' stands where the number of a list"},
       });
   expect_errors(".ply", ply_begin,
@@ -257,6 +258,9 @@ TEST(MeshErrors, ply_in_bytes_that_is_cut_off_is_refused) {
               "the file ends after 0 of 1 faces");
     EXPECT_EQ(refusal(".ply", whole.substr(0, whole.size() - 20)),
               "the file ends after 2 of 3 vertices");
+    std::string none = whole.substr(0, whole.size() - 12);  // of its three corners
+    none[none.size() - 2] = none.back() = '\0';
+    EXPECT_EQ(refusal(".ply", none), "a face without corners cannot be read: leave it out");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -34,7 +35,7 @@ void add(Reading& reading, Omission more) {
   reading.omissions.push_back(std::move(more));
 }
 
-void tell_of(const PlyElement& element, Reading& reading) {
+void tell_of(const PlyElement& element, std::optional<PlyBody> body, Reading& reading) {
   if (element.count == 0) return;
   const int count = static_cast<int>(std::min<std::size_t>(element.count, 1U << 30));
   if (!is_shown(element)) {
@@ -42,9 +43,14 @@ void tell_of(const PlyElement& element, Reading& reading) {
     const std::string names = element.name == "edge" ? "edges" : "elements of other kinds";
     add(reading, {name + " left out", names + " left out", count, element.line});
   }
-  const PlyProperty* const color = element.find("red");
-  if (element.is_face() && color)
+  const PlyProperty* const color = element.red();
+  if (!color) return;
+  if (element.is_face())
     add(reading, {"colour of a face left out", "colours of faces left out", count, color->line});
+  if (element.name == "vertex" && !color->type.has_scale() && body != PlyBody::text)
+    add(reading, {"colour of a vertex left out, which is neither uchar, ushort nor float",
+                  "colours of vertices left out, which are neither uchar, ushort nor float", count,
+                  color->line});
 }
 
 /// It takes the first element for vertices, and of strips the last triangle.
@@ -68,7 +74,7 @@ void check_ply(std::string_view bytes, Reading& reading) {
   try {
     const PlyHeader header = read_ply_header(words);
     require_what_assimp_reads(header);
-    for (const PlyElement& element : header.elements) tell_of(element, reading);
+    for (const PlyElement& element : header.elements) tell_of(element, header.body, reading);
     if (header.body == PlyBody::text)
       check_ply_text(header, words, reading);
     else if (header.body)

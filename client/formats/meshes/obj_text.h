@@ -1,6 +1,7 @@
 // The text of an OBJ as assimp knows it. To its count of a vertex's coordinates ".5" is none, so
 // that the vertex is lost; it does not see what is indented, takes "foo 1 2 3" for a face, joins to
-// a comment the line behind it, and refuses places of textures that have one number.
+// a comment the line behind it, and refuses places of textures that have one number. Where some
+// vertices have colours it gives them to the first ones: the others are written as white.
 #pragma once
 
 #include <string>

@@ -47,7 +47,10 @@ class PlyBytesCheck {
     const std::string_view before = bytes_;
     if (!take(1, property.count->bytes)) return false;
     const std::size_t count = integer_of(before.substr(0, property.count->bytes), body_);
-    if (count < 3 && names_vertices(element, property)) omit_face_of_few_corners(reading_, 0);
+    if (names_vertices(element, property)) {
+      if (count == 0) throw InputError("a face without corners cannot be read: leave it out");
+      if (count < 3) omit_face_of_few_corners(reading_, 0);
+    }
     return take(count, property.type.bytes);
   }
 

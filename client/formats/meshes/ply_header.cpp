@@ -15,16 +15,16 @@ namespace {
 
 constexpr std::array<std::pair<std::string_view, PlyType>, 17> types{{{"char", {1, true}},
                                                                       {"int8", {1, true}},
-                                                                      {"uchar", {1, true}},
-                                                                      {"uint8", {1, true}},
+                                                                      {"uchar", {1, true, false}},
+                                                                      {"uint8", {1, true, false}},
                                                                       {"short", {2, true}},
                                                                       {"int16", {2, true}},
-                                                                      {"ushort", {2, true}},
-                                                                      {"uint16", {2, true}},
+                                                                      {"ushort", {2, true, false}},
+                                                                      {"uint16", {2, true, false}},
                                                                       {"int", {4, true}},
                                                                       {"int32", {4, true}},
-                                                                      {"uint", {4, true}},
-                                                                      {"uint32", {4, true}},
+                                                                      {"uint", {4, true, false}},
+                                                                      {"uint32", {4, true, false}},
                                                                       {"float", {4, false}},
                                                                       {"float32", {4, false}},
                                                                       {"double", {8, false}},
@@ -61,7 +61,7 @@ PlyProperty read_property(LineWords& words) {
     word = words.next();
   }
   const PlyType type = type_of(word, line);
-  return {std::string(words.next()), type, count, line};
+  return {words.next(), word, type, count, line};
 }
 
 std::optional<PlyBody> body_of(std::string_view word) {
@@ -80,11 +80,16 @@ const PlyProperty* PlyElement::find(std::string_view property) const {
   return found == properties.end() ? nullptr : &*found;
 }
 
-std::size_t PlyHeader::vertex_count() const {
-  const auto vertex = std::find_if(elements.begin(), elements.end(), [](const PlyElement& element) {
+const PlyProperty* PlyElement::red() const {
+  const PlyProperty* const plain = find("red");
+  return plain ? plain : find("diffuse_red");
+}
+
+const PlyElement* PlyHeader::vertex() const {
+  const auto found = std::find_if(elements.begin(), elements.end(), [](const PlyElement& element) {
     return element.name == "vertex";
   });
-  return vertex == elements.end() ? 0 : vertex->count;
+  return found == elements.end() ? nullptr : &*found;
 }
 
 bool names_vertices(const PlyElement& element, const PlyProperty& property) {

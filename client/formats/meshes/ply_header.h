@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "client/formats/meshes/line_words.h"
@@ -14,10 +15,16 @@ namespace raytracer::client {
 struct PlyType {
   std::size_t bytes;
   bool is_integer;
+  bool is_signed = true;
+
+  /// Whether a colour's number says how bright it is: others have no greatest one that means white.
+  bool has_scale() const { return !is_integer || (!is_signed && bytes <= 2); }
 };
 
+/// The words are those in the text of the file.
 struct PlyProperty {
-  std::string name;
+  std::string_view name;
+  std::string_view type_word;
   PlyType type;
   std::optional<PlyType> count;  ///< of a list
   int line;
@@ -32,6 +39,8 @@ struct PlyElement {
   bool is_face() const { return name == "face"; }
   /// Null if it has none.
   const PlyProperty* find(std::string_view property) const;
+  /// That tells how red each is, under either of its names; null if none does.
+  const PlyProperty* red() const;
 };
 
 enum class PlyBody { text, little_endian, big_endian };
@@ -40,7 +49,9 @@ struct PlyHeader {
   std::optional<PlyBody> body;  ///< nothing if it is no known one
   std::vector<PlyElement> elements;
 
-  std::size_t vertex_count() const;
+  /// Null if there are none.
+  const PlyElement* vertex() const;
+  std::size_t vertex_count() const { return vertex() ? vertex()->count : 0; }
 };
 
 /// Whether the words in a PLY's property are those of corners.

@@ -79,6 +79,10 @@ class PlyTextCheck {
         return false;
       }
     }
+    if (*count == 0) {
+      errors_.add(words_.line(), "a face without corners cannot be read: leave it out");
+      return false;
+    }
     if (*count < 3) omit_face_of_few_corners(reading_, words_.line());
     return true;
   }
