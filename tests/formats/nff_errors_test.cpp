@@ -77,6 +77,7 @@ TEST(NffErrors, viewpoint_that_shows_nothing_is_refused) {
       {"v from 1 0 0 at 0 0 0 up 0 0 1 angle wide resolution 9 9", 1, "'wide' stands"},
       {"b 0 0 0\n", 1, "the file has no viewpoint and nothing to look at; write v from X Y Z"},
       {"", 1, "the file has no viewpoint"},
+      {"s 0 0 0 1\nc 0 0 0 1\n1 0 0 1e101\n", 3, "'1e101' is beyond 1e100"},
   };
   for (const auto& [text, line, says] : table) {
     SCOPED_TRACE(text);

@@ -20,6 +20,8 @@ double ElementReader::number() {
   if (!value)
     throw wrong_word(at_end() ? "the file ends where a number is missing"
                               : quoted(words_.next()) + " stands where a number is missing");
+  if (!is_moderate(*value) && !immoderate_)
+    immoderate_ = wrong_word(quoted(words_.next()) + " is beyond 1e100");
   words_.advance();
   return *value;
 }

@@ -1,6 +1,7 @@
 // The words of one NFF element after the other, as the numbers that it takes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -34,6 +35,9 @@ class ElementReader {
   /// Of a colour.
   model::Triple shares(std::string_view what);
 
+  /// An error in the first number that was too large to stand somewhere; none if all are moderate.
+  const std::optional<LineError>& immoderate() const { return immoderate_; }
+
   /// An error in the element itself, in its first line.
   LineError wrong(std::string_view what) const;
   /// An error in the next word.
@@ -43,6 +47,7 @@ class ElementReader {
   Words words_;
   std::string_view usage_;
   int line_ = 1;
+  std::optional<LineError> immoderate_;
 };
 
 }  // namespace raytracer::client

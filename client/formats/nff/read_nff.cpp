@@ -50,6 +50,8 @@ class NffReader {
       words_.begin(elements.front().usage);
       errors.push_back(words_.wrong("the file has no viewpoint and nothing to look at"));
     }
+    // Where an eye is to be found that sees it all.
+    if (errors.empty() && !has_view_ && words_.immoderate()) errors.push_back(*words_.immoderate());
     reading.errors = std::move(errors);
     if (reading.errors.empty()) add_what_is_missing(reading.scene);
     return reading;
