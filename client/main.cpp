@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 #include <sstream>
+#include <string>
 
 #include "client/command_line.h"
 #include "client/commands.h"
@@ -36,6 +37,12 @@ void hold_closed_streams() {
       ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
+/// Where the arguments of a command line are explained that has gone wrong.
+std::string help_of(const CLI::App& app) {
+  const auto commands = app.get_subcommands();
+  return "see raytracer " + (commands.empty() ? "" : commands.front()->get_name() + " ") + "--help";
+}
+
 /// Reads the command line and does what it says.
 void run(int argc, char** argv) {
   CLI::App app(purpose, "raytracer");
@@ -58,10 +65,10 @@ void run(int argc, char** argv) {
     app.exit(request, text);
     fmt::print("{}", text.str());
   } catch (const CLI::ExtrasError&) {  // its own words name them in the reverse order
-    throw InputError(fmt::format("'{}' is no command and no option here; see raytracer --help",
-                                 app.remaining(true).front()));
+    throw InputError(fmt::format("'{}' is no command and no option here; {}",
+                                 app.remaining(true).front(), help_of(app)));
   } catch (const CLI::ParseError& error) {
-    throw InputError(fmt::format("{}; see raytracer --help", error.what()));
+    throw InputError(fmt::format("{}; {}", error.what(), help_of(app)));
   }
 }
 

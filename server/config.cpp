@@ -261,6 +261,9 @@ std::variant<Config, std::string> read_config(int argc, const char* const* argv)
     std::ostringstream text;
     line.app().exit(request, text, text);
     return text.str();
+  } catch (const CLI::ExtrasError&) {  // its own words name them in the reverse order
+    throw ConfigError(
+        fmt::format("'{}' is no flag (--help lists the flags)", line.app().remaining().front()));
   } catch (const CLI::ParseError& error) {
     throw ConfigError(fmt::format("{} (--help lists the flags)", error.what()));
   }

@@ -82,7 +82,7 @@ TEST(Start, wrong_flags_are_refused_with_their_name_and_range) {
     SCOPED_TRACE(testing::PrintToString(std::pair(flag, value)));
     expect_refusal(run_server({flag, value}), flag);
   }
-  expect_refusal(run_server({"--prot", "0"}), "--prot");
+  expect_refusal(run_server({"--prot", "0"}), "'--prot' is no flag");
   expect_refusal(run_server({"scene.json"}), "scene.json");
   expect_refusal(run_server({"--port"}), "--port");
   expect_refusal(run_server({"--port", "0", "--port", "1"}), "--port");
