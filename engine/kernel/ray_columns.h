@@ -7,12 +7,14 @@
 namespace raytracer {
 
 /// A batch has room for so many: as many as are traced together where rays do not branch. Where
-/// they do, the shipped glass takes 1.2 times as long with 64, 1.05 with 256.
-inline constexpr std::size_t most_rays = 2048;
+/// they do, smaller ones are filled worse: with 256 the shipped glass took 1.05 times as long as
+/// with 1,024.
+inline constexpr std::size_t rays_in_batch = 2048;
 
-/// From one column to the next: an odd number of cache lines, or they would displace each other.
+/// From one column to the next. A packet that is not full may be stored behind the last ray; and an
+/// odd number of cache lines keeps columns from displacing each other.
 template <typename T>
-inline constexpr std::size_t ray_stride = most_rays + 64 / sizeof(T);
+inline constexpr std::size_t ray_stride = rays_in_batch + 64 / sizeof(T);
 
 /// Numbers of columns, as many values to each as the batch has room for. Of vectors the first of
 /// three.
@@ -29,9 +31,10 @@ struct RayColumn {
   static constexpr std::size_t solids = 15;  ///< only where rays branch
 
   // Only of paths that are carried in double.
-  static constexpr std::size_t direction_rest = 16;  ///< what single rounds off
-  static constexpr std::size_t point_rest = 19;
-  static constexpr std::size_t turn = 22;         ///< a Turn
+  static constexpr std::size_t rests = 16;  ///< so far behind a vector is what single rounds off it
+  static constexpr std::size_t direction_rest = direction + rests;
+  static constexpr std::size_t point_rest = point + rests;
+  static constexpr std::size_t turn = 22;         ///< a Turn, only where rays branch
   static constexpr std::size_t t = 23;            ///< from `point` to where it turns, about
   static constexpr std::size_t left_id = 24;      ///< of the surface that was left in `point`
   static constexpr std::size_t left_normal = 25;  ///< its normal there
@@ -42,8 +45,8 @@ struct RayColumn {
 /// How a ray goes on from where it has met a surface.
 enum class Turn { mirrored, refracted, straight };
 
-/// Rays of a batch that have yet to turn: `point` and `direction` are those of the way to the
-/// surface, the rest is of where they leave it.
+/// Rays of a batch that have yet to turn: `point` and `direction`, their rests, `t` and what was
+/// left are of the way to the surface; `normal`, `id`, `u` and `v` of the surface itself.
 struct TurningRays {
   float* columns;  ///< at the beginning of a cache line, each of them
   std::size_t count;

@@ -1,7 +1,7 @@
 // Values of a table's rows, for packets of which each lane asks for a row of its own.
 
-#include <bit>
 #include <cstddef>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -21,12 +21,8 @@ class Rows {
     hn::Store(numbers, d, lanes);
     const T first = lanes[hn::FindFirstTrue(d, active)];
     is_shared_ = hn::AllTrue(d, hn::Or(hn::Not(active), hn::Eq(numbers, hn::Set(d, first))));
-    shared_ = table + static_cast<std::size_t>(first);
-    constexpr std::size_t values_in_row = sizeof(Row) / sizeof(T);
-    constexpr auto width = static_cast<T>(values_in_row);
-    static_assert(std::has_single_bit(sizeof(Row)), "a T holds every product with the width");
-    begins_ = hn::ConvertTo(hn::RebindToSigned<D>(),
-                            hn::Mul(hn::IfThenElseZero(active, numbers), hn::Set(d, width)));
+    shared_ = table + static_cast<Place>(first);
+    places_ = as_places(hn::IfThenElseZero(active, numbers));
   }
 
   HWY_INLINE V operator()(D d, T Row::*value) const {
@@ -43,7 +39,7 @@ class Rows {
   template <class Other>
   HWY_INLINE Rows<D, Other> followed(D d, T Row::*value, const Other* table, M active) const {
     if (HWY_LIKELY(is_shared_))
-      return Rows<D, Other>(d, table + static_cast<std::size_t>(shared_->*value));
+      return Rows<D, Other>(d, table + static_cast<Place>(shared_->*value));
     return Rows<D, Other>(d, table, column(d, &(table_->*value)), active);
   }
 
@@ -51,50 +47,54 @@ class Rows {
   template <class, class>
   friend class Rows;
 
+  using Place = std::int32_t;
+  using Places = hn::Rebind<Place, D>;
+  static constexpr std::size_t block_bytes = 16;
+  static constexpr std::size_t in_row = sizeof(Row) / sizeof(T);
+  static constexpr std::size_t in_block = block_bytes / sizeof(T);
+  static_assert(sizeof(Row) % block_bytes == 0);
+  static_assert(sizeof(T) * hn::MaxLanes(D()) >= block_bytes);
+
+  static HWY_INLINE hn::Vec<Places> as_places(V numbers) {
+    if constexpr (sizeof(T) == sizeof(Place))
+      return hn::ConvertTo(Places(), numbers);
+    else
+      return hn::DemoteTo(Places(), numbers);
+  }
+
   HWY_INLINE Rows(D, const Row* shared)
-      : table_(shared),
-        shared_(shared),
-        begins_(hn::Zero(hn::RebindToSigned<D>())),
-        is_shared_(true) {}
+      : table_(shared), shared_(shared), places_(hn::Zero(Places())), is_shared_(true) {}
 
   /// A value of each lane's row; `first` is that of the table's first row. Blocks of 128 bits are
   /// read and transposed, which takes less time than to gather, the more values of a block are
   /// asked for: compilers read it once.
   HWY_INLINE V column(D d, const T* first) const {
-    using Places = hwy::MakeSigned<T>;
-    constexpr std::size_t in_block = 16 / sizeof(T);
-    static_assert(sizeof(Row) % 16 == 0);
-    HWY_ALIGN Places places[hn::MaxLanes(D())];
-    hn::Store(begins_, hn::RebindToSigned<D>(), places);
+    HWY_ALIGN Place places[hn::MaxLanes(D())];
+    hn::Store(places_, Places(), places);
     const auto at = static_cast<std::size_t>(first - reinterpret_cast<const T*>(table_)) % in_block;
-    const T* const block = first - at;
+    const auto of_lanes_from = [&](std::size_t lane)
+                                   HWY_ATTR { return blocks(d, first - at, places + lane); };
     if constexpr (in_block == 2) {
-      const V a = blocks(d, block, places);
-      const V b = blocks(d, block, places + 1);
-      return at == 0 ? hn::InterleaveLower(d, a, b) : hn::InterleaveUpper(d, a, b);
+      const V even = of_lanes_from(0);
+      const V odd = of_lanes_from(1);
+      return at == 0 ? hn::InterleaveLower(d, even, odd) : hn::InterleaveUpper(d, even, odd);
     } else {
-      const hn::Repartition<double, D> pairs;
-      const V a = blocks(d, block, places);
-      const V b = blocks(d, block, places + 1);
-      const V c = blocks(d, block, places + 2);
-      const V e = blocks(d, block, places + 3);
-      const auto of_both = [&](V low, V high) HWY_ATTR {
-        const auto x = hn::BitCast(pairs, low);
-        const auto y = hn::BitCast(pairs, high);
-        return hn::BitCast(
-            d, at % 2 == 0 ? hn::InterleaveLower(pairs, x, y) : hn::InterleaveUpper(pairs, x, y));
+      const auto interleave = [](auto of, auto a, auto b, bool lower) HWY_ATTR {
+        return lower ? hn::InterleaveLower(of, a, b) : hn::InterleaveUpper(of, a, b);
       };
-      if (at < 2) return of_both(hn::InterleaveLower(d, a, b), hn::InterleaveLower(d, c, e));
-      return of_both(hn::InterleaveUpper(d, a, b), hn::InterleaveUpper(d, c, e));
+      const hn::Repartition<double, D> pairs;
+      const V a = interleave(d, of_lanes_from(0), of_lanes_from(1), at < 2);
+      const V b = interleave(d, of_lanes_from(2), of_lanes_from(3), at < 2);
+      return hn::BitCast(
+          d, interleave(pairs, hn::BitCast(pairs, a), hn::BitCast(pairs, b), at % 2 == 0));
     }
   }
 
-  /// Side by side, blocks of every such row, from the first of `places` on.
+  /// Side by side, the blocks of places 0, n, 2 n and so on, n being the values in a block.
   template <class Part>
-  static HWY_INLINE hn::Vec<Part> blocks(Part part, const T* block,
-                                         const hwy::MakeSigned<T>* places) {
-    if constexpr (sizeof(T) * hn::MaxLanes(Part()) <= 16) {
-      return hn::LoadU(part, block + *places);
+  static HWY_INLINE hn::Vec<Part> blocks(Part part, const T* block, const Place* places) {
+    if constexpr (hn::MaxLanes(Part()) == in_block) {
+      return hn::LoadU(part, block + static_cast<std::size_t>(*places) * in_row);
     } else {
       const hn::Half<Part> half;
       return hn::Combine(part, blocks(half, block, places + hn::MaxLanes(half)),
@@ -104,7 +104,7 @@ class Rows {
 
   const Row* table_;
   const Row* shared_;
-  hn::Vec<hn::RebindToSigned<D>> begins_;
+  hn::Vec<Places> places_;
   bool is_shared_;
 };
 

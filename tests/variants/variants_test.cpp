@@ -83,13 +83,14 @@ Scene close_together(const std::string& material, const Object& object) {
       material, objects));
 }
 
-struct ClosePacked {
+/// Of things close together, each of which magnifies what is seen in it or through it.
+struct MagnifyingScene {
   std::string name;
   bool is_mirroring;
   Scene scene;
 };
 
-std::vector<ClosePacked> magnifying_scenes() {
+std::vector<MagnifyingScene> magnifying_scenes() {
   const std::string mirror = R"("kd": 0.5, "reflectivity": 0.95)";
   const std::string glass = R"("kd": 0.5, "transparency": 0.98, "ior": 1.52)";
   const auto solid = [](const char* type, const char* sizes) {
@@ -113,13 +114,12 @@ std::vector<ClosePacked> magnifying_scenes() {
   const auto smooth = [](const Vec3& at) {  // an octahedron, as round as normals make it
     return fmt::format(
         R"({{"type": "mesh", "material": "m",
-             "vertices": [[{0}, {4}, {2}], [{0}, {5}, {2}], [{6}, {1}, {2}], [{7}, {1}, {2}],
-                          [{0}, {1}, {8}], [{0}, {1}, {9}]],
+             "vertices": [[{0}, {3}, {2}], [{0}, {4}, {2}], [{5}, {1}, {2}], [{6}, {1}, {2}],
+                          [{0}, {1}, {7}], [{0}, {1}, {8}]],
              "normals": [[0, 1, 0], [0, -1, 0], [1, 0, 0], [-1, 0, 0], [0, 0, 1], [0, 0, -1]],
              "triangles": [[0, 4, 2], [0, 2, 5], [0, 5, 3], [0, 3, 4],
                            [1, 2, 4], [1, 5, 2], [1, 3, 5], [1, 4, 3]]}})",
-        at.x, at.y, at.z, 0, at.y + 0.5, at.y - 0.5, at.x + 0.5, at.x - 0.5, at.z + 0.5,
-        at.z - 0.5);
+        at.x, at.y, at.z, at.y + 0.5, at.y - 0.5, at.x + 0.5, at.x - 0.5, at.z + 0.5, at.z - 0.5);
   };
   const char* const closed = R"("radius": 0.5)";
   const char* const open = R"("radius": 0.5, "caps": false)";
@@ -140,7 +140,7 @@ std::vector<ClosePacked> magnifying_scenes() {
 
 /// What single rounds off is magnified from one to the next.
 TEST(Variants, mixed_carries_what_mirrors_and_lenses_magnify) {
-  for (const ClosePacked& named : magnifying_scenes()) {
+  for (const MagnifyingScene& named : magnifying_scenes()) {
     const Image expected = reference_image(named.scene);
     for (const InstructionSet& set : supported_instruction_sets()) {
       const Plan plan = make_plan(named.scene, {set});

@@ -96,7 +96,7 @@ class BatchHits {
   static constexpr std::size_t own_columns = 5;
 
   static constexpr std::size_t most = blocks_at_once * block_pixels;
-  static_assert(most <= most_rays);
+  static_assert(most <= rays_in_batch);
 
   StreamRays<T, most> rays_;
   alignas(64) T own_[own_columns][most];  ///< u, v and normal, of kinds that compute them

@@ -41,7 +41,8 @@ class FollowedRays {
     add_to(next_, d, rays, way, turn, mask);
   }
 
-  /// Takes a batch, and returns how many rays it has: 0 once none is left.
+  /// Takes a batch, turns its rays if they have yet to, and returns how many it has: 0 once none is
+  /// left.
   std::size_t take(const PacketScene<T>& scene) {
     if constexpr (branch) {
       if (!next_->has_room_for(mirrored_->count())) put_aside(next_);

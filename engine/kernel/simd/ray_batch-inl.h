@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
-#include "engine/math/ray.h"
+#include "engine/kernel/ray_columns.h"
 #include "engine/memory/aligned_array.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,7 +29,7 @@ struct Packet {
 template <class D, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE auto compressing_order(D d, M mask) {
   constexpr std::size_t most_lanes = hn::MaxLanes(D());
-  uint8_t bytes[8] = {};
+  std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(d, mask, bytes);
   HWY_ALIGN hwy::MakeSigned<T> order[most_lanes] = {};
   std::size_t count = 0;
@@ -51,13 +52,14 @@ class RayBatch {
 
   std::size_t count() const { return count_; }
   void clear() { count_ = 0; }
-  bool has_room_for(std::size_t more) const { return count_ + more <= most_rays; }
+  bool has_room_for(std::size_t more) const { return count_ + more <= rays_in_batch; }
 
-  /// Adds the lanes of `mask`, at least one; there must be room for all lanes. Where paths are
-  /// carried in double `way` is theirs to the surface that they leave, where they have yet to turn;
-  /// else it is null.
+  /// Adds the lanes of `mask`, at least one, for which there must be room. Where paths are carried
+  /// in double, the rays have yet to `turn`: `rays` begin and go as their `way` to the surface does
+  /// that they leave; else it is null.
   template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
   HWY_INLINE void add(D d, const Packet<V>& rays, const WayTo<V>* way, V turn, M mask) {
+    static_assert(hn::MaxLanes(D()) * sizeof(T) <= 64, "a packet fits behind the last ray");
     const auto first_of_mask = compressing_order(d, mask);
     const auto keep = [&](std::size_t column, V values) HWY_ATTR {
       hn::StoreU(hn::TableLookupLanes(values, first_of_mask), d, of_column(column) + count_);
@@ -117,12 +119,14 @@ class RayBatch {
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE TreeRays<V> ray(D d, std::size_t i) const {
     const auto at = [&](std::size_t column) HWY_ATTR { return hn::Set(d, of_column(column)[i]); };
-    const auto vectors = [&](std::size_t first) HWY_ATTR {
-      return V3<V>{at(first), at(first + 1), at(first + 2)};
-    };
-    const V3<V> direction = vectors(Column::direction);
+    const V3<V> direction{at(Column::direction), at(Column::direction + 1),
+                          at(Column::direction + 2)};
     const V none = hn::Zero(d);
-    return {{vectors(Column::point), vectors(Column::normal), at(Column::id), none, none},
+    return {{{at(Column::point), at(Column::point + 1), at(Column::point + 2)},
+             {at(Column::normal), at(Column::normal + 1), at(Column::normal + 2)},
+             at(Column::id),
+             none,
+             none},
             direction,
             {none, none, none},
             basis_across(d, direction)};
@@ -130,8 +134,9 @@ class RayBatch {
 
   /// Moves others here, for which there must be room.
   void append(RayBatch& others) {
-    for (std::size_t i = 0; i < Column::count; ++i)
-      if (is_kept(i)) std::copy_n(others.of_column(i), others.count_, of_column(i) + count_);
+    const std::size_t kept = is_carried_ ? Column::count : Column::rests;
+    for (std::size_t i = 0; i < kept; ++i)
+      std::copy_n(others.of_column(i), others.count_, of_column(i) + count_);
     count_ += std::exchange(others.count_, 0);
   }
 
@@ -153,11 +158,6 @@ class RayBatch {
       return {(*this)(first), (*this)(first + 1), (*this)(first + 2)};
     }
   };
-
-  HWY_INLINE bool is_kept(std::size_t column) const {
-    if (column == Column::solids) return branch;
-    return column < Column::solids || is_carried_;
-  }
 
   HWY_INLINE T* of_column(std::size_t column) { return values_.get() + column * ray_stride<T>; }
   HWY_INLINE const T* of_column(std::size_t column) const {

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "engine/math/ray.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
@@ -68,49 +70,43 @@ HWY_NOINLINE Refraction<V, M> refraction_at(D d, const PacketScene<T>& scene,
           hn::Mul(share, hn::Sub(one, turned_back)), hn::Mul(share, turned_back)};
 }
 
-/// Where packets go on, and how.
-template <class V>
-struct NextRays {
-  V3<V> point;
-  V3<V> mirrored;
-  V3<V> refracted;
-};
-
-/// Adds the rays that follow a packet through surfaces.
+/// Adds the rays that follow a packet through surfaces, from `point` in `direction`; `way` as
+/// RayBatch::add() has it.
 template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_NOINLINE void add_refracted(D d, const PacketScene<T>& scene, const Surface<D>& surface,
                                 const Packet<V>& packet, const Refraction<V, M>& refraction,
-                                const NextRays<V>& next, const WayTo<V>* way, Followed& followed) {
+                                const V3<V>& point, const V3<V>& direction, const WayTo<V>* way,
+                                Followed& followed) {
   const M clear = refraction.clear;
   const V weight = hn::Mul(packet.weight, refraction.share);
   const M counts = hn::And(clear, hn::Ge(weight, hn::Set(d, least_weight<Followed, T>)));
   if (hn::AllFalse(d, counts)) return;
   Packet<V> on = packet;
   on.from = surface.at;
-  on.from.point = next.point;
+  on.from.point = point;
   on.from.normal = negate(surface.at.normal);
-  on.direction = next.refracted;
+  on.direction = direction;
   on.weight = weight;
   on.solids = depth_beyond(d, scene, surface, clear, packet.solids);
   on.followers = hn::Sub(packet.followers, hn::Set(d, T(1)));
   followed.add_refracted(d, on, way, refraction.bends, counts);
 }
 
-/// Adds the rays that surfaces of such reflectivity mirror.
+/// The same of rays that surfaces of such reflectivity mirror.
 template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE void add_mirrored(D d, const Surface<D>& surface, const Packet<V>& packet, M goes_on,
-                             V reflectivity, const NextRays<V>& next, const WayTo<V>* way,
-                             Followed& followed) {
+                             V reflectivity, const V3<V>& point, const V3<V>& direction,
+                             const WayTo<V>* way, Followed& followed) {
   const V weight = hn::Mul(packet.weight, reflectivity);
   const M mirrors = hn::And(goes_on, hn::Ge(weight, hn::Set(d, least_weight<Followed, T>)));
   if (hn::AllFalse(d, mirrors)) return;
   const V followers = hn::Sub(packet.followers, hn::Set(d, T(1)));
   const RayOrigin<V>& at = surface.at;
   followed.add_mirrored(d,
-                        Packet<V>{{next.point, at.normal, at.id, at.u, at.v},
-                                  next.mirrored,
+                        Packet<V>{{point, at.normal, at.id, at.u, at.v},
+                                  direction,
                                   weight,
                                   packet.pixel,
                                   followers,
@@ -118,25 +114,34 @@ HWY_INLINE void add_mirrored(D d, const Surface<D>& surface, const Packet<V>& pa
                         way, mirrors);
 }
 
-/// Adds the rays that follow the lanes of `goes_on`, at least one. Where paths are carried in
-/// double, `next` is not to be computed: they turn later, on their `way`.
+/// Adds the rays that follow the lanes of `goes_on`, at least one. With a `way`, where paths are
+/// carried in double, how they go on is computed later, once they turn.
 template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE void add_followers(D d, const PacketScene<T>& scene, const Packet<V>& packet,
                               const Surface<D>& surface, M goes_on, V reflectivity,
                               const WayTo<V>* way, Followed& followed) {
-  NextRays<V> next{packet.from.point, packet.direction, packet.direction};
-  if (way == nullptr) {
-    next.point = surface.at.point;
-    next.mirrored = unit(d, reflected_at(d, scene, surface.meeting(), packet.direction));
-  }
+  const V3<V>& point = way ? packet.from.point : surface.at.point;
+  V3<V> mirrored = packet.direction;
+  if (!way) mirrored = unit(d, reflected_at(d, scene, surface.meeting(), packet.direction));
   if constexpr (Followed::branches) {
     const auto refraction = refraction_at(d, scene, surface, packet.direction, goes_on);
-    if (way == nullptr) next.refracted = refraction.direction;
+    const V3<V>& direction = way ? packet.direction : refraction.direction;
     reflectivity = hn::Add(reflectivity, refraction.reflectivity);
-    add_refracted(d, scene, surface, packet, refraction, next, way, followed);
+    add_refracted(d, scene, surface, packet, refraction, point, direction, way, followed);
   }
-  add_mirrored(d, surface, packet, goes_on, reflectivity, next, way, followed);
+  add_mirrored(d, surface, packet, goes_on, reflectivity, point, mirrored, way, followed);
+}
+
+/// The same where paths are carried in double; `rest` is what single rounds off of the packet. Out
+/// of line: it would take registers from where they are not.
+template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_NOINLINE void add_carried_followers(D d, const PacketScene<float>& scene,
+                                        const Packet<V>& packet, const RayRest<V>& rest, V t,
+                                        const Surface<D>& surface, M goes_on, V reflectivity,
+                                        Followed& followed) {
+  const WayTo<V> way{rest, t, packet.from.id, packet.from.normal};
+  add_followers(d, scene, packet, surface, goes_on, reflectivity, &way, followed);
 }
 
 /// What a packet's rays meet.
@@ -193,8 +198,8 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
 
   if constexpr (may_be_inexact<T>)
     if (scene.exact.carries_paths) {
-      const WayTo<V> way{rest(), hit.t, packet.from.id, packet.from.normal};
-      add_followers(d, scene, packet, surface, goes_on, reflectivity, &way, followed);
+      add_carried_followers(d, scene, packet, rest(), hit.t, surface, goes_on, reflectivity,
+                            followed);
       return colour;
     }
   const WayTo<V>* const none = nullptr;

@@ -16,6 +16,7 @@ void trace_in_double(const PacketScene<double>& scene, DoubtfulSamples& samples,
   const EyeRays<D> eye(d, scene);
   const RayOrigin<V> origin = eye.origin(d);
   const V far_away = hn::Set(d, std::numeric_limits<double>::max());
+  static_assert(DoubtfulSamples::most <= rays_in_batch);
   RayQueues<double> queues(scene);
   for (std::size_t begin = 0; begin < samples.count; begin += block_pixels) {
     const std::size_t count = std::min<std::size_t>(samples.count - begin, block_pixels);

@@ -22,23 +22,22 @@ class TurningLanes {
   HWY_INLINE V3<V> get_vectors(std::size_t first) const {
     return {get(first), get(first + 1), get(first + 2)};
   }
-  /// Some 48 binary digits of which single holds one part, and the rest.
-  HWY_INLINE V3<V> get_vectors(std::size_t first, std::size_t first_rest) const {
-    return add(get_vectors(first), get_vectors(first_rest));
+  /// Vectors with what single rounds off of them, some 48 binary digits.
+  HWY_INLINE V3<V> get_long(std::size_t first) const {
+    return add(get_vectors(first), get_vectors(first + RayColumn::rests));
   }
-  HWY_INLINE void set_vectors(std::size_t first, std::size_t first_rest,
-                              const V3<V>& values) const {
-    set(first, first_rest, values.x);
-    set(first + 1, first_rest + 1, values.y);
-    set(first + 2, first_rest + 2, values.z);
+  HWY_INLINE void set_long(std::size_t first, const V3<V>& values) const {
+    set_long(first, values.x);
+    set_long(first + 1, values.y);
+    set_long(first + 2, values.z);
   }
 
  private:
-  HWY_INLINE void set(std::size_t column, std::size_t rest_column, V value) const {
+  HWY_INLINE void set_long(std::size_t column, V value) const {
     const auto rounded = hn::DemoteTo(singles_, value);
     const auto rest = hn::DemoteTo(singles_, hn::Sub(value, hn::PromoteTo(d_, rounded)));
     hn::Store(rounded, singles_, columns_ + column * ray_stride<float>);
-    hn::Store(rest, singles_, columns_ + rest_column * ray_stride<float>);
+    hn::Store(rest, singles_, columns_ + (column + RayColumn::rests) * ray_stride<float>);
   }
 
   D d_;
@@ -98,7 +97,8 @@ HWY_NOINLINE void meet_own(D d, const PacketScene<T>& scene, const RayOrigin<V>&
                     });
 }
 
-/// Where rays meet what they turn at, `active` lanes.
+/// Where rays meet what they turn at, `active` lanes. A scene `is_plain` of which rows tell
+/// everything and that lets no rays through.
 template <bool is_plain, class D, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE Meeting<V> meet_again(D d, const PacketScene<T>& scene, const TurningLanes<D>& lanes,
@@ -109,7 +109,7 @@ HWY_INLINE Meeting<V> meet_again(D d, const PacketScene<T>& scene, const Turning
   const V zero = hn::Zero(d);
   const V curvature = primitive(d, &Row::curvature);
   const V3<V> place = primitive(d, &Row::place);
-  const V3<V> from = lanes.get_vectors(Column::point, Column::point_rest);
+  const V3<V> from = lanes.get_long(Column::point);
   const M round = hn::And(active, hn::Gt(curvature, zero));
   const M flat = hn::And(active, hn::Eq(curvature, zero));
   const V t =
@@ -146,9 +146,11 @@ HWY_INLINE V3<V> turned_at_glass(D d, const PacketScene<T>& scene, const Turning
   const V turn = lanes.get(RayColumn::turn);
   const M mirrored = hn::And(active, hn::Eq(turn, hn::Set(d, T(Turn::mirrored))));
   const M refracted = hn::And(active, hn::Eq(turn, hn::Set(d, T(Turn::refracted))));
-  // Of the side that single has found.
+  // Of the side that single has found. Not where they are across: at a rim single may have met what
+  // is beyond it.
   const V along = dot(met.normal, lanes.get_vectors(RayColumn::normal));
-  const M is_other_side = hn::Lt(hn::IfThenElse(mirrored, along, hn::Neg(along)), zero);
+  const M is_other_side =
+      hn::Lt(hn::IfThenElse(mirrored, along, hn::Neg(along)), hn::Set(d, T(-0.5)));
   met.normal = select(is_other_side, negate(met.normal), met.normal);
   met.shading_normal = select(is_other_side, negate(met.shading_normal), met.shading_normal);
   V3<V> on = direction;
@@ -162,24 +164,22 @@ HWY_INLINE V3<V> turned_at_glass(D d, const PacketScene<T>& scene, const Turning
   return on;
 }
 
-/// Turns the `active` rays of a packet. A scene `is_plain` of which rows tell everything and that
-/// lets no rays through.
+/// Turns the `active` rays of a packet; `is_plain` as meet_again() has it.
 template <bool is_plain, class D, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE void turn_packet(D d, const PacketScene<T>& scene, const TurningLanes<D>& lanes,
                             M active) {
   using Column = RayColumn;
   const V id = hn::IfThenElseZero(active, lanes.get(Column::id));
-  const V3<V> direction = lanes.get_vectors(Column::direction, Column::direction_rest);
+  const V3<V> direction = lanes.get_long(Column::direction);
   const Meeting<V> met = meet_again<is_plain>(d, scene, lanes, direction, id, active);
-  lanes.set_vectors(Column::point, Column::point_rest, met.point);
+  lanes.set_long(Column::point, met.point);
   const V3<V> on = !is_plain && scene.transmits
                        ? turned_at_glass(d, scene, lanes, direction, id, active, met)
                        : reflected_at(d, scene, met, direction);
   // To a length of 1, by a step of Newton's method from there.
   const V half_length2 = hn::Mul(hn::Set(d, T(0.5)), dot(on, on));
-  lanes.set_vectors(Column::direction, Column::direction_rest,
-                    scale(on, hn::Sub(hn::Set(d, T(1.5)), half_length2)));
+  lanes.set_long(Column::direction, scale(on, hn::Sub(hn::Set(d, T(1.5)), half_length2)));
 }
 
 void turn_in_double(const PacketScene<double>& scene, const TurningRays& rays) {
