@@ -72,14 +72,15 @@ class Rows {
     HWY_ALIGN Place places[hn::MaxLanes(D())];
     hn::Store(places_, Places(), places);
     const auto at = static_cast<std::size_t>(first - reinterpret_cast<const T*>(table_)) % in_block;
-    const auto of_lanes_from = [&](std::size_t lane)
-                                   HWY_ATTR { return blocks(d, first - at, places + lane); };
+    const auto of_lanes_from = [&](std::size_t lane) RAYTRACER_INLINE_ATTR {
+      return blocks(d, first - at, places + lane);
+    };
     if constexpr (in_block == 2) {
       const V even = of_lanes_from(0);
       const V odd = of_lanes_from(1);
       return at == 0 ? hn::InterleaveLower(d, even, odd) : hn::InterleaveUpper(d, even, odd);
     } else {
-      const auto interleave = [](auto of, auto a, auto b, bool lower) HWY_ATTR {
+      const auto interleave = [](auto of, auto a, auto b, bool lower) RAYTRACER_INLINE_ATTR {
         return lower ? hn::InterleaveLower(of, a, b) : hn::InterleaveUpper(of, a, b);
       };
       const hn::Repartition<double, D> pairs;
