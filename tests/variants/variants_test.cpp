@@ -93,6 +93,7 @@ struct MagnifyingScene {
 std::vector<MagnifyingScene> magnifying_scenes() {
   const std::string mirror = R"("kd": 0.5, "reflectivity": 0.95)";
   const std::string glass = R"("kd": 0.5, "transparency": 0.98, "ior": 1.52)";
+  const std::string dense = R"("kd": 0.5, "transparency": 0.98, "ior": 2)";
   const auto solid = [](const char* type, const char* sizes) {
     return [=](const Vec3& at) {
       return fmt::format(
@@ -127,6 +128,10 @@ std::vector<MagnifyingScene> magnifying_scenes() {
   const char* const wide_open = R"("radius_from": 0.2, "radius_to": 0.6, "caps": false)";
   return {{"mirroring spheres", true, close_together(mirror, ball)},
           {"glass spheres", false, close_together(glass, ball)},
+          {"dense spheres", false, close_together(dense, ball)},
+          {"dense cylinders", false, close_together(dense, solid("cylinder", closed))},
+          {"dense cones", false, close_together(dense, solid("cone", narrowing))},
+          {"dense smooth triangles", false, close_together(dense, smooth)},
           {"mirroring squares of spheres", true, close_together(mirror, square)},
           {"mirroring cylinders", true, close_together(mirror, solid("cylinder", closed))},
           {"mirroring pipes", true, close_together(mirror, solid("cylinder", open))},
