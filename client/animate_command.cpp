@@ -46,7 +46,7 @@ NextRequest turn(Api& api, const AnimateArguments& arguments, const SceneText& s
 void animate(AnimateArguments& arguments, const ServerChoice& server) {
   if (arguments.turntable == 0 && arguments.frames.empty())
     throw InputError("animate: what is to move? Give --turntable N or --frames all");
-  arguments.scene.wishes.is_turned = arguments.turntable > 0;
+  arguments.scene.import_options.is_turned = arguments.turntable > 0;
   const std::unique_ptr<Film> film = open_film(arguments.target);
   FilmProgress progress(arguments.turntable);
   if (arguments.turntable > 0) {

@@ -71,7 +71,7 @@ CLI::App& add_scene_command(CLI::App& app, const std::string& name, const std::s
   command.add_option("SCENE", scene.name, "File, shipped scene, or - for standard input")
       ->required()
       ->option_text(" ");
-  add_wish_options(command, scene);
+  add_import_flags(command, scene);
   return command;
 }
 

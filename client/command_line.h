@@ -26,7 +26,7 @@ CLI::App& add_scene_command(CLI::App& app, const std::string& name, const std::s
                             SceneChoice& scene);
 
 /// These options alone.
-void add_wish_options(CLI::App& command, SceneChoice& scene);
+void add_import_flags(CLI::App& command, SceneChoice& scene);
 
 /// For CLI11: a number that is finite and greater than 0.
 std::string refuse_unless_positive(const std::string& text);

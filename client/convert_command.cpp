@@ -65,7 +65,7 @@ void add_convert(CLI::App& app, const ServerChoice& server) {
   command.add_option("FILE", arguments->scene.name, "File, shipped scene, or - for standard input")
       ->required()
       ->option_text(" ");
-  add_wish_options(command, arguments->scene);
+  add_import_flags(command, arguments->scene);
   add_output_option(command, arguments->output, "Scene document: .json [standard output]",
                     {".json"});
   command.callback([arguments, &server] { convert(*arguments, server); });

@@ -40,20 +40,20 @@ auto naming(const std::string& label, Read read) {
   }
 }
 
-Wishes with_size(Wishes wishes, const Overrides& overrides) {
+ImportOptions with_size(ImportOptions options, const Overrides& overrides) {
   const auto replace = [&](const char* name, int& value) {
     const auto given = overrides.find(name);
     if (given != overrides.end()) value = std::stoi(given->second);
   };
-  replace("width", wishes.width_px);
-  replace("height", wishes.height_px);
-  return wishes;
+  replace("width", options.width_px);
+  replace("height", options.height_px);
+  return options;
 }
 
 std::unique_ptr<SceneFile> open(const Format& format, const SceneChoice& choice,
                                 const Overrides& overrides) {
   return format.open({source_of_file(choice.name), choice.name},
-                     with_size(choice.wishes, overrides));
+                     with_size(choice.import_options, overrides));
 }
 
 /// The scene document that a frame means.
@@ -83,15 +83,15 @@ SceneText read_document(const std::string& path) {
   return {path, std::move(text)};
 }
 
-/// Wishes for what a scene says itself are refused.
-void refuse_wishes(const SceneChoice& choice, Openness openness) {
-  for (const std::string& option : choice.wished) {
-    const Openness needed = option == "--view" || option == "--zoom" ? Openness::missing_view
-                            : option == "--background"               ? Openness::picture
-                                                                     : Openness::atoms;
+/// Flags about what a scene says itself are refused.
+void refuse_flags(const SceneChoice& choice, Openness openness) {
+  for (const std::string& flag : choice.flags_given) {
+    const Openness needed = flag == "--view" || flag == "--zoom" ? Openness::missing_view
+                            : flag == "--background"             ? Openness::picture
+                                                                 : Openness::atoms;
     if (openness >= needed) continue;
     throw InputError(fmt::format(
-        "{}: {} says this itself; the option is for {}", option, choice.name,
+        "{}: {} says this itself; the option is for {}", flag, choice.name,
         needed == Openness::atoms ? "atoms and other particles" : "formats without a camera"));
   }
 }
@@ -101,7 +101,7 @@ void refuse_wishes(const SceneChoice& choice, Openness openness) {
 std::optional<SceneText> read_scene_file(const SceneChoice& choice, const Overrides& overrides) {
   const std::string& scene = choice.name;
   const Format* const format = format_of(scene);
-  refuse_wishes(choice, format ? format->openness : Openness::nothing);
+  refuse_flags(choice, format ? format->openness : Openness::nothing);
   if (scene == "-") return SceneText{"standard input", read_to_end(stdin, "standard input")};
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(scene, error);

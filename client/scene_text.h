@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "client/formats/import_options.h"
 #include "client/formats/scene_file.h"
-#include "client/formats/wishes.h"
 
 namespace raytracer::client {
 
@@ -22,17 +22,17 @@ struct SceneText {
 /// The server's query parameters by name; they stand over the scene's own values.
 using Overrides = std::map<std::string, std::string>;
 
-/// What stands in SCENE's place on the command line, and the options about what it may leave open.
+/// What stands in SCENE's place on the command line, and the flags about what it may leave open.
 struct SceneChoice {
   std::string name;  ///< a file, "-", or a shipped scene's name
-  Wishes wishes;
-  std::vector<std::string> wished;  ///< the options that were given, "--style"
+  ImportOptions import_options;
+  std::vector<std::string> flags_given;  ///< of those about import, "--style"
 };
 
 /// The scene if the choice is "-" or a file; none if it may be a shipped scene's name. A file whose
 /// ending is that of another format becomes a scene document: its first frame; what that cannot say
 /// is said on standard error. Throws InputError for what cannot be read, for a path that is not
-/// there, and for wishes where the scene leaves nothing open. Of the overrides the size of the
+/// there, and for flags about what the scene does not leave open. Of the overrides the size of the
 /// image counts.
 std::optional<SceneText> read_scene_file(const SceneChoice& choice,
                                          const Overrides& overrides = {});

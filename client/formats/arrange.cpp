@@ -228,13 +228,13 @@ double zoomed(double fov, double zoom) { return 2 * std::atan(std::tan(fov / 2) 
 
 }  // namespace
 
-model::View view_of_all(const model::Scene& scene, const Wishes& wishes, Upright upright) {
+model::View view_of_all(const model::Scene& scene, const ImportOptions& options, Upright upright) {
   constexpr double fov = 0.5;
   constexpr double margin = 1.06;
   const Standpoint best = best_standpoint(scene, upright);
-  const Triple towards_eye = wishes.view ? unit(*wishes.view) : best.towards_eye;
+  const Triple towards_eye = options.view ? unit(*options.view) : best.towards_eye;
   Triple up = best.up;
-  if (wishes.view) up = upright == Upright::y ? Triple{0, 1, 0} : Triple{0, 0, 1};
+  if (options.view) up = upright == Upright::y ? Triple{0, 1, 0} : Triple{0, 0, 1};
   constexpr double nearly_parallel = 0.999;
   if (std::abs(dot(up, towards_eye)) > nearly_parallel)
     up = std::abs(up[2]) > 0.5 ? Triple{0, 1, 0} : Triple{0, 0, 1};
@@ -245,30 +245,30 @@ model::View view_of_all(const model::Scene& scene, const Wishes& wishes, Upright
   const Triple pivot = along.center();
   const double tangent_right = std::tan(fov / 2) / margin;
   FrameFit fit{right, above, towards_eye, tangent_right,
-               tangent_right * wishes.height_px / wishes.width_px};
+               tangent_right * options.height_px / options.width_px};
   each_ball(scene, [&](const Triple& center, double radius) {
     const Triple place = difference(center, pivot);
-    if (!wishes.is_turned) return fit.add(place, radius);
+    if (!options.is_turned) return fit.add(place, radius);
     constexpr int turns = 16;
     for (int i = 0; i < turns; ++i)
       fit.add(turned(place, up, 2 * std::numbers::pi * i / turns), radius);
   });
   // What turns stays where its axis is.
-  if (!wishes.is_turned) fit.center();
+  if (!options.is_turned) fit.center();
 
   model::View view{};
   view.at = sum(pivot, sum(scaled(right, fit.x), scaled(above, fit.y)));
   view.from = sum(view.at, scaled(towards_eye, fit.distance()));
   if (view.from == view.at) view.from = sum(view.at, towards_eye);
   view.up = up;
-  view.fov = zoomed(fov, wishes.zoom);
-  view.width_px = wishes.width_px;
-  view.height_px = wishes.height_px;
+  view.fov = zoomed(fov, options.zoom);
+  view.width_px = options.width_px;
+  view.height_px = options.height_px;
   return view;
 }
 
 model::View view_through(const model::Camera& camera, const model::Scene& scene,
-                         const Wishes& wishes) {
+                         const ImportOptions& options) {
   const Triple ahead = unit(camera.ahead);
   const Box box = box_around(scene, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
   const double radius = std::sqrt(dot(box.size(), box.size())) / 2;
@@ -281,10 +281,11 @@ model::View view_through(const model::Camera& camera, const model::Scene& scene,
   view.at = sum(camera.from, scaled(ahead, distance));
   if (view.at == view.from) view.at = sum(view.from, ahead);
   view.up = camera.up;
-  const double width = 2 * std::atan(std::tan(camera.fov / 2) * wishes.width_px / wishes.height_px);
-  view.fov = zoomed(width, wishes.zoom);
-  view.width_px = wishes.width_px;
-  view.height_px = wishes.height_px;
+  const double width =
+      2 * std::atan(std::tan(camera.fov / 2) * options.width_px / options.height_px);
+  view.fov = zoomed(width, options.zoom);
+  view.width_px = options.width_px;
+  view.height_px = options.height_px;
   return view;
 }
 
@@ -306,9 +307,9 @@ bool is_all_in_view(const model::Scene& scene) {
   return is_in_view;
 }
 
-void arrange(model::Scene& scene, const Wishes& wishes, const model::View& view) {
+void arrange(model::Scene& scene, const ImportOptions& options, const model::View& view) {
   scene.view = view;
-  scene.background = wishes.background;
+  scene.background = options.background;
   if (scene.lights.empty())
     light_studio(scene);
   else

@@ -14,7 +14,7 @@
 
 namespace raytracer::client {
 
-/// Which wishes a file of a format leaves open, each more than those before it.
+/// Which options a file of a format leaves open, each more than those before it.
 enum class Openness {
   nothing,
   missing_view,  ///< from where it is seen, unless it says so
@@ -24,7 +24,7 @@ enum class Openness {
 
 struct Format {
   std::string_view ending;
-  std::unique_ptr<SceneFile> (*open)(FileInput input, const Wishes& wishes);
+  std::unique_ptr<SceneFile> (*open)(FileInput input, const ImportOptions& options);
   Openness openness;
 };
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "client/formats/import_options.h"
 #include "client/formats/reading.h"
 #include "client/formats/text_source.h"
-#include "client/formats/wishes.h"
 
 namespace raytracer::client {
 

@@ -64,29 +64,29 @@ std::string random_points(unsigned seed, const Vector& size, const Vector& cente
 
 TEST(Arrange, everything_is_in_view_and_fills_it) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    client::Wishes wishes;
-    wishes.width_px = 100 + 50 * static_cast<int>(seed % 7);
-    wishes.height_px = 100 + 30 * static_cast<int>(seed % 5);
-    if (seed % 3 == 1) wishes.view = client::model::Triple{1, -2, 0.5 * seed};
-    const double reach =
-        reach_of(document(".csv", random_points(seed, {10, 3.0 + seed, 1}, {100, 0, -50}), wishes));
+    client::ImportOptions options;
+    options.width_px = 100 + 50 * static_cast<int>(seed % 7);
+    options.height_px = 100 + 30 * static_cast<int>(seed % 5);
+    if (seed % 3 == 1) options.view = client::model::Triple{1, -2, 0.5 * seed};
+    const double reach = reach_of(
+        document(".csv", random_points(seed, {10, 3.0 + seed, 1}, {100, 0, -50}), options));
     EXPECT_LT(reach, 1);
     EXPECT_GT(reach, 0.9);
   }
 }
 
 TEST(Arrange, zoom_enlarges) {
-  client::Wishes wishes;
+  client::ImportOptions options;
   const std::string text = random_points(1, {5, 5, 5}, {0, 0, 0});
-  const double whole = reach_of(document(".csv", text, wishes));
-  wishes.zoom = 2;
-  EXPECT_NEAR(reach_of(document(".csv", text, wishes)), 2 * whole, 0.01);
+  const double whole = reach_of(document(".csv", text, options));
+  options.zoom = 2;
+  EXPECT_NEAR(reach_of(document(".csv", text, options)), 2 * whole, 0.01);
 }
 
 TEST(Arrange, turning_leaves_everything_in_view) {
-  client::Wishes wishes;
-  wishes.is_turned = true;
-  json scene = document(".csv", random_points(2, {9, 4, 2}, {7, 7, 7}), wishes);
+  client::ImportOptions options;
+  options.is_turned = true;
+  json scene = document(".csv", random_points(2, {9, 4, 2}, {7, 7, 7}), options);
   const Vector look_at = scene.at("camera").at("look_at");
   const Vector up = unit(scene.at("camera").at("up"));
   const Vector arm = difference(scene.at("camera").at("origin"), look_at);
@@ -110,18 +110,19 @@ TEST(Arrange, flat_things_are_seen_from_their_broad_side) {
 }
 
 TEST(Arrange, view_is_where_the_eye_stands_with_z_upward) {
-  client::Wishes wishes;
-  wishes.view = client::model::Triple{1, 0, 0};
-  const json camera = document(".csv", random_points(4, {3, 3, 3}, {0, 0, 0}), wishes).at("camera");
+  client::ImportOptions options;
+  options.view = client::model::Triple{1, 0, 0};
+  const json camera =
+      document(".csv", random_points(4, {3, 3, 3}, {0, 0, 0}), options).at("camera");
   const Vector arm = unit(difference(camera.at("origin"), camera.at("look_at")));
   EXPECT_NEAR(arm[0], -1, 1e-9);  // scenes have x mirrored
   EXPECT_EQ(camera.at("up"), json({0, 0, 1}));
 }
 
 TEST(Arrange, background_may_be_transparent) {
-  client::Wishes wishes;
-  wishes.background = std::nullopt;
-  EXPECT_EQ(document(".csv", "x,y,z\n1,2,3\n", wishes).at("background"), "transparent");
+  client::ImportOptions options;
+  options.background = std::nullopt;
+  EXPECT_EQ(document(".csv", "x,y,z\n1,2,3\n", options).at("background"), "transparent");
 }
 
 }  // namespace

@@ -19,17 +19,17 @@ const std::string zinc_and_sulfur =
 
 /// Sixty atoms with three bonds each, of which each is drawn in two halves.
 TEST(Pdb, every_bond_of_c60_is_drawn_once_in_two_halves) {
-  const auto wishes = wishes_for("", client::AtomStyle::ball_and_stick);
-  const json scene = document(".pdb", shipped("c60.pdb"), wishes);
+  const auto options = options_for("", client::AtomStyle::ball_and_stick);
+  const json scene = document(".pdb", shipped("c60.pdb"), options);
   EXPECT_EQ(count_of(scene, "sphere"), 60U);
   EXPECT_EQ(count_of(scene, "cylinder"), 2U * 90U);
 }
 TEST(Pdb, bonds_that_the_file_names_may_be_long) {
   const std::string atoms =
       pdb_atom(1, "ZN  ", " ZN", 'A', 1, 0, "ZN") + pdb_atom(2, " CA ", "GLY", 'A', 2, 8, "C");
-  const auto wishes = wishes_for("", client::AtomStyle::sticks);
-  EXPECT_EQ(count_of(document(".pdb", atoms, wishes), "cylinder"), 0U);
-  EXPECT_EQ(count_of(document(".pdb", atoms + "CONECT    1    2\nCONECT    2    1\n", wishes),
+  const auto options = options_for("", client::AtomStyle::sticks);
+  EXPECT_EQ(count_of(document(".pdb", atoms, options), "cylinder"), 0U);
+  EXPECT_EQ(count_of(document(".pdb", atoms + "CONECT    1    2\nCONECT    2    1\n", options),
                      "cylinder"),
             2U);
 }
@@ -39,8 +39,9 @@ TEST(Pdb, distances_bond_no_two_hetero_atoms_that_the_file_names_apart) {
     std::string text;
     for (int i = 0; i < 4; ++i)
       text += pdb_atom(i + 1, " C  ", "LIG", 'A', 1, 1.5 * i, "C").replace(0, 6, record);
-    return count_of(document(".pdb", text + connections, wishes_for("", client::AtomStyle::sticks)),
-                    "cylinder");
+    return count_of(
+        document(".pdb", text + connections, options_for("", client::AtomStyle::sticks)),
+        "cylinder");
   };
   EXPECT_EQ(halves("HETATM", ""), 2U * 3U);
   EXPECT_EQ(halves("HETATM", "CONECT    1    2\n"), 2U * 3U);
@@ -54,7 +55,7 @@ TEST(Pdb, bonds_of_atoms_that_the_file_lacks_are_counted_once) {
                            pdb_atom(2, " O  ", "HOH", 'A', 2, 5, "O") +
                            "CONECT    1    2    9    9\nCONECT    9    1\nCONECT    1    8\n";
   const auto omissions =
-      read_text(*client::format_of(".pdb"), text, wishes_for("", client::AtomStyle::sticks))
+      read_text(*client::format_of(".pdb"), text, options_for("", client::AtomStyle::sticks))
           .at(0)
           .omissions;
   ASSERT_EQ(omissions.size(), 2U);
@@ -72,7 +73,7 @@ TEST(Pdb, bonds_of_another_models_atoms_are_not_counted) {
   const std::string text =
       model("MODEL        1\n", 1) + model("MODEL        2\n", 3) + "CONECT    3    4\n";
   const auto frames =
-      read_text(*client::format_of(".pdb"), text, wishes_for("", client::AtomStyle::sticks));
+      read_text(*client::format_of(".pdb"), text, options_for("", client::AtomStyle::sticks));
   ASSERT_EQ(frames.size(), 2U);
   for (const client::Reading& frame : frames) EXPECT_TRUE(frame.omissions.empty());
 }
@@ -87,7 +88,7 @@ TEST(Mmcif, bonds_to_other_copies_are_left_out_and_counted) {
       "_struct_conn.ptnr2_auth_asym_id A\n_struct_conn.ptnr2_auth_comp_id CYS\n"
       "_struct_conn.ptnr2_auth_seq_id 2\n_struct_conn.ptnr2_label_atom_id SG\n";
   const auto frames =
-      read_text(*client::format_of(".cif"), text, wishes_for("", client::AtomStyle::sticks));
+      read_text(*client::format_of(".cif"), text, options_for("", client::AtomStyle::sticks));
   ASSERT_EQ(frames[0].omissions.size(), 1U);
   EXPECT_EQ(frames[0].omissions[0].count, 1);
   const json scene = json::parse(client::model::to_document(frames[0].scene));
@@ -102,9 +103,9 @@ TEST(Mmcif, bonds_that_the_file_names_are_drawn) {
       "_struct_conn.ptnr1_auth_seq_id\n_struct_conn.ptnr1_label_atom_id\n"
       "_struct_conn.ptnr2_auth_asym_id\n_struct_conn.ptnr2_auth_comp_id\n"
       "_struct_conn.ptnr2_auth_seq_id\n_struct_conn.ptnr2_label_atom_id\n";
-  const auto wishes = wishes_for("", client::AtomStyle::sticks);
+  const auto options = options_for("", client::AtomStyle::sticks);
   const auto bonds = [&](const std::string& rows) {
-    return count_of(document(".cif", text + rows, wishes), "cylinder");
+    return count_of(document(".cif", text + rows, options), "cylinder");
   };
   EXPECT_EQ(bonds("1 metalc A ZN 1 ZN A CYS 2 SG\n"), 2U);
   for (const std::string type : {"hydrog", "HYDROG", "saltbr", "mismat"})
@@ -133,7 +134,7 @@ class LabelledBonds : public testing::Test {
           "_struct_conn.{0}_{1}_seq_id\n_struct_conn.{0}_label_atom_id\n",
           partner, kind);
     return read_text(*client::format_of(".cif"), text + rows,
-                     wishes_for("", client::AtomStyle::sticks));
+                     options_for("", client::AtomStyle::sticks));
   }
 
   static std::size_t sticks(const client::Reading& reading) {

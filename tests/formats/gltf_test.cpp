@@ -126,7 +126,7 @@ TEST(Gltf, names_of_files_are_uris) {
   file["accessors"].erase(1);
   const std::string path = folder.write("blank.gltf", file.dump());
   const auto scene =
-      client::format_of(path)->open({client::source_of_file(path), path}, client::Wishes());
+      client::format_of(path)->open({client::source_of_file(path), path}, client::ImportOptions());
   EXPECT_EQ(scene->next_frame().value().scene.objects.size(), 1U);
 }
 

@@ -234,7 +234,7 @@ TEST(MeshErrors, what_a_ply_has_besides_triangles_is_told) {
   EXPECT_EQ(triangles_of(reading), 1U);
 }
 
-/// A PLY of three vertices and a face in bytes, of which the last byte comes first if so wished.
+/// A PLY of three vertices and a face in bytes, of which the last byte comes first if asked for.
 std::string binary_ply(bool is_big_endian) {
   std::string text = "ply\nformat binary_" + std::string(is_big_endian ? "big" : "little") +
                      "_endian 1.0\n" + ply_vertices +

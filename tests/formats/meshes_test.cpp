@@ -47,7 +47,7 @@ TEST(Meshes, numbers_of_an_obj_may_begin_with_their_point) {
   const TemporaryFolder folder;
   const std::string path = folder.write("bare.obj", text);
   const auto file =
-      client::format_of(path)->open({client::source_of_file(path), path}, client::Wishes());
+      client::format_of(path)->open({client::source_of_file(path), path}, client::ImportOptions());
   const client::Reading reading = file->next_frame().value();
   EXPECT_EQ(reading.scene.objects.size(), 1U);
 }
@@ -59,7 +59,7 @@ TEST(Meshes, materials_of_an_obj_shine_as_their_file_says_and_what_is_lost_is_to
     const std::string path = folder.write(
         "one.obj", "mtllib " + library + "\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     return client::format_of(path)
-        ->open({client::source_of_file(path), path}, client::Wishes())
+        ->open({client::source_of_file(path), path}, client::ImportOptions())
         ->next_frame()
         .value();
   };
@@ -87,7 +87,7 @@ TEST(Meshes, files_that_a_compressed_one_names_lie_beside_it) {
   const auto reading_of = [&](const std::string& name, const std::string& text) {
     const std::string path = folder.write(name, packed(text));
     return client::format_of(path)
-        ->open({client::source_of_file(path), path}, client::Wishes())
+        ->open({client::source_of_file(path), path}, client::ImportOptions())
         ->next_frame()
         .value();
   };
@@ -169,7 +169,7 @@ json staged(const std::string& nodes, const std::string& roots) {
       "scenes": [{"nodes": )" + roots + R"(}], "nodes": [{"mesh": 0}, )" +
                                                           nodes + "]}");
   const auto file =
-      client::format_of(path)->open({client::source_of_file(path), path}, client::Wishes());
+      client::format_of(path)->open({client::source_of_file(path), path}, client::ImportOptions());
   const client::Reading reading = file->next_frame().value();
   json document = json::parse(to_document(reading.scene));
   for (const client::Omission& kind : reading.omissions) document["told"][kind.one] = kind.count;

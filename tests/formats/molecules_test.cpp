@@ -59,10 +59,10 @@ TEST(Pdb, water_and_alternate_locations_are_left_out_and_counted) {
   ASSERT_EQ(frames[0].omissions.size(), 2U);
   EXPECT_EQ(frames[0].omissions[0].first_line, 2);
   EXPECT_EQ(frames[0].omissions[1].count, 2);
-  client::Wishes wishes;
-  wishes.with_water = true;
+  client::ImportOptions options;
+  options.with_water = true;
   EXPECT_EQ(count_of(document(".pdb", text), "sphere"), 1U);
-  EXPECT_EQ(count_of(document(".pdb", text, wishes), "sphere"), 3U);
+  EXPECT_EQ(count_of(document(".pdb", text, options), "sphere"), 3U);
 }
 
 /// The side chain has its own two places; the hydrogen is known in the second one only. The other
@@ -127,7 +127,7 @@ TEST(Pdb, chains_residues_and_bfactors_give_colours) {
                            pdb_atom(2, " CA ", "ASP", 'B', 1, 5, "C") +
                            pdb_atom(3, " CA ", "GLY", 'B', 2, 9, "C");
   const auto colours = [&](const std::string& color) {
-    return document(".pdb", text, wishes_for(color, client::AtomStyle::spacefill))
+    return document(".pdb", text, options_for(color, client::AtomStyle::spacefill))
         .at("materials")
         .size();
   };
@@ -142,7 +142,7 @@ TEST(Pdb, bfactors_beyond_single_precision_are_the_largest) {
   std::string text;
   for (const char* const bfactor : {"  10.0", " 9e300", "  20.0", "-9e300"})
     text += pdb_atom(1, " CA ", "GLY", 'A', 1, 0, "C").replace(60, 6, bfactor);
-  const json scene = document(".pdb", text, wishes_for("bfactor", client::AtomStyle::spacefill));
+  const json scene = document(".pdb", text, options_for("bfactor", client::AtomStyle::spacefill));
   EXPECT_EQ(scene.at("materials").size(), 3U);
 }
 
@@ -164,7 +164,7 @@ TEST(Pdb, each_error_has_its_line) {
   for (const PdbMistake& mistake : table) {
     SCOPED_TRACE(mistake.text);
     const auto frames = read_text(*client::format_of(".pdb"), mistake.text,
-                                  wishes_for(mistake.color, client::AtomStyle::spacefill));
+                                  options_for(mistake.color, client::AtomStyle::spacefill));
     ASSERT_EQ(frames.at(0).errors.size(), 1U);
     EXPECT_EQ(frames[0].errors[0].line, mistake.line);
     EXPECT_NE(frames[0].errors[0].what.find(mistake.says), std::string::npos)
@@ -174,7 +174,7 @@ TEST(Pdb, each_error_has_its_line) {
 
 TEST(Mmcif, models_of_ice_have_a_molecule_at_each_place) {
   const auto frames =
-      documents(".cif", shipped("ice.cif"), wishes_for("", client::AtomStyle::ball_and_stick));
+      documents(".cif", shipped("ice.cif"), options_for("", client::AtomStyle::ball_and_stick));
   ASSERT_EQ(frames.size(), 2U);
   for (const json& frame : frames) {
     EXPECT_EQ(count_of(frame, "sphere"), 24U);
@@ -184,7 +184,7 @@ TEST(Mmcif, models_of_ice_have_a_molecule_at_each_place) {
 
 TEST(Mmcif, any_column_of_the_sites_gives_colours) {
   EXPECT_EQ(documents(".mmcif", shipped("ice.cif"),
-                      wishes_for("B_iso_or_equiv", client::AtomStyle::spacefill))[0]
+                      options_for("B_iso_or_equiv", client::AtomStyle::spacefill))[0]
                 .at("materials")
                 .size(),
             8U);
@@ -198,7 +198,7 @@ TEST(Mmcif, column_of_words_gives_a_colour_each_and_gaps_among_numbers_are_gray)
       "C 0 0 0 ATOM 1(2)\nC 5(2) 0 0 HETATM .\nC 9 0 0 ATOM 2\n";
   const auto read = [&](const char* column) {
     return read_text(*client::format_of(".cif"), text,
-                     wishes_for(column, client::AtomStyle::spacefill))
+                     options_for(column, client::AtomStyle::spacefill))
         .at(0);
   };
   const client::Reading words = read("group_PDB");

@@ -63,10 +63,10 @@ TEST(MutatedFile, is_read_or_refused_with_lines) {
     for (int round = 0; round < rounds; ++round) {
       const std::string text = damaged(whole, random);
       const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
-      client::Wishes wishes;
-      wishes.style = static_cast<client::AtomStyle>(round % 3);
+      client::ImportOptions options;
+      options.style = static_cast<client::AtomStyle>(round % 3);
       try {
-        for (const client::Reading& frame : read_text(*format, text, wishes)) {
+        for (const client::Reading& frame : read_text(*format, text, options)) {
           for (const client::LineError& error : frame.errors) {
             ASSERT_GE(error.line, 1);
             ASSERT_LE(error.line, lines);

@@ -63,23 +63,23 @@ TEST(NffElements, what_has_no_light_has_a_key_light_and_a_sky) {
   for (const json& part : along.at("lights")[0].at("direction")) EXPECT_TRUE(part.is_number());
 }
 
-TEST(NffElements, what_has_no_viewpoint_is_all_in_view_as_is_wished) {
+TEST(NffElements, what_has_no_viewpoint_is_all_in_view_as_is_asked) {
   const std::string balls = nff_fill + "s 1 2 3 0.5\ns 4 2 3 0.5\nl 0 0 9";
   const json centre = nff_document(balls).at("camera").at("look_at");
   EXPECT_NEAR(centre[0].get<double>(), -2.5, 0.1);
-  client::Wishes wishes;
-  wishes.view = {0, 1, 0};
-  const client::Reading reading = client::read_nff(balls, wishes);
+  client::ImportOptions options;
+  options.view = {0, 1, 0};
+  const client::Reading reading = client::read_nff(balls, options);
   ASSERT_TRUE(reading.errors.empty());
   EXPECT_EQ(reading.scene.view.from[0], 2.5);  // as the file counts
   EXPECT_GT(reading.scene.view.from[1], 5);
   EXPECT_NEAR(reading.scene.view.from[2], 3, 1e-9);
 }
 
-TEST(NffElements, wish_for_a_view_stands_against_the_viewpoint) {
-  client::Wishes wishes;
-  wishes.zoom = 2;
-  EXPECT_THROW(client::read_nff(nff_view, wishes), client::InputError);
+TEST(NffElements, view_that_is_asked_for_stands_against_the_viewpoint) {
+  client::ImportOptions options;
+  options.zoom = 2;
+  EXPECT_THROW(client::read_nff(nff_view, options), client::InputError);
 }
 
 TEST(NffElements, lights_share_their_strength_and_have_no_falloff) {

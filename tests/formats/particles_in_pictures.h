@@ -13,12 +13,12 @@
 
 namespace raytracer::test {
 
-inline client::Wishes wishes_for(const std::string& color,
-                                 client::AtomStyle style = client::AtomStyle::spacefill) {
-  client::Wishes wishes;
-  wishes.color = color;
-  wishes.style = style;
-  return wishes;
+inline client::ImportOptions options_for(const std::string& color,
+                                         client::AtomStyle style = client::AtomStyle::spacefill) {
+  client::ImportOptions options;
+  options.color = color;
+  options.style = style;
+  return options;
 }
 
 /// How many spheres or cylinders there are.

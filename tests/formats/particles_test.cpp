@@ -31,15 +31,15 @@ TEST(Xyz, properties_name_the_columns) {
   const json scene = document(".extxyz", text);
   EXPECT_EQ(scene.at("objects")[0].at("radius"), 0.5);
   EXPECT_EQ(scene.at("objects")[1].at("radius"), 0.25);
-  EXPECT_EQ(document(".xyz", text, wishes_for("force_2")).at("objects").size(), 1U);
+  EXPECT_EQ(document(".xyz", text, options_for("force_2")).at("objects").size(), 1U);
 }
 
 TEST(Xyz, species_are_a_column_of_colours) {
   const std::string text = "2\nProperties=species:S:1:pos:R:3\nNa 0 0 0\nCl 5 0 0\n";
-  const json scene = document(".extxyz", text, wishes_for("species"));
-  EXPECT_EQ(scene, document(".extxyz", text, wishes_for("element")));
+  const json scene = document(".extxyz", text, options_for("species"));
+  EXPECT_EQ(scene, document(".extxyz", text, options_for("element")));
   const std::string numbers = "2\nProperties=Z:I:1:pos:R:3\n11 0 0 0\n17 5 0 0\n";
-  EXPECT_EQ(document(".extxyz", numbers, wishes_for("Z")), scene);
+  EXPECT_EQ(document(".extxyz", numbers, options_for("Z")), scene);
 }
 
 TEST(Xyz, vectors_give_colours_by_their_length) {
@@ -47,15 +47,16 @@ TEST(Xyz, vectors_give_colours_by_their_length) {
     return document(
                ".extxyz",
                "3\nProperties=" + properties + "\n0 0 0 3 0 4 5\n5 0 0 0 6 8 10\n9 0 0 -5 0 0 5\n",
-               wishes_for(color))
+               options_for(color))
         .at("materials");
   };
   const json by_speed = materials("pos:R:3:vel:R:3:speed:R:1", "speed");
   EXPECT_EQ(by_speed.size(), 2U);
   EXPECT_EQ(materials("pos:R:3:vel:R:3:speed:R:1", "vel"), by_speed);
   EXPECT_EQ(materials("pos:R:3:Vel:R:3:speed:R:1", "vel"), by_speed);
-  const auto missing = read_text(*client::format_of(".xyz"),
-                                 "1\nProperties=pos:R:3:vel:R:2\n0 0 0 1 nan\n", wishes_for("vel"));
+  const auto missing =
+      read_text(*client::format_of(".xyz"), "1\nProperties=pos:R:3:vel:R:2\n0 0 0 1 nan\n",
+                options_for("vel"));
   ASSERT_TRUE(missing.at(0).errors.empty());
   EXPECT_EQ(missing[0].omissions.size(), 1U);
 }
@@ -115,7 +116,7 @@ TEST(Lammps, types_have_a_colour_each_and_numbers_a_place_on_the_map) {
   const std::string text = dump_head + "ITEM: ATOMS type x y z v\n2 0 0 0 -1\n1 1 1 1 3\n";
   const json types = document(".dump", text);
   EXPECT_EQ(types.at("objects").size(), 2U);
-  const json values = document(".dump", text, wishes_for("v"));
+  const json values = document(".dump", text, options_for("v"));
   ASSERT_EQ(values.at("objects").size(), 2U);
   // The ends of viridis, in linear shares.
   const json low = values.at("materials").at("fill1").at("color");
@@ -124,9 +125,9 @@ TEST(Lammps, types_have_a_colour_each_and_numbers_a_place_on_the_map) {
   EXPECT_NEAR(high[0].get<double>(), 0.9823, 1e-3);
 }
 
-TEST(Lammps, types_are_numbers_where_a_map_is_wished_for) {
+TEST(Lammps, types_are_numbers_where_a_map_is_asked_for) {
   const std::string atoms = dump_head + "ITEM: ATOMS type v x y z\n2 2 0 0 0\n1 1 1 1 1\n";
-  client::Wishes on_map = wishes_for("v");
+  client::ImportOptions on_map = options_for("v");
   on_map.color_map = "magma";
   const json expected = document(".dump", atoms, on_map).at("materials");
   for (const char* const color : {"type", ""}) {
@@ -159,7 +160,7 @@ TEST(Lammps, radius_and_diameter_are_sizes) {
 TEST(Particles, range_of_colours_is_that_of_the_first_frame_with_two_numbers) {
   const std::string same = "2\nProperties=pos:R:3:v:R:1\n0 0 0 5\n1 0 0 5\n";
   const std::string other = "2\nProperties=pos:R:3:v:R:1\n0 0 0 5\n1 0 0 6\n";
-  const auto frames = documents(".extxyz", same + other + other, wishes_for("v"));
+  const auto frames = documents(".extxyz", same + other + other, options_for("v"));
   ASSERT_EQ(frames.size(), 3U);
   EXPECT_EQ(frames[0].at("objects").size(), 1U);
   EXPECT_EQ(frames[1].at("objects").size(), 2U);
@@ -176,7 +177,7 @@ struct ParticleMistake {
   std::string text;
   int line;
   std::string says;
-  client::Wishes wishes{};
+  client::ImportOptions options{};
 };
 
 TEST(Particles, each_error_has_its_line_and_says_what_is_wrong) {
@@ -192,7 +193,7 @@ TEST(Particles, each_error_has_its_line_and_says_what_is_wrong) {
       {".xyz", "1\n\nC 0 0 1e200\n", 3, "'1e200' is too far away"},
       {".xyz", "1\n\nC 0 0 nan\n", 3, "'nan' stands where a number is to be"},
       {".xyz", "1\nProperties=species:S:x\nC 0 0 0\n", 2, "'x' is no number of columns"},
-      {".xyz", "1\n\nC 0 0 0\n", 2, "nothing here is called 'mass'", wishes_for("mass")},
+      {".xyz", "1\n\nC 0 0 0\n", 2, "nothing here is called 'mass'", options_for("mass")},
       {".dump", "ITEM: TIMESTEP\n0\n", 2, "the file ends in the middle of a frame"},
       {".dump", "1 2 3\n", 1, "'1 2 3' stands where a line is to begin with ITEM:"},
       {".dump", "ITEM: ENTRIES c\n", 1, "'ENTRIES c' is no section of a dump of atoms"},
@@ -212,7 +213,8 @@ TEST(Particles, each_error_has_its_line_and_says_what_is_wrong) {
   };
   for (const ParticleMistake& mistake : table) {
     SCOPED_TRACE(mistake.text);
-    const auto frames = read_text(*client::format_of(mistake.ending), mistake.text, mistake.wishes);
+    const auto frames =
+        read_text(*client::format_of(mistake.ending), mistake.text, mistake.options);
     ASSERT_EQ(frames.size(), 1U);
     ASSERT_EQ(frames[0].errors.size(), 1U);
     EXPECT_EQ(frames[0].errors[0].line, mistake.line);
@@ -222,9 +224,9 @@ TEST(Particles, each_error_has_its_line_and_says_what_is_wrong) {
 }
 
 TEST(Particles, style_of_bonds_needs_elements) {
-  client::Wishes wishes;
-  wishes.style = client::AtomStyle::sticks;
-  EXPECT_THROW(document(".csv", "x,y,z\n1,2,3\n", wishes), client::InputError);
+  client::ImportOptions options;
+  options.style = client::AtomStyle::sticks;
+  EXPECT_THROW(document(".csv", "x,y,z\n1,2,3\n", options), client::InputError);
 }
 
 TEST(Particles, line_of_more_than_a_megabyte_is_refused) {
@@ -239,10 +241,10 @@ TEST(Particles, frames_that_leave_the_first_one_s_picture_or_range_are_told_once
     std::string text;
     for (const std::string& frame : {std::string("0 0 0 1\nC 1 0 0 2\n"), later, later})
       text += "2\nProperties=species:S:1:pos:R:3:q:R:1\nC " + frame;
-    client::Wishes wishes;
-    wishes.color = "q";
+    client::ImportOptions options;
+    options.color = "q";
     std::vector<std::size_t> counts;
-    for (const client::Reading& frame : read_text(*client::format_of(".xyz"), text, wishes))
+    for (const client::Reading& frame : read_text(*client::format_of(".xyz"), text, options))
       counts.push_back(frame.omissions.size());
     return counts;
   };

@@ -38,26 +38,26 @@ TEST(Table, quoted_fields_may_go_over_lines_and_a_byte_order_mark_is_none_of_the
 
 /// Sodium is no number that is left out, and what was taken for one is not told.
 TEST(Table, names_of_elements_are_groups) {
-  const auto frames =
-      read_text(*client::format_of(".csv"), "x,y,z,name\n0,0,0,Na\n1,0,0,Cl\n", wishes_for("name"));
+  const auto frames = read_text(*client::format_of(".csv"), "x,y,z,name\n0,0,0,Na\n1,0,0,Cl\n",
+                                options_for("name"));
   EXPECT_EQ(frames[0].scene.objects.size(), 2U);
   EXPECT_TRUE(frames[0].omissions.empty());
   const auto late = read_text(*client::format_of(".csv"), "x,y,z,name\n0,0,0,None\n1,0,0,oak\n",
-                              wishes_for("name"));
+                              options_for("name"));
   EXPECT_EQ(late[0].scene.objects.size(), 2U);
   EXPECT_TRUE(late[0].omissions.empty());
 }
 
 TEST(Table, words_are_groups) {
   const json scene =
-      document(".csv", "x;y;z;kind\n0;0;0;oak\n1;0;0;ash\n2;0;0;oak\n", wishes_for("kind"));
+      document(".csv", "x;y;z;kind\n0;0;0;oak\n1;0;0;ash\n2;0;0;oak\n", options_for("kind"));
   EXPECT_EQ(scene.at("objects").size(), 2U);
 }
 
 TEST(Table, missing_numbers_are_gray_and_told_wherever_they_stand) {
   const auto frames =
       read_text(*client::format_of(".csv"), "x,y,z,heat\n0,0,0,\n1,0,0,7\n2,0,0,NaN\n3,0,0,9\n",
-                wishes_for("heat"));
+                options_for("heat"));
   ASSERT_TRUE(frames.at(0).errors.empty());
   const json scene = json::parse(client::model::to_document(frames[0].scene));
   EXPECT_EQ(scene.at("objects").size(), 3U);  // gray, 7 and 9
@@ -67,7 +67,7 @@ TEST(Table, missing_numbers_are_gray_and_told_wherever_they_stand) {
   ASSERT_EQ(frames[0].omissions.size(), 1U);
   EXPECT_EQ(frames[0].omissions[0].count, 2U);
   // Where the others are words, no word is a group too.
-  EXPECT_EQ(document(".csv", "x,y,z,kind\n0,0,0,\n1,0,0,a\n2,0,0,b\n3,0,0,a\n", wishes_for("kind"))
+  EXPECT_EQ(document(".csv", "x,y,z,kind\n0,0,0,\n1,0,0,a\n2,0,0,b\n3,0,0,a\n", options_for("kind"))
                 .at("objects")
                 .size(),
             3U);
@@ -82,7 +82,7 @@ TEST(Table, comment_that_names_the_places_is_the_header) {
       {".tsv", "# \"x\"\ty\tz\tHeat\n1\t2\t3\t4\n# none\n4\t5\t6\t7\n"}};
   for (const auto& [ending, text] : table) {
     SCOPED_TRACE(text);
-    const auto frames = read_text(*client::format_of(ending), text, wishes_for("Heat"));
+    const auto frames = read_text(*client::format_of(ending), text, options_for("Heat"));
     ASSERT_TRUE(frames.at(0).errors.empty()) << frames[0].errors[0].what;
     EXPECT_EQ(centers_of(json::parse(client::model::to_document(frames[0].scene))),
               (std::vector<json>{{-1, 2, 3}, {-4, 5, 6}}));
@@ -105,9 +105,9 @@ TEST(Table, comment_that_only_speaks_of_places_is_none) {
 
 TEST(Table, column_of_colours_is_found_exactly_or_else_in_any_case) {
   EXPECT_EQ(
-      document(".csv", "x,y,z,Heat\n0,0,0,1\n1,0,0,2\n", wishes_for("heat")).at("objects").size(),
+      document(".csv", "x,y,z,Heat\n0,0,0,1\n1,0,0,2\n", options_for("heat")).at("objects").size(),
       2U);
-  EXPECT_EQ(document(".csv", "x,y,z,Heat,heat\n0,0,0,1,5\n1,0,0,2,5\n", wishes_for("heat"))
+  EXPECT_EQ(document(".csv", "x,y,z,Heat,heat\n0,0,0,1,5\n1,0,0,2,5\n", options_for("heat"))
                 .at("objects")
                 .size(),
             1U);
@@ -116,10 +116,10 @@ TEST(Table, column_of_colours_is_found_exactly_or_else_in_any_case) {
 /// As many words as numbers of types have the palette's colours from the first on.
 TEST(Table, words_begin_with_the_first_colour_of_the_palette) {
   const auto materials = [](const std::string& rows) {
-    return document(".csv", "x,y,z,type\n" + rows, wishes_for("type")).at("materials");
+    return document(".csv", "x,y,z,type\n" + rows, options_for("type")).at("materials");
   };
   EXPECT_EQ(materials("0,0,0,oak\n1,0,0,ash\n"), materials("0,0,0,1\n1,0,0,2\n"));
-  const auto kinds = document(".csv", "x,y,z,kind\n0,0,0,oak\n1,0,0,ash\n", wishes_for("kind"));
+  const auto kinds = document(".csv", "x,y,z,kind\n0,0,0,oak\n1,0,0,ash\n", options_for("kind"));
   EXPECT_EQ(kinds.at("materials"), materials("0,0,0,1\n1,0,0,2\n"));
 }
 

@@ -33,12 +33,12 @@ std::string_view ending_of(std::string_view text) {
 // NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  Wishes wishes;
-  wishes.style = static_cast<AtomStyle>(size % 3);
-  if (size % 5 == 0) wishes.color = "v";
-  wishes.is_turned = size % 7 == 0;
+  ImportOptions options;
+  options.style = static_cast<AtomStyle>(size % 3);
+  if (size % 5 == 0) options.color = "v";
+  options.is_turned = size % 7 == 0;
   try {
-    const auto file = format_of(ending_of(text))->open({source_of_text(text), ""}, wishes);
+    const auto file = format_of(ending_of(text))->open({source_of_text(text), ""}, options);
     while (const auto frame = file->next_frame())
       if (frame->errors.empty() && !nlohmann::json::accept(model::to_document(frame->scene)))
         std::abort();

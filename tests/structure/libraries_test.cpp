@@ -91,7 +91,7 @@ TEST(Libraries, command_lines_are_read_in_one_place_of_the_server_and_by_each_co
   expect_users("CLI/CLI.hpp", [](const std::string& path) {
     return path == "server/config.cpp" || path == "client/main.cpp" ||
            path == "client/command_line.cpp" ||  // the options that commands share
-           path == "client/wish_options.cpp" ||  //
+           path == "client/import_flags.cpp" ||  //
            (path.starts_with("client/") && path.ends_with("_command.cpp"));
   });
 }

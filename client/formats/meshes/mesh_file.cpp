@@ -58,8 +58,8 @@ std::string read_plain(TextSource& source, std::size_t size) {
 /// Of one frame.
 class MeshFile : public SceneFile {
  public:
-  MeshFile(MeshFormat format, FileInput input, Wishes wishes)
-      : format_(format), input_(std::move(input)), wishes_(std::move(wishes)) {}
+  MeshFile(MeshFormat format, FileInput input, ImportOptions options)
+      : format_(format), input_(std::move(input)), options_(std::move(options)) {}
 
   std::optional<Reading> next_frame() override {
     if (!has_more()) return std::nullopt;
@@ -83,7 +83,7 @@ class MeshFile : public SceneFile {
       return bytes_of(imported);
     }));
     if (!reading.errors.empty()) return reading;
-    arrange(reading.scene, wishes_, view_of(reading.scene));
+    arrange(reading.scene, options_, view_of(reading.scene));
     return reading;
   }
 
@@ -99,43 +99,44 @@ class MeshFile : public SceneFile {
     if (format_ == MeshFormat::glb) read_gltf_stage(text_of_glb(bytes), reading);
   }
 
-  /// A direction that is wished for is another view than the file's, and a camera that looks down
+  /// A direction that is asked for is another view than the file's, and a camera that looks down
   /// would go round under the ground.
   model::View view_of(const model::Scene& scene) const {
-    if (scene.camera && !wishes_.view && !wishes_.is_turned)
-      return view_through(*scene.camera, scene, wishes_);
-    return view_of_all(scene, wishes_, format_ == MeshFormat::stl ? Upright::z : Upright::y);
+    if (scene.camera && !options_.view && !options_.is_turned)
+      return view_through(*scene.camera, scene, options_);
+    return view_of_all(scene, options_, format_ == MeshFormat::stl ? Upright::z : Upright::y);
   }
 
   MeshFormat format_;
   FileInput input_;
-  Wishes wishes_;
+  ImportOptions options_;
 };
 
-std::unique_ptr<SceneFile> open_mesh(MeshFormat format, FileInput& input, const Wishes& wishes) {
-  return std::make_unique<MeshFile>(format, std::move(input), wishes);
+std::unique_ptr<SceneFile> open_mesh(MeshFormat format, FileInput& input,
+                                     const ImportOptions& options) {
+  return std::make_unique<MeshFile>(format, std::move(input), options);
 }
 
 }  // namespace
 
-std::unique_ptr<SceneFile> open_ply(FileInput input, const Wishes& wishes) {
-  return open_mesh(MeshFormat::ply, input, wishes);
+std::unique_ptr<SceneFile> open_ply(FileInput input, const ImportOptions& options) {
+  return open_mesh(MeshFormat::ply, input, options);
 }
 
-std::unique_ptr<SceneFile> open_obj(FileInput input, const Wishes& wishes) {
-  return open_mesh(MeshFormat::obj, input, wishes);
+std::unique_ptr<SceneFile> open_obj(FileInput input, const ImportOptions& options) {
+  return open_mesh(MeshFormat::obj, input, options);
 }
 
-std::unique_ptr<SceneFile> open_stl(FileInput input, const Wishes& wishes) {
-  return open_mesh(MeshFormat::stl, input, wishes);
+std::unique_ptr<SceneFile> open_stl(FileInput input, const ImportOptions& options) {
+  return open_mesh(MeshFormat::stl, input, options);
 }
 
-std::unique_ptr<SceneFile> open_gltf(FileInput input, const Wishes& wishes) {
-  return open_mesh(MeshFormat::gltf, input, wishes);
+std::unique_ptr<SceneFile> open_gltf(FileInput input, const ImportOptions& options) {
+  return open_mesh(MeshFormat::gltf, input, options);
 }
 
-std::unique_ptr<SceneFile> open_glb(FileInput input, const Wishes& wishes) {
-  return open_mesh(MeshFormat::glb, input, wishes);
+std::unique_ptr<SceneFile> open_glb(FileInput input, const ImportOptions& options) {
+  return open_mesh(MeshFormat::glb, input, options);
 }
 
 }  // namespace raytracer::client

@@ -8,6 +8,6 @@
 namespace raytracer::client {
 
 /// Haines' Neutral File Format.
-std::unique_ptr<SceneFile> open_nff(FileInput input, const Wishes& wishes);
+std::unique_ptr<SceneFile> open_nff(FileInput input, const ImportOptions& options);
 
 }  // namespace raytracer::client

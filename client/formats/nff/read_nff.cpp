@@ -32,7 +32,8 @@ double horizontal(double angle, int width_px, int height_px) {
 
 class NffReader {
  public:
-  NffReader(std::string_view text, const Wishes& wishes) : words_(text), wishes_(wishes) {}
+  NffReader(std::string_view text, const ImportOptions& options)
+      : words_(text), options_(options) {}
 
   Reading read() {
     std::vector<LineError> errors;
@@ -82,8 +83,8 @@ class NffReader {
 
   void add_what_is_missing(model::Scene& scene) const {
     if (!has_view_)
-      scene.view = view_of_all(scene, wishes_, Upright::z);
-    else if (wishes_.view || wishes_.zoom != 1)
+      scene.view = view_of_all(scene, options_, Upright::z);
+    else if (options_.view || options_.zoom != 1)
       throw InputError(
           "says itself from where it is seen; --view and --zoom are for what does not");
     if (scene.lights.empty()) light_studio(scene);
@@ -115,7 +116,7 @@ class NffReader {
   }
 
   ElementReader words_;
-  const Wishes& wishes_;
+  const ImportOptions& options_;
   NffContents contents_;
   bool has_view_ = false;
   bool has_background_ = false;
@@ -243,8 +244,8 @@ void NffReader::read_corners(bool have_normals) {
 
 }  // namespace
 
-Reading read_nff(std::string_view text, const Wishes& wishes) {
-  return NffReader(text, wishes).read();
+Reading read_nff(std::string_view text, const ImportOptions& options) {
+  return NffReader(text, options).read();
 }
 
 }  // namespace raytracer::client

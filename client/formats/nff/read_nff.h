@@ -17,13 +17,13 @@
 
 #include <string_view>
 
+#include "client/formats/import_options.h"
 #include "client/formats/reading.h"
-#include "client/formats/wishes.h"
 
 namespace raytracer::client {
 
-/// Names at most 20 errors. Without a viewpoint all is in view, as the wishes are; without lights
-/// it has a studio's. Throws InputError for a wish against what the file says.
-Reading read_nff(std::string_view text, const Wishes& wishes = {});
+/// Names at most 20 errors. Without a viewpoint all is in view, as the options ask; without lights
+/// it has a studio's. Throws InputError for an option against what the file says.
+Reading read_nff(std::string_view text, const ImportOptions& options = {});
 
 }  // namespace raytracer::client

@@ -16,9 +16,9 @@ bool is_water(std::string_view residue) {
 
 }  // namespace
 
-AtomCollector::AtomCollector(const Wishes& wishes) : wishes_(wishes) {
-  if (wishes.color.empty()) wishes_.color = "element";
-  const std::string& color = wishes_.color;
+AtomCollector::AtomCollector(const ImportOptions& options) : options_(options) {
+  if (options.color.empty()) options_.color = "element";
+  const std::string& color = options_.color;
   if (color != "element" && color != "chain" && color != "residue") color_column_ = color;
 }
 
@@ -42,7 +42,7 @@ bool AtomCollector::is_second_place(const Atom& atom) {
 }
 
 std::optional<std::uint32_t> AtomCollector::add(int line, const Atom& atom, float color_value) {
-  const bool is_left_out = !wishes_.with_water && is_water(atom.residue);
+  const bool is_left_out = !options_.with_water && is_water(atom.residue);
   if (is_left_out) {
     omit(line, "atom of water left out (--water shows it)",
          "atoms of water left out (--water shows them)");
@@ -62,8 +62,9 @@ std::optional<std::uint32_t> AtomCollector::add(int line, const Atom& atom, floa
     among.groups.push_back(groups_.number_of(atom.color_word));
   else if (color_column_)
     among.values.push_back(color_value);
-  else if (wishes_.color != "element")
-    among.groups.push_back(groups_.number_of(wishes_.color == "chain" ? atom.chain : atom.residue));
+  else if (options_.color != "element")
+    among.groups.push_back(
+        groups_.number_of(options_.color == "chain" ? atom.chain : atom.residue));
   if (is_left_out) return std::nullopt;
   if (color_column_ && !is_colored_by_words_ && std::isnan(color_value))
     omit(line, "atom is gray: its colour's number is missing",

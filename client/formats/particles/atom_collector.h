@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "client/formats/import_options.h"
 #include "client/formats/particles/particles.h"
-#include "client/formats/wishes.h"
 
 namespace raytracer::client {
 
@@ -25,7 +25,7 @@ struct Atom {
 
 class AtomCollector {
  public:
-  explicit AtomCollector(const Wishes& wishes);
+  explicit AtomCollector(const ImportOptions& options);
 
   /// What is to give the colours by its numbers; nothing if that is element, chain or residue.
   const std::optional<std::string>& color_column() const { return color_column_; }
@@ -46,7 +46,7 @@ class AtomCollector {
   void omit(int line, std::string_view one, std::string_view many);
   bool is_second_place(const Atom& atom);
 
-  Wishes wishes_;
+  ImportOptions options_;
   std::optional<std::string> color_column_;
   bool is_colored_by_words_ = false;
   Particles particles_;

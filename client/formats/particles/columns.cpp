@@ -34,7 +34,7 @@ void add_unknown(int line, Particles& particles) {
 
 }  // namespace
 
-Columns::Columns(std::vector<std::string> names, const Wishes& wishes, int line)
+Columns::Columns(std::vector<std::string> names, const ImportOptions& options, int line)
     : names_(std::move(names)) {
   const std::array<std::string_view, 3> axes{"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -55,11 +55,11 @@ Columns::Columns(std::vector<std::string> names, const Wishes& wishes, int line)
   const auto green = find({"g", "green"});
   const auto blue = find({"b", "blue"});
   if (red && green && blue) rgb_ = {*red, *green, *blue};
-  choose_colors(wishes, line);
+  choose_colors(options, line);
 }
 
-void Columns::choose_colors(const Wishes& wishes, int line) {
-  const std::string& color = wishes.color;
+void Columns::choose_colors(const ImportOptions& options, int line) {
+  const std::string& color = options.color;
   if (color.empty()) {
     const auto type = element_ || rgb_ ? std::nullopt : find({"type"});
     if (type) colors_ = {*type};
@@ -72,8 +72,8 @@ void Columns::choose_colors(const Wishes& wishes, int line) {
       colors_.push_back(*component);
     if (colors_.empty()) throw LineError{line, no_such_column(color, names_)};
   }
-  // Types are numbers without an order, unless a map is wished for.
-  if (colors_.size() == 1 && !wishes.color_map && lower_case(names_[colors_[0]]) == "type")
+  // Types are numbers without an order, unless a map is asked for.
+  if (colors_.size() == 1 && !options.color_map && lower_case(names_[colors_[0]]) == "type")
     is_group_ = true;
 }
 

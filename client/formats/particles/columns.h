@@ -10,16 +10,16 @@
 #include <string_view>
 #include <vector>
 
+#include "client/formats/import_options.h"
 #include "client/formats/particles/particles.h"
-#include "client/formats/wishes.h"
 
 namespace raytracer::client {
 
 class Columns {
  public:
-  /// Of the wishes the colours count. Throws LineError of that line if places are missing or there
-  /// is no column that is wished for.
-  Columns(std::vector<std::string> names, const Wishes& wishes, int line);
+  /// Of the options the colours count. Throws LineError of that line if places are missing or there
+  /// is no column that is asked for.
+  Columns(std::vector<std::string> names, const ImportOptions& options, int line);
 
   const std::vector<std::string>& names() const { return names_; }
 
@@ -30,7 +30,7 @@ class Columns {
 
  private:
   std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
-  void choose_colors(const Wishes& wishes, int line);
+  void choose_colors(const ImportOptions& options, int line);
   std::optional<std::size_t> find_in_any_case(const std::string& name) const;
   double number(std::size_t column, std::string_view field, int line) const;
   void add_group_or_value(std::string_view field, int line, Particles& particles);

@@ -52,7 +52,7 @@ std::optional<std::pair<float, float>> range_of(const std::vector<float>& values
 
 /// A material for each of 256 steps of the map that has a value: in a document a third as long as
 /// with a colour for each particle. Gray are those whose value is unknown.
-Paint mapped(const std::vector<float>& values, const Wishes& wishes, DrawingScale& scale) {
+Paint mapped(const std::vector<float>& values, const ImportOptions& options, DrawingScale& scale) {
   const auto own = range_of(values);
   if (!scale.range) scale.range = own;
   if (own && (own->first < scale.range->first || own->second > scale.range->second))
@@ -77,7 +77,7 @@ Paint mapped(const std::vector<float>& values, const Wishes& wishes, DrawingScal
       const float on_map = static_cast<float>(step) / (steps - 1);
       const model::Rgb color = step == unknown
                                    ? screen_color(gray)
-                                   : color_on_map(wishes.color_map.value_or("viridis"), on_map);
+                                   : color_on_map(options.color_map.value_or("viridis"), on_map);
       result.materials.push_back(material_of(color, ""));
     }
     result.material_of.push_back(material);
@@ -94,14 +94,14 @@ std::size_t place_in_palette(const std::string& name, std::size_t nth) {
   return is_number ? number - 1 : nth;
 }
 
-Paint paint(Particles& particles, const Wishes& wishes, DrawingScale& scale) {
-  if (!particles.values.empty()) return mapped(particles.values, wishes, scale);
+Paint paint(Particles& particles, const ImportOptions& options, DrawingScale& scale) {
+  if (!particles.values.empty()) return mapped(particles.values, options, scale);
   Paint result;
   constexpr model::Rgb white{1, 1, 1};
   if (!particles.groups.empty()) {
     for (std::size_t i = 0; i < particles.group_names.size(); ++i) {
       const auto known = residue_color(particles.group_names[i]);
-      const bool is_residue = wishes.color == "residue" && known;
+      const bool is_residue = options.color == "residue" && known;
       const std::size_t place = place_in_palette(particles.group_names[i], i);
       result.materials.push_back(material_of(is_residue ? *known : palette_color(place), ""));
     }
@@ -196,17 +196,17 @@ void add_sticks(const Particles& particles, const Paint& paint, double radius,
 
 }  // namespace
 
-void draw_particles(Particles particles, const Wishes& wishes, DrawingScale& scale,
+void draw_particles(Particles particles, const ImportOptions& options, DrawingScale& scale,
                     model::Scene& scene) {
-  const bool has_sticks = wishes.style != AtomStyle::spacefill;
+  const bool has_sticks = options.style != AtomStyle::spacefill;
   if (has_sticks && particles.elements.empty())
     throw InputError("has no elements, and so no bonds; leave --style out");
   const std::size_t count = particles.places.size();
-  Paint colors = paint(particles, wishes, scale);
+  Paint colors = paint(particles, options, scale);
   std::vector<double> radii = std::move(particles.radii);
   constexpr double ball_share = 0.25;  // as PyMOL has it
-  const double stick_radius = wishes.style == AtomStyle::sticks ? 0.25 : 0.15;
-  if (wishes.style == AtomStyle::sticks) {
+  const double stick_radius = options.style == AtomStyle::sticks ? 0.25 : 0.15;
+  if (options.style == AtomStyle::sticks) {
     radii.assign(count, stick_radius);
   } else if (!particles.elements.empty() && (radii.empty() || has_sticks)) {
     radii.clear();

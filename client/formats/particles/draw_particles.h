@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "client/formats/import_options.h"
 #include "client/formats/particles/particles.h"
-#include "client/formats/wishes.h"
 
 namespace raytracer::client {
 
@@ -17,7 +17,7 @@ struct DrawingScale {
 };
 
 /// Adds objects and materials to the scene. Throws InputError if the style is not possible.
-void draw_particles(Particles particles, const Wishes& wishes, DrawingScale& scale,
+void draw_particles(Particles particles, const ImportOptions& options, DrawingScale& scale,
                     model::Scene& scene);
 
 }  // namespace raytracer::client

@@ -25,8 +25,8 @@ constexpr std::array<PlaceNames, 4> place_names{{{{"x", "y", "z"}, false},
 
 }  // namespace
 
-LammpsReader::LammpsReader(std::unique_ptr<TextSource> source, const Wishes& wishes)
-    : source_(std::move(source)), lines_(*source_), wishes_(wishes) {
+LammpsReader::LammpsReader(std::unique_ptr<TextSource> source, const ImportOptions& options)
+    : source_(std::move(source)), lines_(*source_), options_(options) {
   lines_.skip_blank();
 }
 
@@ -99,12 +99,12 @@ void LammpsReader::read_columns() {
     throw lines_.wrong("the atoms have no places; dump x y z, xu yu zu or xs ys zs");
   is_scaled_ = places->is_scaled;
   const std::array<std::string_view, 3> axes{"x", "y", "z"};
-  Wishes wishes = wishes_;
+  ImportOptions options = options_;
   for (std::size_t i = 0; i < 3; ++i) {
     *std::find(names.begin(), names.end(), places->names[i]) = axes[i];
-    if (wishes.color == places->names[i]) wishes.color = axes[i];
+    if (options.color == places->names[i]) options.color = axes[i];
   }
-  columns_.emplace(std::move(names), wishes, lines_.number());
+  columns_.emplace(std::move(names), options, lines_.number());
   lines_.advance();
 }
 

@@ -14,7 +14,7 @@ namespace raytracer::client {
 
 class LammpsReader : public ParticleReader {
  public:
-  LammpsReader(std::unique_ptr<TextSource> source, const Wishes& wishes);
+  LammpsReader(std::unique_ptr<TextSource> source, const ImportOptions& options);
   std::optional<Particles> next_frame() override;
   bool has_more() const override { return !lines_.at_end(); }
 
@@ -39,7 +39,7 @@ class LammpsReader : public ParticleReader {
 
   std::unique_ptr<TextSource> source_;
   Lines lines_;
-  Wishes wishes_;
+  ImportOptions options_;
   std::vector<std::string> header_;  ///< as the file has it
   bool is_scaled_ = false;
   std::optional<Columns> columns_;

@@ -33,8 +33,8 @@ CifContents read_contents(const std::string& text) {
 
 }  // namespace
 
-MmcifReader::MmcifReader(std::unique_ptr<TextSource> source, const Wishes& wishes)
-    : atoms_(wishes),
+MmcifReader::MmcifReader(std::unique_ptr<TextSource> source, const ImportOptions& options)
+    : atoms_(options),
       text_(without_byte_order_mark(read_all(*source))),
       contents_(read_contents(text_)) {
   row_count_ = 1;  // one frame
@@ -42,7 +42,8 @@ MmcifReader::MmcifReader(std::unique_ptr<TextSource> source, const Wishes& wishe
   row_count_ = contents_.sites->row_count();
   if (row_count_ == 0) throw LineError{contents_.sites->line, "the table of atoms has no rows"};
   find_columns();
-  if (wishes.style != AtomStyle::spacefill) bonds_.emplace(*contents_.sites, contents_.connections);
+  if (options.style != AtomStyle::spacefill)
+    bonds_.emplace(*contents_.sites, contents_.connections);
 }
 
 void MmcifReader::find_columns() {
@@ -63,14 +64,14 @@ void MmcifReader::find_columns() {
   atom_ = find_either("auth_atom_id", "label_atom_id");
   alternate_ = find("label_alt_id");
   model_ = find("pdbx_PDB_model_num");
-  const auto& wished = atoms_.color_column();
-  if (!wished) return;
-  color_ = find(*wished == "bfactor" ? "B_iso_or_equiv" : *wished);
+  const auto& wanted = atoms_.color_column();
+  if (!wanted) return;
+  color_ = find(*wanted == "bfactor" ? "B_iso_or_equiv" : *wanted);
   if (color_ >= 0) return find_color_words();
   std::vector<std::string> names{"element", "chain", "residue"};
   for (const std::string& tag : sites.tags)
     names.push_back(tag.starts_with(site_prefix) ? tag.substr(site_prefix.size()) : tag);
-  throw LineError{sites.line, no_such_column(*wished, names)};
+  throw LineError{sites.line, no_such_column(*wanted, names)};
 }
 
 /// Words are groups, numbers have an order: by the first that there is.

@@ -18,7 +18,7 @@ namespace raytracer::client {
 
 class MmcifReader : public ParticleReader {
  public:
-  MmcifReader(std::unique_ptr<TextSource> source, const Wishes& wishes);
+  MmcifReader(std::unique_ptr<TextSource> source, const ImportOptions& options);
   std::optional<Particles> next_frame() override;
   bool has_more() const override { return row_ < row_count_; }
 

@@ -22,8 +22,8 @@ class ParticleScenes : public SceneFile {
   using MakeReader = std::function<std::unique_ptr<ParticleReader>()>;
 
   /// The reader is made when the first frame is asked for: it may find errors already.
-  ParticleScenes(MakeReader make_reader, Upright upright, Wishes wishes)
-      : make_reader_(std::move(make_reader)), upright_(upright), wishes_(std::move(wishes)) {}
+  ParticleScenes(MakeReader make_reader, Upright upright, ImportOptions options)
+      : make_reader_(std::move(make_reader)), upright_(upright), options_(std::move(options)) {}
 
   std::optional<Reading> next_frame() override {
     if (!has_more()) return std::nullopt;
@@ -34,9 +34,9 @@ class ParticleScenes : public SceneFile {
       if (!particles && view_) return std::nullopt;
       if (!particles) throw LineError{1, "the file has no atoms: its frames are empty"};
       reading.omissions = std::move(particles->omissions);
-      draw_particles(*std::move(particles), wishes_, scale_, reading.scene);
-      if (!view_) view_ = view_of_all(reading.scene, wishes_, upright_);
-      arrange(reading.scene, wishes_, *view_);
+      draw_particles(*std::move(particles), options_, scale_, reading.scene);
+      if (!view_) view_ = view_of_all(reading.scene, options_, upright_);
+      arrange(reading.scene, options_, *view_);
       tell_of_first_frame(reading);
     } catch (const LineError& error) {
       reading.errors.push_back(error);
@@ -50,12 +50,12 @@ class ParticleScenes : public SceneFile {
  private:
   /// What does not suit a later frame is told once.
   void tell_of_first_frame(Reading& reading) {
-    if (!was_beyond_view_ && wishes_.zoom <= 1 && !is_all_in_view(reading.scene)) {
+    if (!was_beyond_view_ && options_.zoom <= 1 && !is_all_in_view(reading.scene)) {
       was_beyond_view_ = true;
       reading.omit(0,
                    fmt::format("frame leaves the first one's picture, as others may; --zoom {:.3g} "
                                "shows twice as much",
-                               wishes_.zoom / 2),
+                               options_.zoom / 2),
                    "");
     }
     if (!was_beyond_range_ && scale_.is_exceeded) {
@@ -67,7 +67,7 @@ class ParticleScenes : public SceneFile {
 
   MakeReader make_reader_;
   Upright upright_;
-  Wishes wishes_;
+  ImportOptions options_;
   std::unique_ptr<ParticleReader> reader_;
   DrawingScale scale_;
   std::optional<model::View> view_;
@@ -77,40 +77,40 @@ class ParticleScenes : public SceneFile {
 };
 
 template <typename Reader, typename... Arguments>
-std::unique_ptr<SceneFile> open_with(Upright upright, FileInput input, const Wishes& wishes,
+std::unique_ptr<SceneFile> open_with(Upright upright, FileInput input, const ImportOptions& options,
                                      Arguments... arguments) {
   const auto shared = std::make_shared<FileInput>(std::move(input));
   return std::make_unique<ParticleScenes>(
       [=]() -> std::unique_ptr<ParticleReader> {
-        return std::make_unique<Reader>(std::move(shared->source), arguments..., wishes);
+        return std::make_unique<Reader>(std::move(shared->source), arguments..., options);
       },
-      upright, wishes);
+      upright, options);
 }
 
 }  // namespace
 
-std::unique_ptr<SceneFile> open_pdb(FileInput input, const Wishes& wishes) {
-  return open_with<PdbReader>(Upright::none, std::move(input), wishes);
+std::unique_ptr<SceneFile> open_pdb(FileInput input, const ImportOptions& options) {
+  return open_with<PdbReader>(Upright::none, std::move(input), options);
 }
 
-std::unique_ptr<SceneFile> open_mmcif(FileInput input, const Wishes& wishes) {
-  return open_with<MmcifReader>(Upright::none, std::move(input), wishes);
+std::unique_ptr<SceneFile> open_mmcif(FileInput input, const ImportOptions& options) {
+  return open_with<MmcifReader>(Upright::none, std::move(input), options);
 }
 
-std::unique_ptr<SceneFile> open_xyz(FileInput input, const Wishes& wishes) {
-  return open_with<XyzReader>(Upright::none, std::move(input), wishes);
+std::unique_ptr<SceneFile> open_xyz(FileInput input, const ImportOptions& options) {
+  return open_with<XyzReader>(Upright::none, std::move(input), options);
 }
 
-std::unique_ptr<SceneFile> open_lammps_dump(FileInput input, const Wishes& wishes) {
-  return open_with<LammpsReader>(Upright::z, std::move(input), wishes);
+std::unique_ptr<SceneFile> open_lammps_dump(FileInput input, const ImportOptions& options) {
+  return open_with<LammpsReader>(Upright::z, std::move(input), options);
 }
 
-std::unique_ptr<SceneFile> open_csv(FileInput input, const Wishes& wishes) {
-  return open_with<TableReader>(Upright::none, std::move(input), wishes, ',');
+std::unique_ptr<SceneFile> open_csv(FileInput input, const ImportOptions& options) {
+  return open_with<TableReader>(Upright::none, std::move(input), options, ',');
 }
 
-std::unique_ptr<SceneFile> open_tsv(FileInput input, const Wishes& wishes) {
-  return open_with<TableReader>(Upright::none, std::move(input), wishes, '\t');
+std::unique_ptr<SceneFile> open_tsv(FileInput input, const ImportOptions& options) {
+  return open_with<TableReader>(Upright::none, std::move(input), options, '\t');
 }
 
 }  // namespace raytracer::client

@@ -8,12 +8,12 @@
 
 namespace raytracer::client {
 
-std::string no_such_column(const std::string& wished, const std::vector<std::string>& known) {
+std::string no_such_column(const std::string& wanted, const std::vector<std::string>& known) {
   std::vector<std::string> printed;
   printed.reserve(known.size());
   for (const std::string& name : known) printed.push_back(printable(name));
   return fmt::format("nothing here is called {}, which is to give the colours; there {}: {}",
-                     client::quoted(wished), known.size() == 1 ? "is" : "are",
+                     client::quoted(wanted), known.size() == 1 ? "is" : "are",
                      fmt::join(printed, ", "));
 }
 

@@ -30,9 +30,9 @@ struct Particles {
   std::vector<Omission> omissions;
 };
 
-/// What is wrong with a file that names columns or groups that are wished for in vain: "no column
+/// What is wrong with a file that names columns or groups that are asked for in vain: "no column
 /// is called 'mass'; there are x, y, z".
-std::string no_such_column(const std::string& wished, const std::vector<std::string>& known);
+std::string no_such_column(const std::string& wanted, const std::vector<std::string>& known);
 
 /// The number of a name among those of groups; new names are added.
 class GroupNames {

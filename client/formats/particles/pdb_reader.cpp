@@ -105,13 +105,13 @@ std::uint8_t element_of_atom(std::string_view line) {
 
 }  // namespace
 
-PdbReader::PdbReader(std::unique_ptr<TextSource> source, const Wishes& wishes)
-    : source_(std::move(source)), atoms_(wishes) {
+PdbReader::PdbReader(std::unique_ptr<TextSource> source, const ImportOptions& options)
+    : source_(std::move(source)), atoms_(options) {
   const auto& column = atoms_.color_column();
   if (column && *column != "bfactor" && *column != "occupancy")
     throw LineError{
         1, no_such_column(*column, {"element", "chain", "residue", "bfactor", "occupancy"})};
-  if (wishes.style != AtomStyle::spacefill) {
+  if (options.style != AtomStyle::spacefill) {
     text_ = read_all(*source_);
     source_ = source_of_text(text_);
     read_bonds();

@@ -18,7 +18,7 @@ namespace raytracer::client {
 
 class PdbReader : public ParticleReader {
  public:
-  PdbReader(std::unique_ptr<TextSource> source, const Wishes& wishes);
+  PdbReader(std::unique_ptr<TextSource> source, const ImportOptions& options);
   std::optional<Particles> next_frame() override;
   bool has_more() const override { return !lines_->at_end(); }
 

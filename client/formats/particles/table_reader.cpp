@@ -38,8 +38,9 @@ std::vector<std::string> names_in(std::string_view comment, char separator) {
 
 }  // namespace
 
-TableReader::TableReader(std::unique_ptr<TextSource> source, char separator, const Wishes& wishes)
-    : source_(std::move(source)), lines_(*source_), separator_(separator), wishes_(wishes) {}
+TableReader::TableReader(std::unique_ptr<TextSource> source, char separator,
+                         const ImportOptions& options)
+    : source_(std::move(source)), lines_(*source_), separator_(separator), options_(options) {}
 
 void TableReader::skip_comments() {
   for (lines_.skip_blank(); !lines_.at_end() && lines_.line().starts_with('#');
@@ -99,7 +100,7 @@ std::optional<Particles> TableReader::next_frame() {
   skip_comments();
   find_separator();
   const Header header = read_header();
-  Columns columns(header.names, wishes_, header.line);
+  Columns columns(header.names, options_, header.line);
   Particles particles;
   const auto add = [&] {
     if (fields_.size() > header.names.size())

@@ -16,7 +16,7 @@ namespace raytracer::client {
 
 class TableReader : public ParticleReader {
  public:
-  TableReader(std::unique_ptr<TextSource> source, char separator, const Wishes& wishes);
+  TableReader(std::unique_ptr<TextSource> source, char separator, const ImportOptions& options);
   std::optional<Particles> next_frame() override;
   bool has_more() const override { return false; }
 
@@ -35,7 +35,7 @@ class TableReader : public ParticleReader {
   std::unique_ptr<TextSource> source_;
   Lines lines_;
   char separator_;
-  Wishes wishes_;
+  ImportOptions options_;
   std::string comment_;  ///< the last one before the points that names x, y and z
   int comment_line_ = 1;
   std::string record_;  ///< one that goes over several lines

@@ -61,8 +61,8 @@ std::vector<std::string> names_of(std::string_view properties, int line, std::st
 
 }  // namespace
 
-XyzReader::XyzReader(std::unique_ptr<TextSource> source, const Wishes& wishes)
-    : source_(std::move(source)), lines_(*source_), wishes_(wishes) {
+XyzReader::XyzReader(std::unique_ptr<TextSource> source, const ImportOptions& options)
+    : source_(std::move(source)), lines_(*source_), options_(options) {
   lines_.skip_blank();
 }
 
@@ -79,10 +79,10 @@ std::size_t XyzReader::read_count() {
 void XyzReader::read_comment() {
   const auto properties = value_of(lines_.line(), "Properties");
   std::vector<std::string> names{"element", "x", "y", "z"};
-  Wishes wishes = wishes_;
-  if (properties) names = names_of(*properties, lines_.number(), wishes.color);
+  ImportOptions options = options_;
+  if (properties) names = names_of(*properties, lines_.number(), options.color);
   if (!columns_ || columns_->names() != names)
-    columns_.emplace(std::move(names), wishes, lines_.number());
+    columns_.emplace(std::move(names), options, lines_.number());
   lines_.advance();
 }
 

@@ -15,7 +15,7 @@ namespace raytracer::client {
 
 class XyzReader : public ParticleReader {
  public:
-  XyzReader(std::unique_ptr<TextSource> source, const Wishes& wishes);
+  XyzReader(std::unique_ptr<TextSource> source, const ImportOptions& options);
   std::optional<Particles> next_frame() override;
   bool has_more() const override { return !lines_.at_end(); }
 
@@ -25,7 +25,7 @@ class XyzReader : public ParticleReader {
 
   std::unique_ptr<TextSource> source_;
   Lines lines_;
-  Wishes wishes_;
+  ImportOptions options_;
   std::optional<Columns> columns_;
   std::vector<std::string_view> fields_;
 };

@@ -1,4 +1,4 @@
-// The options about files that leave open how they are to look.
+// The flags about files that leave open how they are to look.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -53,41 +53,43 @@ AtomStyle style_of(const std::string& name) {
 
 }  // namespace
 
-void add_wish_options(CLI::App& command, SceneChoice& scene) {
+void add_import_flags(CLI::App& command, SceneChoice& scene) {
   const auto add = [&](const std::string& flag, const std::string& value_name,
                        const std::string& help, auto take) {
     return command
         .add_option_function<std::string>(
             flag,
             [&scene, flag, take](const std::string& text) {
-              scene.wished.push_back(flag);
-              take(scene.wishes, text);
+              scene.flags_given.push_back(flag);
+              take(scene.import_options, text);
             },
             help)
         ->option_text(value_name)
         ->group("Molecules, particles and meshes");
   };
   add("--style", "spacefill|ball-and-stick|sticks", "How atoms are drawn [spacefill]",
-      [](Wishes& wishes, const std::string& name) { wishes.style = style_of(name); })
+      [](ImportOptions& options, const std::string& name) { options.style = style_of(name); })
       ->check(CLI::IsMember({"spacefill", "ball-and-stick", "sticks"}));
   add("--color", "COLUMN", "What gives the colours: element, chain, residue or a column",
-      [](Wishes& wishes, const std::string& name) { wishes.color = name; });
+      [](ImportOptions& options, const std::string& name) { options.color = name; });
   add("--colormap", "viridis|magma|coolwarm", "Colours of a column of numbers [viridis]",
-      [](Wishes& wishes, const std::string& name) { wishes.color_map = name; })
+      [](ImportOptions& options, const std::string& name) { options.color_map = name; })
       ->check(CLI::IsMember(std::vector<std::string>(color_maps.begin(), color_maps.end())));
   add("--view", "X,Y,Z", "Seen from this direction [the file's camera, or where most is seen]",
-      [](Wishes& wishes, const std::string& text) { wishes.view = direction_of(text); });
+      [](ImportOptions& options, const std::string& text) { options.view = direction_of(text); });
   add("--zoom", "Z", "Enlargement; 1 shows everything, or what the file's camera does [1]",
-      [](Wishes& wishes, const std::string& text) { wishes.zoom = std::stod(text); })
+      [](ImportOptions& options, const std::string& text) { options.zoom = std::stod(text); })
       ->check(refuse_unless_positive);
   add("--background", "#rrggbb|transparent", "Background [#ffffff]",
-      [](Wishes& wishes, const std::string& text) { wishes.background = background_of(text); });
+      [](ImportOptions& options, const std::string& text) {
+        options.background = background_of(text);
+      });
   command
       .add_flag_callback(
           "--water",
           [&scene] {
-            scene.wished.emplace_back("--water");
-            scene.wishes.with_water = true;
+            scene.flags_given.emplace_back("--water");
+            scene.import_options.with_water = true;
           },
           "Show the water of a molecule's file")
       ->group("Molecules, particles and meshes");

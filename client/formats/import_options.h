@@ -1,4 +1,4 @@
-// What a person may wish of the picture of a file that does not say how it is to look.
+// What may be asked of the picture of a file that does not say how it is to look.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace raytracer::client {
 
 enum class AtomStyle { spacefill, ball_and_stick, sticks };
 
-struct Wishes {
+struct ImportOptions {
   AtomStyle style = AtomStyle::spacefill;
   std::string color;  ///< element, chain, residue or a column; empty: the best that there is
   /// For numbers; none: types are no numbers, and all others are on viridis.
