@@ -1,5 +1,5 @@
 // The one control between "instant" and "exact": what it asks for, and beside it the time and
-// error that were foreseen and those that came true.
+// error that were predicted and those that came true.
 import { passFocus } from "./focus.js";
 import { duration, pluralised } from "./units.js";
 
@@ -77,8 +77,8 @@ export function createAccuracy(box, onChange) {
     },
 
     /// Before the render: its plan's prediction, or null if none was to be had.
-    foresee(prediction) {
-      fill(outcome, "foreseen", prediction && {
+    predict(prediction) {
+      fill(outcome, "predicted", prediction && {
         trace_ms: prediction.trace_ms, error: prediction.error, samples: prediction.samples,
       });
       fill(outcome, "measured", null);

@@ -158,10 +158,10 @@ async function rest(signal) {
   try {
     const rendering = await refine({
       source, text, view: hand.view, settings: accuracy.settings, size: camera(),
-      onPlan(foreseen) {
-        accuracy.foresee(foreseen.prediction);
-        wait.expect(foreseen.prediction.trace_ms);
-        showPlan(at("plan"), foreseen);
+      onPlan(planned) {
+        accuracy.predict(planned.prediction);
+        wait.expect(planned.prediction.trace_ms);
+        showPlan(at("plan"), planned);
       },
       onPreview: (frame) => live.show(frame),
       onPart: (frame) => live.showPart(frame),

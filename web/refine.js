@@ -14,12 +14,12 @@ const rest = 3;                   // times as long as a look at the unfinished p
 /// resolves to, api.js's render(). Rejects as that does.
 export async function refine({ source, text, view, settings, size, onPlan, onPreview, onPart }, signal) {
   return source.with(text, view, settings, signal, async (what) => {
-    const foreseen = await plan(what, signal);
-    onPlan(foreseen);
+    const planned = await plan(what, signal);
+    onPlan(planned);
     const { samples, target_rmse, ...others } = what.query;
     const part = Math.min(1, widest_px / size.width);
     const [width, height] = [size.width, size.height].map((length) => Math.max(1, Math.round(length * part)));
-    const worthwhile = previews_ms.filter((budget_ms) => foreseen.prediction.trace_ms >= worth * budget_ms);
+    const worthwhile = previews_ms.filter((budget_ms) => planned.prediction.trace_ms >= worth * budget_ms);
     if (worthwhile.length === 0) return render(what, signal);
     for (const budget_ms of worthwhile)
       onPreview(await renderFrame({ ...what, query: { ...others, width, height, budget_ms } }, signal));

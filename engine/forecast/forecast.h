@@ -1,4 +1,4 @@
-// A render foreseen: its plan, and what it will take and give.
+// A render predicted: its plan, and what it will take and give.
 //
 //   work of a pass = bytes * memory for one + tiles * time of one
 //   its time = (work + (threads - 1) * start) / threads, or the work if that is less

@@ -17,7 +17,7 @@ Json choice(Json value, const std::string& reason) {
   return {{"choice", std::move(value)}, {"reason", reason}};
 }
 
-/// To three digits: what is foreseen is not known to more.
+/// To three digits: what is predicted is not known to more.
 double rounded(double value) { return std::stod(fmt::format("{:.3g}", value)); }
 
 const char* name_of(Shadows shadows) {

@@ -23,7 +23,7 @@ Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& mac
   plan.kernel = choose_kernel(plan.features, plan.statistics);
   plan.precision = precision_for(scene, plan);
   plan.arithmetic_error =
-      foresee_arithmetic_error(plan.precision.value, plan.features, plan.statistics);
+      predict_arithmetic_error(plan.precision.value, plan.features, plan.statistics);
   plan.light_sampling =
       choose_light_sampling(scene, plan.features, first_samples(scene.render, plan.statistics));
   plan.finders = choose_finders(

@@ -92,7 +92,7 @@ const char* name_of(Precision precision) {
   return precision == Precision::single_precision ? "single" : "double";
 }
 
-ArithmeticError foresee_arithmetic_error(Precision precision, const Features& features,
+ArithmeticError predict_arithmetic_error(Precision precision, const Features& features,
                                          const SceneStatistics& statistics) {
   const double rounding = kappa * rounding_of(precision);
   // Of a sphere on which the eye is, all but what is seen within a pixel of its horizon is farther.
@@ -218,7 +218,7 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
                                       "refraction is {:.3g}",
                                       bending_error, features.ior)};
 
-  const double levels = foresee_arithmetic_error(single_precision, features, statistics).levels;
+  const double levels = predict_arithmetic_error(single_precision, features, statistics).levels;
   if (levels > most_levels)
     return {double_precision,
             because("single may change shaded surfaces by {:.2g} levels of 255", levels)};

@@ -18,7 +18,7 @@ struct ArithmeticError {
 const char* name_of(Precision precision);
 
 /// Of the kernels in `precision`, which is not automatic.
-ArithmeticError foresee_arithmetic_error(Precision precision, const Features& features,
+ArithmeticError predict_arithmetic_error(Precision precision, const Features& features,
                                          const SceneStatistics& statistics);
 
 /// In mixed precision what rays from the eye meet nearer than this is traced in double: single

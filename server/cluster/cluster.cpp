@@ -73,7 +73,7 @@ Cluster::Cluster(const Parts& parts)
              .log = parts.log,
              .choose_cut =
                  [this](const PreparedScene& scene, bool is_8_bit, const RenderProgress& progress) {
-                   return foresee(scene, is_8_bit, progress);
+                   return cut_if_long(scene, is_8_bit, progress);
                  }}),
       heartbeat_(
           store_, [this] { return describe_self(); }, note_),
@@ -89,8 +89,8 @@ Member Cluster::describe_self() const {
           .works = parts_.config.cluster.works};
 }
 
-std::optional<TaskCut> Cluster::foresee(const PreparedScene& scene, bool is_8_bit,
-                                        const RenderProgress& progress) const {
+std::optional<TaskCut> Cluster::cut_if_long(const PreparedScene& scene, bool is_8_bit,
+                                            const RenderProgress& progress) const {
   const double share_from_ms = parts_.config.cluster.share_from_ms;
   if (is_short(scene, share_from_ms, parts_.config.threads)) return {};
   const std::optional<Prediction> prediction = predict(
@@ -103,7 +103,7 @@ std::optional<TaskCut> Cluster::choose_cut(const PreparedScene& scene, bool is_8
                                            const RenderProgress& progress) {
   const bool works = parts_.config.cluster.works;
   if (works && is_degraded()) return {};  // it needs nobody else
-  const std::optional<TaskCut> cut = foresee(scene, is_8_bit, progress);
+  const std::optional<TaskCut> cut = cut_if_long(scene, is_8_bit, progress);
   if (!cut || works) return cut;
   return answered([&] {
     if (!has_worker(store_.members(), self_.renderer, store_.limits()))

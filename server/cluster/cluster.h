@@ -92,8 +92,9 @@ class Cluster {
   void drain(std::chrono::milliseconds longest);
 
  private:
-  std::optional<TaskCut> foresee(const PreparedScene& scene, bool is_8_bit,
-                                 const RenderProgress& progress) const;
+  /// None if the render is predicted to be short.
+  std::optional<TaskCut> cut_if_long(const PreparedScene& scene, bool is_8_bit,
+                                     const RenderProgress& progress) const;
   Member describe_self() const;
   void look_up_metrics();
   /// That traces what tasks are of.

@@ -29,7 +29,7 @@ class Reconciler {
     std::string front;  ///< the name of this one
     ClusterStore& store;
     RequestLog& log;
-    std::function<bool(const std::string& id)> is_in_work;  ///< foreseen or rendered here
+    std::function<bool(const std::string& id)> is_in_work;  ///< predicted or rendered here
     std::function<bool(const std::string& id)> is_awaited;  ///< by a client, here
     std::function<void(const JobRecord&)> take_over;        ///< begins it here, if there is room
   };

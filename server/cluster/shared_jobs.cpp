@@ -45,7 +45,7 @@ void note_cut(JobRecord& record, const TaskCut& cut) {
 
 }  // namespace
 
-/// A job that this front foresees or renders, and has in work as long as this lives.
+/// A job that this front predicts or renders, and has in work as long as this lives.
 struct SharedJobs::Own {
   /// Throws HttpError as Admission::Slot.
   Own(SharedJobs& shared_jobs, std::string job)

@@ -1,7 +1,7 @@
 // The jobs of a cluster: any front accepts them, answers for them and, where a front has died,
 // takes over what it had begun.
 //
-// A job is accepted once its scene and its record are stored. The front that accepted it foresees
+// A job is accepted once its scene and its record are stored. The front that accepted it predicts
 // it; what is short it renders itself, all else it cuts into tasks. Whose front is silent is taken
 // over by another, see reconciler.h.
 #pragma once
@@ -100,7 +100,7 @@ class SharedJobs : public Jobs {
   const Parts parts_;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
-  std::map<std::string, Own*> own_;  ///< foreseen or rendered here now
+  std::map<std::string, Own*> own_;  ///< predicted or rendered here now
   std::set<std::string> awaited_;    ///< renders that a client waits for here
   bool closing_ = false;
   LruCache<SharedJob> watched_;

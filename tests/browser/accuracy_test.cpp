@@ -1,4 +1,4 @@
-// One control from instant to exact: what it asks for, what was foreseen, what came true.
+// One control from instant to exact: what it asks for, what was predicted, what came true.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -53,8 +53,8 @@ TEST_F(Accuracy, prediction_stands_beside_what_came_true) {
   const std::string former = picture();
   choose_accuracy(4);  // no test before has it in the cache
   await("done", former);
-  EXPECT_NE(cell("foreseen", "trace_ms").find("ms"), std::string::npos);
-  EXPECT_NE(cell("foreseen", "error"), "–");
+  EXPECT_NE(cell("predicted", "trace_ms").find("ms"), std::string::npos);
+  EXPECT_NE(cell("predicted", "error"), "–");
   EXPECT_NE(cell("measured", "trace_ms").find("ms"), std::string::npos);
   EXPECT_NE(cell("measured", "samples"), "–");
 }

@@ -65,16 +65,16 @@ class Refine : public BrowserPage {
     ASSERT_TRUE(eventually([] { return running_jobs() == 1; }, longest_wait)) << server().log();
   }
 
-  /// The width at which the server foresees so much tracing, in this build and on this machine: the
+  /// The width at which the server predicts so much tracing, in this build and on this machine: the
   /// page takes its word for what is a job, and beside other tests it takes a few times as long.
   static int long_width_px() {
     constexpr double long_ms = 1500;
     constexpr int tried_px = 300;
     const httplib::Result plan =
         server().client().Post("/plan", scene_of_width(tried_px), "application/json");
-    const double foreseen_ms =
+    const double predicted_ms =
         nlohmann::json::parse(plan->body).at("prediction").at("trace_ms").get<double>();
-    return static_cast<int>(tried_px * std::sqrt(long_ms / foreseen_ms));
+    return static_cast<int>(tried_px * std::sqrt(long_ms / predicted_ms));
   }
 
   /// The addresses that a render takes that is worth a job, from the click to the last picture.

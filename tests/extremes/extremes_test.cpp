@@ -1,4 +1,4 @@
-// Every extreme, smaller than in the table, is the exact picture within what the plan foresees.
+// Every extreme, smaller than in the table, is the exact picture within what the plan predicts.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -41,7 +41,7 @@ TEST_F(FullServer, further_render_is_429_with_the_time_to_wait) {
   EXPECT_TRUE(std::regex_match(refused.get_header_value("Retry-After"), seconds));
 }
 
-TEST(Admission, foresees_by_what_renders_that_run_have_done) {
+TEST(Admission, predicts_by_what_renders_that_run_have_done) {
   Admission admission(1, 1);
   RenderProgress running;
   const Admission::Slot slot(admission, running);

@@ -29,8 +29,8 @@ ProjectRun run_project(std::string_view document, const Overrides& overrides, Wo
 ProjectForecast forecast_project(const Scene& scene, const MachineCosts& costs, WorkerPool& pool) {
   const RenderProgress progress;
   const Stopwatch watch;
-  const std::optional<Forecast> foreseen = forecast(scene, Limits{}, costs, pool, progress);
-  return {foreseen->prediction.build_ms, foreseen->prediction.trace_ms, watch.elapsed_ms()};
+  const std::optional<Forecast> predicted = forecast(scene, Limits{}, costs, pool, progress);
+  return {predicted->prediction.build_ms, predicted->prediction.trace_ms, watch.elapsed_ms()};
 }
 
 ByteImage picture_of(const Scene& scene, WorkerPool& pool) {

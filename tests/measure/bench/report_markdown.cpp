@@ -94,10 +94,10 @@ std::string project_table(const Report& report) {
 
 std::string forecast_table(const Report& report) {
   std::string text =
-      "\n## Foreseen and measured\n\n"
+      "\n## Predicted and measured\n\n"
       "What a plan predicts before each render, over what that render then took; and how long the "
       "prediction takes, building the structures included.\n\n";
-  text += row("scene", "build foreseen", "measured", "**ratio**", "trace foreseen", "measured",
+  text += row("scene", "build predicted", "measured", "**ratio**", "trace predicted", "measured",
               "**ratio**", "taken");
   text += "|:--|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const CaseFigures& figures : report.cases) {

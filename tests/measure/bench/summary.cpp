@@ -41,7 +41,7 @@ Summary summarize(const CaseFigures& figures) {
   const auto stage = [&](double ProjectTimes::*time) {
     return median_of(figures.rounds, [&](const AloneRound& each) { return each.project.*time; });
   };
-  const auto foreseen = [&](double ProjectForecast::*time) {
+  const auto predicted = [&](double ProjectForecast::*time) {
     return median_of(figures.rounds, [&](const AloneRound& each) { return each.forecast.*time; });
   };
   const auto ratio = [&](double ProjectForecast::*time, double ProjectTimes::*measured) {
@@ -54,9 +54,9 @@ Summary summarize(const CaseFigures& figures) {
                       .build_ms = stage(&ProjectTimes::build_ms),
                       .trace_ms = stage(&ProjectTimes::trace_ms),
                       .encode_ms = stage(&ProjectTimes::encode_ms)},
-          .forecast = {.times = {.build_ms = foreseen(&ProjectForecast::build_ms),
-                                 .trace_ms = foreseen(&ProjectForecast::trace_ms),
-                                 .taken_ms = foreseen(&ProjectForecast::taken_ms)},
+          .forecast = {.times = {.build_ms = predicted(&ProjectForecast::build_ms),
+                                 .trace_ms = predicted(&ProjectForecast::trace_ms),
+                                 .taken_ms = predicted(&ProjectForecast::taken_ms)},
                        .build_ratio = ratio(&ProjectForecast::build_ms, &ProjectTimes::build_ms),
                        .trace_ratio = ratio(&ProjectForecast::trace_ms, &ProjectTimes::trace_ms)}};
 }

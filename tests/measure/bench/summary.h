@@ -10,7 +10,7 @@ namespace raytracer::bench {
 
 struct ForecastSummary {
   ProjectForecast times;
-  double build_ratio = 0;  ///< foreseen over measured
+  double build_ratio = 0;  ///< predicted over measured
   double trace_ratio = 0;
 };
 

@@ -64,14 +64,14 @@ Row measure(const Extreme& extreme, const peers::Peers& all_peers, WorkerPool& p
   const Comparison single = against_exact(Precision::single_precision);
   const Comparison in_double = against_exact(Precision::double_precision);
   const bool is_single = plan.precision.value == Precision::single_precision;
-  const ArithmeticError& foreseen = plan.arithmetic_error;
+  const ArithmeticError& predicted = plan.arithmetic_error;
   const bool is_right = chosen.off == 0 && chosen.nans == 0 &&
-                        chosen.displacement_px <= std::max(1e-6, foreseen.displacement_px) &&
-                        chosen.levels <= foreseen.levels;
+                        chosen.displacement_px <= std::max(1e-6, predicted.displacement_px) &&
+                        chosen.levels <= predicted.levels;
   std::string text =
       fmt::format("| {} | {} | {:.1g} px, {:.1g} | {:.1g} px, {:.1g} | {} | {} | {} |",
-                  extreme.name, is_single ? "single" : "double", foreseen.displacement_px,
-                  foreseen.levels, chosen.displacement_px, chosen.levels, pixels_text(chosen),
+                  extreme.name, is_single ? "single" : "double", predicted.displacement_px,
+                  predicted.levels, chosen.displacement_px, chosen.levels, pixels_text(chosen),
                   pixels_text(single), pixels_text(in_double));
   for (const auto& peer : all_peers)
     text += fmt::format(" {} |", wrong_pixels(*peer, scene, exact, pool));

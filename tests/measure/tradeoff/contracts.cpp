@@ -16,7 +16,7 @@ struct Size {
 constexpr std::array sizes{Size{175, 125}, Size{88, 63}, Size{44, 31}};
 
 /// From a first picture of a few samples.
-double foreseen_seconds(const Scene& scene, int samples, WorkerPool& pool) {
+double predicted_seconds(const Scene& scene, int samples, WorkerPool& pool) {
   constexpr int few = 12;
   constexpr double with_earlier = 4.0 / 3;  // pictures of a fourth of the samples, and so on
   Overrides overrides;
@@ -40,7 +40,7 @@ std::optional<Subject> choose_subject(const std::string& document, double wanted
     overrides.width = size.width_px;
     overrides.height = size.height_px;
     Scene scene = measure::read_document(document, overrides);
-    if (foreseen_seconds(scene, samples, pool) > most_seconds) continue;
+    if (predicted_seconds(scene, samples, pool) > most_seconds) continue;
     ExactPicture exact = render_exactly(scene, samples, pool);
     if (!best || exact.estimated_error < best->exact.estimated_error)
       best = Subject{std::move(scene), std::move(exact)};
