@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/finders/binning.h"
+#include "engine/finders/wide_primitives.h"
 #include "engine/memory/page_allocator.h"
 #include "engine/packets/padding.h"
 
@@ -24,9 +25,10 @@ struct ListedCaster {
 /// many are looked through at once.
 template <typename T>
 struct CellLists {
-  std::vector<std::uint32_t> begins;  ///< of each cell, row by row, and the end of the last
+  std::vector<std::uint32_t> begins;  ///< of each bin, row by row, and the end of the last
   LargeArray<ListedCaster<T>> entries;
   LargeArray<Parts> parts;  ///< of each entry; vectors that begin with any of them may be read
+  WideEntries wide;         ///< behind those of the cells
 };
 
 namespace cell_lists {
@@ -42,7 +44,7 @@ struct Entry {
 
 /// As sort_into_bins(), into cells of 4 x 4 parts; entries are cell_lists::Entry.
 template <typename T, typename Place, typename EntriesOf>
-CellLists<T> list_in_cells(std::size_t item_count, int columns, int rows, WorkerPool& pool,
+CellLists<T> list_in_cells(std::size_t item_count, const BinGrid& bins, WorkerPool& pool,
                            const Place& place, const EntriesOf& entries_of) {
   using Entry = cell_lists::Entry<T>;
   CellLists<T> lists;
@@ -51,7 +53,7 @@ CellLists<T> list_in_cells(std::size_t item_count, int columns, int rows, Worker
               [](const Entry& a, const Entry& b) { return a.caster.top > b.caster.top; });
   };
   lists.begins = sort_into_bins<Entry>(
-      item_count, BinGrid{columns, rows, 2}, pool, place, entries_of, arrange,
+      item_count, BinGrid{bins.columns, bins.rows, 2}, pool, place, entries_of, arrange,
       [&](std::size_t count) {
         lists.entries.resize(count);
         lists.parts.resize(count + packet_padding);

@@ -68,13 +68,12 @@ HWY_INLINE void fetch_cells(D d, const Grid& grid, const Columns& columns, V cel
   }
 }
 
-/// Lanes whose light one of `count` casters (of shadows) hides, tried by all lanes. `test(d, get,
-/// values)` compares casters with points, of which `values` hold what it asks for.
-template <class D, class Columns, class Test, class V, std::size_t size>
-HWY_INLINE hn::Mask<D> occluded_by_each(D d, const Columns& casters, std::size_t count,
-                                        const Test& test, const V (&values)[size]) {
+/// Lanes whose light one of a cell's `count` casters (of shadows) hides, tried by all lanes.
+/// `test(d, get, values)` compares casters with points, of which `values` hold what it asks for.
+template <class D, class Test, class V, std::size_t size, typename T = hn::TFromD<D>>
+HWY_INLINE hn::Mask<D> occluded_by_each(D d, const T* cell, std::size_t count, const Test& test,
+                                        const V (&values)[size]) {
   auto dark = hn::Lt(values[0], values[0]);
-  const auto* const cell = casters.cell(0);
   for (std::size_t i = 0; i < count; ++i)
     dark = hn::Or(
         dark,
@@ -82,6 +81,14 @@ HWY_INLINE hn::Mask<D> occluded_by_each(D d, const Columns& casters, std::size_t
             d, [&](std::size_t column) HWY_ATTR { return hn::Set(d, cell[column * count + i]); },
             values));
   return dark;
+}
+
+/// Lanes of `lit` whose light a caster that is set aside hides.
+template <class D, class Grid, class Test, class V, std::size_t size, class M = hn::Mask<D>>
+HWY_INLINE M occluded_by_wide(D d, const Grid& grid, const Test& test, const V (&values)[size],
+                              M lit) {
+  return hn::And(
+      lit, occluded_by_each(d, grid.casters.cell(grid.wide.begin), grid.wide.count, test, values));
 }
 
 /// Lanes of `lit` whose light a caster of their own cell hides. test.is_past(d, cell, count, i,
@@ -184,6 +191,20 @@ HWY_NOINLINE M occluded_in_lists(D d, const CellLists<T>& lists, const ListPlace
     const T least_w = hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(rest, w, highest)));
     while (entry != end && lists.entries[entry].top > least_w)
       entry = look_through(entry, end, least_w, rest);
+  }
+  return dark;
+}
+
+/// Lanes of `lit` from which something that is set aside hides the light; `hides` is as above.
+template <class D, class Hides, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by_wide(D d, const CellLists<T>& lists, M lit, const Hides& hides) {
+  M dark = hn::AndNot(lit, lit);
+  const ListedCaster<T>* const begin = lists.entries.data() + lists.wide.begin;
+  for (std::size_t i = 0; i < lists.wide.count && !hn::AllFalse(d, lit); ++i) {
+    M hidden = lit;
+    if (!hides(begin[i].primitive, lit, hidden)) continue;
+    dark = hn::Or(dark, hidden);
+    lit = hn::AndNot(hidden, lit);
   }
   return dark;
 }

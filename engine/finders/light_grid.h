@@ -24,8 +24,9 @@ struct CasterGrid {
   static constexpr std::size_t few = 32;
 
   LightPlane<T> plane;
-  std::vector<std::uint32_t> begins;  ///< of each cell, row by row, and the end of the last
+  std::vector<std::uint32_t> begins;  ///< of each bin, row by row, and the end of the last
   CellColumns<T, Caster::members.size()> casters;
+  WideEntries wide;  ///< behind those of the cells
 };
 
 /// `make(primitive, axes)` gives the caster of one, from several threads.
@@ -37,7 +38,7 @@ CasterGrid<Caster, T> build_caster_grid(const Vec3& towards, std::span<const Pri
   // against half that width: 250,000 build in 0.85 of the time and trace in 0.65.
   constexpr CellWidths widths{.per_primitive = 2, .of_area = 2, .of_side = 0, .most_across = 4096};
   const auto planned = plan_light_plane<T>(towards, primitives, widths, pool);
-  CasterGrid<Caster, T> grid{planned.plane, {}, {}};
+  CasterGrid<Caster, T> grid{planned.plane, {}, {}, {}};
   const auto place = [&primitives, &make, planned](std::size_t i) {
     const LightAxes& axes = planned.axes;
     return Placed<Caster>{planned.cells(shadow_extent(primitives[i], axes)),
@@ -52,11 +53,12 @@ CasterGrid<Caster, T> build_caster_grid(const Vec3& towards, std::span<const Pri
                 [](const Caster& a, const Caster& b) { return a.w > b.w; });
   };
   grid.begins = sort_into_bins<Caster>(
-      primitives.size(), BinGrid{grid.plane.columns, grid.plane.rows, 0}, pool, place, entries_of,
-      arrange, [&](std::size_t count) { grid.casters.resize(count); },
+      primitives.size(), planned.bins(), pool, place, entries_of, arrange,
+      [&](std::size_t count) { grid.casters.resize(count); },
       [&](std::size_t first, std::span<const Caster> cell) {
         grid.casters.write(first, cell, Caster::members);
       });
+  grid.wide = planned.wide_entries(grid.begins);
   return grid;
 }
 
@@ -92,8 +94,10 @@ ListGrid<T> build_list_grid(const Vec3& towards, std::span<const Primitive> prim
       return entry;
     };
   };
-  return {planned.plane, list_in_cells<T>(primitives.size(), planned.plane.columns,
-                                          planned.plane.rows, pool, place, entries_of)};
+  ListGrid<T> grid{planned.plane,
+                   list_in_cells<T>(primitives.size(), planned.bins(), pool, place, entries_of)};
+  grid.cells.wide = planned.wide_entries(grid.cells.begins);
+  return grid;
 }
 
 }  // namespace raytracer

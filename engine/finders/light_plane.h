@@ -1,7 +1,8 @@
 // The plane across a distant light's direction, cut into cells.
 //
 // All rays to the light are parallel: what may stand before a point is what covers its place on
-// this plane. Every primitive is entered into the cells that its rectangle touches.
+// this plane. Every primitive is entered into the cells that its rectangle touches, or set aside
+// where it is far wider than the others.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <span>
 
 #include "engine/finders/binning.h"
+#include "engine/finders/wide_primitives.h"
 #include "engine/math/parts.h"
 #include "engine/math/triple.h"
 #include "engine/parallel/sum.h"
@@ -28,6 +30,8 @@ struct ShadowExtent {
   double u_high;
   double v_high;
   double top;  ///< how far it reaches towards the light
+
+  double width() const { return std::max(u_high - u_low, v_high - v_low); }
 };
 
 /// Two axes across the light's direction, and the direction towards it.
@@ -79,10 +83,39 @@ struct CellWidths {
   double most_across;    ///< so many cells at most
 };
 
+/// What primitives together cover.
+struct ShadowSpread {
+  ShadowExtent all{infinity, infinity, -infinity, -infinity, 0};
+  double areas = 0;    ///< of the rectangles, in sum
+  double sides = 0;    ///< half their circumferences, in sum
+  double highest = 0;  ///< of the tops, in size
+  std::size_t primitive_count = 0;
+
+  void include(const ShadowExtent& e) {
+    include({e, (e.u_high - e.u_low) * (e.v_high - e.v_low),
+             (e.u_high - e.u_low) + (e.v_high - e.v_low), std::abs(e.top), 1});
+  }
+  void include(const ShadowSpread& other) {
+    all = {std::min(all.u_low, other.all.u_low), std::min(all.v_low, other.all.v_low),
+           std::max(all.u_high, other.all.u_high), std::max(all.v_high, other.all.v_high), 0};
+    areas += other.areas;
+    sides += other.sides;
+    highest = std::max(highest, other.highest);
+    primitive_count += other.primitive_count;
+  }
+
+  /// The largest coordinate across the light's direction, in size.
+  double across() const {
+    return std::max(
+        {std::abs(all.u_low), std::abs(all.v_low), std::abs(all.u_high), std::abs(all.v_high)});
+  }
+};
+
 /// Where a plane's cells begin and how wide they are, in double.
 template <typename T>
 struct PlannedPlane {
   LightPlane<T> plane;
+  SpreadWithoutWide<ShadowSpread> entered;
   LightAxes axes;
   double u_low;
   double v_low;
@@ -90,8 +123,15 @@ struct PlannedPlane {
   double cells_per_unit;
   double margin;  ///< by which extents are enlarged: a point finds its cell in T
 
+  /// The plane's rows and, if something is set aside, one more, of which that has the first.
+  BinGrid bins() const { return {plane.columns, plane.rows + (entered.has_wide() ? 1 : 0), 0}; }
+  WideEntries wide_entries(const std::vector<std::uint32_t>& begins) const {
+    return entries_behind(begins, BinGrid{plane.columns, plane.rows, 0}.bin_count());
+  }
+
   /// The cells that an extent touches, or of cells cut into `across` x `across` parts the parts.
   CellRectangle cells(const ShadowExtent& e, int across = 1) const {
+    if (entered.is_wide(e.width())) return {0, across * plane.rows, 1, across * plane.rows + 1};
     const double width = cell / across;
     const auto index = [&](double offset, int most) {
       return static_cast<int>(
@@ -113,65 +153,49 @@ struct PlannedPlane {
   double v_begin(int row) const { return v_low + row * cell; }
 };
 
-/// What all primitives together cover.
-struct ShadowSpread {
-  ShadowExtent all{infinity, infinity, -infinity, -infinity, 0};
-  double areas = 0;    ///< of the rectangles, in sum
-  double sides = 0;    ///< half their circumferences, in sum
-  double highest = 0;  ///< of the tops, in size
-
-  void include(const ShadowExtent& e) {
-    include({e, (e.u_high - e.u_low) * (e.v_high - e.v_low),
-             (e.u_high - e.u_low) + (e.v_high - e.v_low), std::abs(e.top)});
-  }
-  void include(const ShadowSpread& other) {
-    all = {std::min(all.u_low, other.all.u_low), std::min(all.v_low, other.all.v_low),
-           std::max(all.u_high, other.all.u_high), std::max(all.v_high, other.all.v_high), 0};
-    areas += other.areas;
-    sides += other.sides;
-    highest = std::max(highest, other.highest);
-  }
-
-  /// The largest coordinate across the light's direction, in size.
-  double across() const {
-    return std::max(
-        {std::abs(all.u_low), std::abs(all.v_low), std::abs(all.u_high), std::abs(all.v_high)});
-  }
-};
-
 /// Cells that suit the primitives, at least one of which there is; shadow_extent() is called from
 /// several threads.
 template <typename T, typename Primitive>
 PlannedPlane<T> plan_light_plane(const Vec3& towards, std::span<const Primitive> primitives,
                                  const CellWidths& widths, WorkerPool& pool) {
   const LightAxes axes = light_axes(towards);
-  const auto spread = sum_in_parts<ShadowSpread>(
-      primitives.size(), &pool, [&](std::size_t begin, std::size_t end, ShadowSpread& sum) {
-        for (const Primitive& primitive : primitives.subspan(begin, end - begin))
-          sum.include(shadow_extent(primitive, axes));
+  using ByWidth = SpreadsByWidth<ShadowSpread>;
+  const auto by_width = sum_in_parts<ByWidth>(
+      primitives.size(), &pool, [&](std::size_t begin, std::size_t end, ByWidth& sum) {
+        for (const Primitive& primitive : primitives.subspan(begin, end - begin)) {
+          const ShadowExtent extent = shadow_extent(primitive, axes);
+          sum.spreads[ByWidth::index_of(extent.width())].include(extent);
+        }
       });
 
-  const double across = spread.across();
   constexpr auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
   constexpr double not_zero = 1e-30;
-  const double margin = 64 * epsilon * std::max(across, spread.highest);
-  const auto count = static_cast<double>(primitives.size());
-  const double width = spread.all.u_high - spread.all.u_low;
-  const double height = spread.all.v_high - spread.all.v_low;
-  const double cell = std::max({widths.per_primitive * std::sqrt(width * height / count),
-                                widths.of_area * std::sqrt(spread.areas / count),
-                                widths.of_side * spread.sides / count, width / widths.most_across,
-                                height / widths.most_across, 4 * margin, not_zero});
-  return {
-      {in_precision<T>(axes), static_cast<T>(spread.all.u_low), static_cast<T>(spread.all.v_low),
-       static_cast<T>(1 / cell), static_cast<T>(8 * epsilon * across),
-       static_cast<int>(width / cell) + 1, static_cast<int>(height / cell) + 1},
-      axes,
-      spread.all.u_low,
-      spread.all.v_low,
-      cell,
-      1 / cell,
-      margin};
+  const auto margin_of = [](const ShadowSpread& spread) {
+    return 64 * epsilon * std::max(spread.across(), spread.highest);
+  };
+  const auto cell_width = [&](const ShadowSpread& spread) {
+    const auto count = static_cast<double>(spread.primitive_count);
+    const double width = spread.all.u_high - spread.all.u_low;
+    const double height = spread.all.v_high - spread.all.v_low;
+    return std::max({widths.per_primitive * std::sqrt(width * height / count),
+                     widths.of_area * std::sqrt(spread.areas / count),
+                     widths.of_side * spread.sides / count, width / widths.most_across,
+                     height / widths.most_across, 4 * margin_of(spread), not_zero});
+  };
+  const auto entered = without_wide(by_width, cell_width);
+  const ShadowExtent& all = entered.spread.all;
+  const double cell = cell_width(entered.spread);
+  return {{in_precision<T>(axes), static_cast<T>(all.u_low), static_cast<T>(all.v_low),
+           static_cast<T>(1 / cell), static_cast<T>(8 * epsilon * entered.spread.across()),
+           static_cast<int>((all.u_high - all.u_low) / cell) + 1,
+           static_cast<int>((all.v_high - all.v_low) / cell) + 1},
+          entered,
+          axes,
+          all.u_low,
+          all.v_low,
+          cell,
+          1 / cell,
+          margin_of(entered.spread)};
 }
 
 }  // namespace raytracer

@@ -16,7 +16,7 @@ struct CubePlaces {
 };
 
 /// Where the points are seen, for the lanes of `lit`, at least one. Takes those out of `lit` that
-/// are seen where nothing else is.
+/// are seen where nothing else is but what is set aside.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE CubePlaces<V> places_around(D d, const LightCube<T>& cube, const Triple<T>& light,
                                        const V3<V>& point, M& lit) {
@@ -59,16 +59,32 @@ HWY_INLINE V cell_of(D d, const LightCube<T>& cube, const CubePlaces<V>& at) {
   return hn::MulAdd(hn::MulAdd(at.face, side, hn::Floor(at.row)), side, hn::Floor(at.column));
 }
 
-/// Lanes of `lit` that something that their cell around the light lists hides from it, as
+/// Lanes of `lit` that a caster around the light hides from it, as occluded_in_cells() has it.
+template <class D, class Grid, class Test, class V, std::size_t size, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE M occluded_by_casters(D d, const Grid& grid, const Triple<T>& light, const V3<V>& point,
+                                 const Test& test, const V (&values)[size], M lit) {
+  if (hn::AllFalse(d, lit)) return lit;
+  M in_sight = lit;
+  const V cell = cell_of(d, grid.cube, places_around(d, grid.cube, light, point, in_sight));
+  const M dark = occluded_in_cells(d, grid, cell, test, values, in_sight);
+  if (HWY_LIKELY(grid.wide.count == 0)) return dark;
+  return hn::Or(dark, occluded_by_wide(d, grid, test, values, hn::AndNot(dark, lit)));
+}
+
+/// Lanes of `lit` that something that is listed around the light hides from it, as
 /// occluded_in_lists() has it.
 template <class D, class Hides, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE M occluded_by_listed(D d, const PointLists<T>& lists, const Triple<T>& light,
                                 const ShadowRays<V>& rays, M lit, const Hides& hides) {
   if (hn::AllFalse(d, lit)) return lit;
-  const CubePlaces<V> at = places_around(d, lists.cube, light, rays.from.point, lit);
+  M in_sight = lit;
+  const CubePlaces<V> at = places_around(d, lists.cube, light, rays.from.point, in_sight);
   const ListPlaces<V> places{cell_of(d, lists.cube, at), part_at(d, at.column, at.row)};
-  return occluded_in_lists(d, lists.cells, places, hn::Neg(rays.path), lit, hides);
+  const M dark = occluded_in_lists(d, lists.cells, places, hn::Neg(rays.path), in_sight, hides);
+  if (HWY_LIKELY(lists.cells.wide.count == 0)) return dark;
+  return hn::Or(dark, occluded_by_wide(d, lists.cells, hn::AndNot(dark, lit), hides));
 }
 
 /// Rays from a point light to where shadow rays to it begin.

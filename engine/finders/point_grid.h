@@ -1,7 +1,8 @@
 // Which primitives may stand between a point and a point light, by the cells of the cube around it.
 //
 // As in a distant light's grid, what is small is kept in the cells themselves ("casters"), and what
-// is large is named by them. A cell's entries that reach nearest to the light come first.
+// is large is named by them. A cell's entries that reach nearest to the light come first. Behind
+// the cells come those that are set aside.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +22,9 @@ namespace raytracer {
 template <typename Caster, typename T>
 struct PointGrid {
   LightCube<T> cube;
-  std::vector<std::uint32_t> begins;  ///< of each cell, face by face and row by row, and the end
+  std::vector<std::uint32_t> begins;  ///< of each bin, face by face and row by row, and the end
   CellColumns<T, Caster::members.size()> casters;
+  WideEntries wide;  ///< behind those of the cells
 };
 
 /// Cells of lists.
@@ -42,10 +44,13 @@ Placed<Entry> place(const PlannedCube<T>& planned, std::span<const Primitive> pr
                     std::size_t item, int across, const Visit& visit) {
   const auto face = static_cast<int>(item % cube_faces);
   const std::size_t index = item / cube_faces;
-  if ((planned.faces[index] >> face & 1U) == 0) return {};
+  const unsigned faces = planned.faces[index];
+  const bool is_wide = faces == PlannedCube<T>::set_aside;
+  if (is_wide ? face != 0 : (faces >> face & 1U) == 0) return {};
   const Primitive seen = seen_from(primitives[index], planned.light);
   const Box box = enlarged(bounds(seen), planned.margin);
-  const CellRectangle cells = planned.cells(seen, box, face, across);
+  const CellRectangle cells =
+      is_wide ? planned.behind_cells(across) : planned.cells(seen, box, face, across);
   if (cells.empty()) return {};
   return {cells, visit(index, box)};
 }
@@ -60,7 +65,7 @@ PointGrid<Caster, T> build_point_grid(const Vec3& light, std::span<const Primiti
   // About as many cells as primitives, but none narrower than twice the mean width, unless crowded.
   constexpr CellWidths widths{.per_primitive = 1, .of_area = 2, .of_side = 0, .most_across = 1024};
   const auto planned = plan_light_cube<T>(light, primitives, reach, widths, pool);
-  PointGrid<Caster, T> grid{planned.cube, {}, {}};
+  PointGrid<Caster, T> grid{planned.cube, {}, {}, {}};
   const auto place = [&](std::size_t item) {
     const auto visit = [&](std::size_t index, const Box&) { return make(primitives[index]); };
     return point_grid::place<Caster>(planned, primitives, item, 1, visit);
@@ -73,11 +78,12 @@ PointGrid<Caster, T> build_point_grid(const Vec3& light, std::span<const Primiti
               [](const Caster& a, const Caster& b) { return a.nearest < b.nearest; });
   };
   grid.begins = sort_into_bins<Caster>(
-      cube_faces * primitives.size(), planned.cube.cells(), pool, place, entries_of, arrange,
+      cube_faces * primitives.size(), planned.bins(), pool, place, entries_of, arrange,
       [&](std::size_t count) { grid.casters.resize(count); },
       [&](std::size_t first, std::span<const Caster> cell) {
         grid.casters.write(first, cell, Caster::members);
       });
+  grid.wide = planned.wide_entries(grid.begins);
   return grid;
 }
 
@@ -100,21 +106,24 @@ PointLists<T> build_point_lists(const Vec3& light, std::span<const Primitive> pr
   };
   const auto entries_of = [&](const Entry& whole, const CellRectangle& parts) {
     const int face = parts.y_begin / (parts_across * planned.cube.side);
-    const View& view = planned.views[static_cast<std::size_t>(face)];
     const TouchedParts touched(parts, [&] {
+      const View& view = planned.views[static_cast<std::size_t>(face)];
       const Primitive seen = seen_from(primitives[whole.caster.primitive], light);
       return planned.against_cells(screen_outline(view, seen), face,
                                    -static_cast<double>(whole.caster.top));
     });
     return [&planned, whole, touched, face](int column, int row) {
+      if (face == cube_faces) return whole;  // it is set aside
       const auto [x, y] = planned.pixel(face, column, row);
       Entry entry = whole;
       entry.parts = touched.of_bin(column, row, x, y);
       return entry;
     };
   };
-  return {planned.cube, list_in_cells<T>(cube_faces * primitives.size(), planned.cube.side,
-                                         cube_faces * planned.cube.side, pool, place, entries_of)};
+  PointLists<T> lists{planned.cube, list_in_cells<T>(cube_faces * primitives.size(), planned.bins(),
+                                                     pool, place, entries_of)};
+  lists.cells.wide = planned.wide_entries(lists.cells.begins);
+  return lists;
 }
 
 }  // namespace raytracer

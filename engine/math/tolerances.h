@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "engine/math/vec.h"
+
 namespace raytracer {
 
 /// Of a number, what storing it in T changes at most: half a unit in the last place of 1 (IEEE
@@ -20,5 +22,12 @@ inline constexpr T sine_noise = 4 * std::numeric_limits<T>::epsilon();
 /// distances are the same but for rounding.
 template <typename T>
 inline constexpr T nearer_than_light = 1 - 4096 * std::numeric_limits<T>::epsilon();
+
+/// Whether a light is so far from the eye, against how far the primitives reach, that its distance
+/// would swallow what their places differ by. Of such a light none is beyond or around it.
+inline bool is_far_light(const Vec3& light, double reach) {
+  constexpr double far = 4;
+  return length(light) > far * reach;
+}
 
 }  // namespace raytracer

@@ -1,8 +1,8 @@
 // Sums over many items that do not depend on who adds them up.
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <vector>
 
 #include "engine/parallel/chunks.h"
 
@@ -14,8 +14,9 @@ namespace raytracer {
 /// if there is one.
 template <typename Sum, typename Add>
 Sum sum_in_parts(std::size_t count, WorkerPool* pool, const Add& add) {
-  std::array<Sum, 16> parts;
-  const std::size_t part_count = count < few_items ? 1 : parts.size();
+  constexpr std::size_t most_parts = 16;
+  const std::size_t part_count = count < few_items ? 1 : most_parts;
+  std::vector<Sum> parts(part_count);
   for_each_chunk(count, part_count, pool,
                  [&](std::size_t part, std::size_t begin, std::size_t end) {
                    Sum own;

@@ -14,22 +14,28 @@
 namespace raytracer::test {
 namespace {
 
+void expect_shadows(const std::string& objects, const std::string& light) {
+  const Scene scene = with_objects(
+      objects + R"(, {"type": "plane", "point": [0, -5, 0], "normal": [0, 1, 0]})", light);
+  const Image expected = reference_image(scene);
+  for (const InstructionSet& set : supported_instruction_sets()) {
+    EXPECT_EQ(count_wrong(image_on(set, Precision::double_precision, scene), expected), 0)
+        << light << " on " << set.name;
+    EXPECT_LE(count_wrong(image_on(set, Precision::single_precision, scene), expected), 10)
+        << light << " on " << set.name;
+  }
+}
+
+std::string lamp_at(const char* place) {
+  return fmt::format(R"({{"type": "point", "position": {}, "intensity": 0.8, "falloff": "none"}})",
+                     place);
+}
+
 /// In the midst of them, beside them, along an axis, and so far away that all are in one direction.
 void expect_shadows_wherever_the_lamp_is(const std::string& objects) {
   for (const char* const place : {"[0, 0, 0]", "[0.5, 3, -6]", "[9, 0, 0]", "[0, -40, 0]",
-                                  "[300, 500, -400]", "[-2e5, 1e5, -3e5]", "[2e8, 2e8, -2e8]"}) {
-    const Scene scene = with_objects(
-        objects + R"(, {"type": "plane", "point": [0, -5, 0], "normal": [0, 1, 0]})",
-        fmt::format(R"({{"type": "point", "position": {}, "intensity": 0.8, "falloff": "none"}})",
-                    place));
-    const Image expected = reference_image(scene);
-    for (const InstructionSet& set : supported_instruction_sets()) {
-      EXPECT_EQ(count_wrong(image_on(set, Precision::double_precision, scene), expected), 0)
-          << place << " on " << set.name;
-      EXPECT_LE(count_wrong(image_on(set, Precision::single_precision, scene), expected), 10)
-          << place << " on " << set.name;
-    }
-  }
+                                  "[300, 500, -400]", "[-2e5, 1e5, -3e5]", "[2e8, 2e8, -2e8]"})
+    expect_shadows(objects, lamp_at(place));
 }
 
 constexpr const char* matt = R"({"shininess": 20})";
@@ -49,6 +55,31 @@ TEST(Finders, find_shadows_of_cones_wherever_the_lamp_is) {
 TEST(Finders, find_shadows_of_triangles_wherever_the_lamp_is) {
   expect_shadows_wherever_the_lamp_is(rough_sheet(24, matt));
   expect_shadows_wherever_the_lamp_is(random_triangles(60, matt));
+}
+
+/// Under a thousand small ones a large one, on which their shadows fall, and above all another,
+/// whose own falls on half of the picture.
+TEST(Finders, find_shadows_of_the_few_that_are_far_wider) {
+  const std::string sun = R"({"type": "distant", "direction": [-1, -2, 1.5]})";
+  const std::string sheet = R"(, {"type": "mesh", "material": {}, "vertices": [[-900, -4, -900],
+      [900, -4, -900], [0, -4, 900], [0, 40, -60], [0, 40, 0], [60, 40, 0]],
+      "triangles": [[0, 1, 2], [3, 4, 5]]})";
+  const auto axial = [](const char* kind, const char* radii) {
+    return fmt::format(R"(, {{"type": "{0}", "from": [-400, -24, 0], "to": [400, -24, 0], {1},
+        "material": {{}}}}, {{"type": "{0}", "from": [0, 60, 0], "to": [60, 60, 0], {1},
+        "material": {{}}}})",
+                       kind, radii);
+  };
+  for (const std::string& objects :
+       {random_spheres(900, 0.3, matt) +
+            R"(, {"type": "sphere", "center": [0, -1004, 0], "radius": 1000, "material": {}},
+               {"type": "sphere", "center": [30, 40, 0], "radius": 30, "material": {}})",
+        random_triangles(300, matt) + sheet,
+        random_cylinders(300, matt) + axial("cylinder", R"("radius": 20)"),
+        random_cones(300, matt) + axial("cone", R"("radius_from": 20, "radius_to": 18)")})
+    for (const std::string& light :
+         {sun, lamp_at("[0.5, 9, -6]"), lamp_at("[20, 300, -40]"), lamp_at("[0, -2, 0]")})
+      expect_shadows(objects, light);
 }
 
 template <class Kind>

@@ -279,21 +279,17 @@ HWY_INLINE M occluded_by(D d, const Geometry<SphereKind, T>& spheres, const Pack
     const LightPlaces<V> at = places_on(d, view.discs.plane, point);
     const V values[] = {at.u, at.v, at.w, rays.from.id};
     if (spheres.finder(ray_kind_of(light)) == Finder::one_by_one)
-      return hn::And(lit, occluded_by_each(d, view.discs.casters, view.discs.begins[1],
+      return hn::And(lit, occluded_by_each(d, view.discs.casters.cell(0), view.discs.begins[1],
                                            DiscTest<T>(), values));
-    return occluded_in_cells(d, view.discs, cell_of(d, view.discs.plane, at), DiscTest<T>(), values,
-                             hn::And(lit, is_on_plane(d, view.discs.plane, at)));
+    return occluded_by_casters(d, view.discs, at, DiscTest<T>(), values, lit);
   }
   const V values[] = {point.x,        point.y,        point.z,   rays.towards.x,
                       rays.towards.y, rays.towards.z, rays.path, rays.from.id};
   const BallTest<T> test{view.is_far};
   if (spheres.finder(RayKind::to_point_light) == Finder::one_by_one)
-    return hn::And(lit,
-                   occluded_by_each(d, view.balls.casters, view.balls.begins[1], test, values));
-  if (hn::AllFalse(d, lit)) return lit;
-  const V cell =
-      cell_of(d, view.balls.cube, places_around(d, view.balls.cube, light.place, point, lit));
-  return occluded_in_cells(d, view.balls, cell, test, values, lit);
+    return hn::And(
+        lit, occluded_by_each(d, view.balls.casters.cell(0), view.balls.begins[1], test, values));
+  return occluded_by_casters(d, view.balls, light.place, point, test, values, lit);
 }
 
 /// Lanes of `lit` from which a sphere stands before the end of the axis that they look to.
@@ -314,11 +310,11 @@ HWY_INLINE M occluded_by(D d, const Geometry<SphereKind, T>& spheres, const Ligh
   const AxisDiscTest<T> test{window, is_opposite ? most : window.low_w,
                              is_one_sided ? -most : window.high_w};
   if (spheres.finder(RayKind::to_soft_light) == Finder::one_by_one)
-    return hn::And(lit, occluded_by_each(d, grid.casters, grid.begins[1], test, values));
-  if (window.cell_count() <= few_cells)
-    return occluded_in_window(d, grid, window, test, values, lit);
-  return occluded_in_cells(d, grid, cell_of(d, grid.plane, at), test, values,
-                           hn::And(lit, is_on_plane(d, grid.plane, at)));
+    return hn::And(lit, occluded_by_each(d, grid.casters.cell(0), grid.begins[1], test, values));
+  if (window.cell_count() > few_cells) return occluded_by_casters(d, grid, at, test, values, lit);
+  const M dark = occluded_in_window(d, grid, window, test, values, lit);
+  if (HWY_LIKELY(grid.wide.count == 0)) return dark;
+  return hn::Or(dark, occluded_by_wide(d, grid, test, values, hn::AndNot(dark, lit)));
 }
 
 /// Asks the memory for what occluded_by() will need for the points of `lanes`. Cells around point
