@@ -153,7 +153,7 @@ void add_statistics(const Solid& c, const Viewpoint& from, GeometryStatistics& t
   if (width < farthest * from.pixel_angle) to.subpixel += 1;
   const double reach = 0.5 * (c.high - c.low) + radius;
   const double in_front = length(c.middle() - from.place) - reach;
-  to.blocks += from.blocks(in_front > 0 ? reach / in_front : 1e300);
+  to.note_blocks(from.blocks(in_front > 0 ? reach / in_front : 1e300), distance);
 }
 
 /// A tip magnifies without end, but what a mirror shows near it is small: by its mean radius.

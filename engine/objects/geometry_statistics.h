@@ -58,14 +58,21 @@ struct GeometryStatistics {
   /// Radius, or coordinate that a primitive without one reaches to.
   double smallest = infinity;
   double place_in_radii = 0;  ///< the largest coordinate of a centre in the scene, in radii
-  double blocks = 0;    ///< of 16 x 16 pixels that each primitive touches, in sum; rather more
-  double subpixel = 0;  ///< round things that may be seen smaller than a pixel ...
-  double parts = 0;     ///< of lattices: the round things that they are made of
+  double blocks = 0;  ///< of 16 x 16 pixels that each primitive touches, in sum; rather more
+  double block_distances = 0;         ///< of the primitive in each of these, in sum
+  double subpixel = 0;                ///< round things that may be seen smaller than a pixel ...
+  double parts = 0;                   ///< of lattices: the round things that they are made of
   bool has_subpixel_lattice = false;  ///< ... and whether they stand in a regular pattern
 
   void note_surface(double distance) {
     nearest = std::min(nearest, distance);
     clearance = std::min(clearance, std::abs(distance));
+  }
+
+  /// Of something so far away, negative inside of it, that touches so many.
+  void note_blocks(double count, double distance) {
+    blocks += count;
+    block_distances += count * std::max(distance, 0.0);
   }
 
   /// Of a round thing whose middle has that place in the scene.
@@ -84,6 +91,7 @@ struct GeometryStatistics {
     smallest = std::min(smallest, other.smallest);
     place_in_radii = std::max(place_in_radii, other.place_in_radii);
     blocks += other.blocks;
+    block_distances += other.block_distances;
     subpixel += other.subpixel;
     parts += other.parts;
     has_subpixel_lattice = has_subpixel_lattice || other.has_subpixel_lattice;

@@ -145,6 +145,13 @@ concept HasNeighbourSearch = requires(double lowest_light) {
   explain_neighbours(Kind(), lowest_light);
 };
 
+/// How near to the origin the edge of its shadow may fall, under a light that is no soft one; of
+/// others anywhere.
+template <class Kind>
+concept HasShadowEdges = requires(const typename Kind::Primitive& p, const PackedLight& light) {
+  { shadow_edge_distance(p, light) } -> std::same_as<double>;
+};
+
 /// Whether light along it is a doubtful case; else none is.
 template <class Kind>
 concept HasGrazingLight = requires(const typename Kind::Primitive& p, const PackedLight& light) {

@@ -54,9 +54,56 @@ double rounding_of(Precision precision) {
   return precision == Precision::double_precision ? double_rounding : single_rounding;
 }
 
-/// By how much an error of direction grows in a shadow, whose edge is as far as its occluder's.
-double growth_along_path(const SceneStatistics& statistics, double nearest) {
-  return statistics.shadow_path > 0 ? 1 + statistics.shadow_path / nearest : 1;
+/// By how much an error of direction grows in a kind's shadows, whose edges are as far as their
+/// occluders', where nothing is seen nearer than `nearest`.
+double growth_in_shadow(const ShadowReach& shadow, const SceneStatistics& statistics,
+                        double nearest) {
+  if (!(shadow.path > 0)) return 1;
+  const double most = shadow.path / nearest;
+  return 1 + (nearest >= statistics.nearest_edge() ? std::min(most, shadow.growth) : most);
+}
+
+/// In those of all kinds.
+double growth_in_shadows(const SceneStatistics& statistics, double nearest) {
+  double growth = 1;
+  for (const ShadowReach& shadow : statistics.shadows)
+    growth = std::max(growth, growth_in_shadow(shadow, statistics, nearest));
+  return growth;
+}
+
+/// The same wherever the edges of shadows may be: of what is sought from the eye.
+double growth_anywhere(const SceneStatistics& statistics) {
+  double path = 0;
+  for (const ShadowReach& shadow : statistics.shadows) path = std::max(path, shadow.path);
+  return path > 0 ? 1 + path / statistics.nearest : 1;
+}
+
+/// Of the kind whose shadows single displaces most against what is tolerated of its edges, where
+/// nothing is nearer than what is nearest.
+struct DisplacedShadows {
+  double error_px = 0;
+  double tolerance_px = 1;
+  double path = 0;
+
+  bool are_tolerated() const { return error_px <= tolerance_px; }
+};
+DisplacedShadows most_displaced_shadows(const SceneStatistics& statistics) {
+  const double direction_error_px = kappa * single_rounding / statistics.pixel_angle;
+  DisplacedShadows most;
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    const ShadowReach& shadow = statistics.shadows[kind_index<Kind>];
+    const double error_px =
+        direction_error_px * growth_in_shadow(shadow, statistics, statistics.nearest);
+    if (shadow.path > 0 && !(error_px / Kind::tolerance_px <= most.error_px / most.tolerance_px))
+      most = {error_px, Kind::tolerance_px, shadow.path};
+  });
+  return most;
+}
+
+/// Whether most of what is in view is nearer: each primitive counts by what it covers of the image.
+bool is_most_nearer(const SceneStatistics& statistics, double distance) {
+  const GeometryStatistics& all = statistics.all;
+  return all.blocks > 0 && all.block_distances <= distance * all.blocks;
 }
 
 /// Whether the scene has shadows under point lights of kinds whose shadow rays start at the shaded
@@ -95,15 +142,12 @@ const char* name_of(Precision precision) {
 ArithmeticError predict_arithmetic_error(Precision precision, const Features& features,
                                          const SceneStatistics& statistics) {
   const double rounding = kappa * rounding_of(precision);
-  // Of a sphere on which the eye is, all but what is seen within a pixel of its horizon is farther.
-  const double clearance = statistics.all.clearance;
-  const double nearest = clearance > 0 ? clearance : statistics.pixel_angle * statistics.farthest;
+  const double nearest = statistics.nearest_edge();
   double growth = 1;
   if (precision == Precision::mixed)
-    growth =
-        growth_along_path(statistics, std::max(nearest, nearest_in_single(features, statistics)));
+    growth = growth_in_shadows(statistics, std::max(nearest, nearest_in_single(statistics)));
   else
-    growth = std::max(growth_along_path(statistics, nearest), statistics.magnification);
+    growth = std::max(growth_in_shadows(statistics, nearest), statistics.magnification);
   if (precision == Precision::single_precision)
     growth = std::max(growth, growth_by_spread(features, statistics));
   ArithmeticError error;
@@ -120,13 +164,19 @@ ArithmeticError predict_arithmetic_error(Precision precision, const Features& fe
   return error;
 }
 
-double nearest_in_single(const Features& features, const SceneStatistics& statistics) {
-  const double tolerance_px = least_tolerance_px(features);
+double nearest_in_single(const SceneStatistics& statistics) {
   const double direction_error_px = kappa * single_rounding / statistics.pixel_angle;
-  // Where growth_along_path() is as much as is tolerated.
-  return direction_error_px < tolerance_px
-             ? statistics.shadow_path * direction_error_px / (tolerance_px - direction_error_px)
-             : infinity;
+  double nearest = 0;
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    const ShadowReach& shadow = statistics.shadows[kind_index<Kind>];
+    const double growth = growth_in_shadow(shadow, statistics, statistics.nearest);
+    if (!(shadow.path > 0) || direction_error_px * growth <= Kind::tolerance_px) return;
+    // Where the growth along the longest path is as much as is tolerated.
+    const double left_px = Kind::tolerance_px - direction_error_px;
+    nearest =
+        std::max(nearest, left_px > 0 ? shadow.path * direction_error_px / left_px : infinity);
+  });
+  return nearest;
 }
 
 double lamp_reach_in_single(const LampDistances& lamp, const Features& features,
@@ -164,14 +214,13 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
 
   // Samples traced again are sought from the eye as others are from anywhere, which so near to
   // something loses digits even of double.
-  const double near_error_px = kappa * double_rounding / statistics.pixel_angle *
-                               growth_along_path(statistics, statistics.nearest);
+  const double growth_on_nearest = growth_anywhere(statistics);
+  const double near_error_px = kappa * double_rounding / statistics.pixel_angle * growth_on_nearest;
   if (!(near_error_px <= exact_px))
     return {double_precision,
             because("single would displace shadows by {:.2g} pixels: occluders up to {:.3g} "
                     "times as far as the nearest surface",
-                    direction_error_px * growth_along_path(statistics, statistics.nearest),
-                    statistics.shadow_path / statistics.nearest)};
+                    direction_error_px * growth_on_nearest, growth_on_nearest - 1)};
 
   const double surface_error = kappa * single_rounding * statistics.all.distance_in_radii();
   if (surface_error > surface_tolerance)
@@ -185,8 +234,7 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
             because("single could not tell a light from the surface {:.2g} of the extent away",
                     statistics.light_clearance)};
 
-  const double path_error_px =
-      direction_error_px * growth_along_path(statistics, statistics.nearest);
+  const DisplacedShadows displaced = most_displaced_shadows(statistics);
   const double spread_error_px = direction_error_px * growth_by_spread(features, statistics);
   // What is beyond is to be the lesser part: planes that go on, and little else.
   const bool are_lamps_in_reach =
@@ -198,7 +246,8 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
             because("single would displace shadows by {:.2g} pixels: a point light shines {:.3g} "
                     "times as far as to the nearest thing that hides it",
                     spread_error_px, statistics.shadow_spread)};
-  const double shadow_error_px = std::max(path_error_px, spread_error_px);
+  const double shadow_error_px =
+      std::max({direction_error_px, displaced.error_px, spread_error_px});
 
   if (statistics.gap < gap_roundings * single_rounding)
     return {double_precision,
@@ -229,13 +278,20 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
                     "{:.3g} times as far as to the nearest thing that hides it: what is so "
                     "far from it is traced in double",
                     spread_error_px, statistics.shadow_spread)};
-  if (!(path_error_px <= tolerance_px))
+  if (!displaced.are_tolerated() && is_most_nearer(statistics, nearest_in_single(statistics)))
+    return {
+        double_precision,
+        because("single would displace shadows by {:.2g} pixels, and {:.2g} are allowed: "
+                "occluders are up to {:.3g} times as far as the nearest surface, and most of "
+                "what is in view is near",
+                displaced.error_px, displaced.tolerance_px, displaced.path / statistics.nearest)};
+  if (!displaced.are_tolerated())
     return {mixed,
-            because("single would displace shadows by {:.2g} pixels on what is nearest, from "
-                    "occluders up to {:.3g} times as far: what is nearer than {:.2g} of the "
-                    "extent is traced in double",
-                    path_error_px, statistics.shadow_path / statistics.nearest,
-                    nearest_in_single(features, statistics))};
+            because("single would displace shadows by {:.2g} pixels, and {:.2g} are allowed: "
+                    "occluders are up to {:.3g} times as far as the nearest surface; what is "
+                    "nearer than {:.2g} of the extent is traced in double",
+                    displaced.error_px, displaced.tolerance_px, displaced.path / statistics.nearest,
+                    nearest_in_single(statistics))};
 
   if (are_paths_magnified(statistics))
     return {mixed, because("single displaces edges by at most {:.2g} pixels, but curved mirrors or "
@@ -246,7 +302,8 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
   return {single_precision,
           because("it suffices: single displaces edges by at most {:.2g} pixels and shadows by "
                   "at most {:.2g}, and {:.2g} are allowed",
-                  direction_error_px, shadow_error_px, tolerance_px)};
+                  direction_error_px, shadow_error_px,
+                  displaced.path > 0 ? displaced.tolerance_px : tolerance_px)};
 }
 
 }  // namespace raytracer

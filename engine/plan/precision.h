@@ -23,7 +23,7 @@ ArithmeticError predict_arithmetic_error(Precision precision, const Features& fe
 
 /// In mixed precision what rays from the eye meet nearer than this is traced in double: single
 /// would displace the shadows there. In frame coordinates.
-double nearest_in_single(const Features& features, const SceneStatistics& statistics);
+double nearest_in_single(const SceneStatistics& statistics);
 
 /// How far from a point light its shadows are as little displaced in single as is tolerated.
 double lamp_reach_in_single(const LampDistances& lamp, const Features& features,

@@ -27,14 +27,22 @@ struct LampDistances {
   double bounded;  ///< the farthest point of anything that is
 };
 
+/// How far the shadows of a kind are thrown that are the less exact for it. Lengths are in frame
+/// coordinates.
+struct ShadowReach {
+  double path = 0;  ///< no occluder is farther from the eye, nor from what a lattice shadows
+  /// Of an occluder the distances from which its place is rounded over that of the nearest place,
+  /// from the eye, at which its shadow's edge may be seen: the most.
+  double growth = 0;
+};
+
 /// Lengths are in frame coordinates, distances from the eye.
 struct SceneStatistics {
   std::array<GeometryStatistics, ObjectKinds::count> kinds;  ///< of each kind of object
   GeometryStatistics all;                                    ///< of all together
   double nearest = infinity;                                 ///< surface; 0 inside an object
   double farthest = 0;  ///< point of anything bounded, point lights included
-  /// No occluder whose shadow is the less exact for it stands farther from what it shadows.
-  double shadow_path = 0;
+  std::array<ShadowReach, ObjectKinds::count> shadows;  ///< of each kind of occluder
   /// How many times as far from a point light the farthest thing in view may be as the nearest
   /// thing whose shadows are looked for from the points: so much wider a shadow can be than its
   /// occluder.
@@ -54,6 +62,10 @@ struct SceneStatistics {
   double pixels = 0;       ///< of the image
   double pixel_angle = 0;  ///< radians, at the image's centre
   std::vector<GrazingLight> grazing;  ///< ten at most
+
+  /// The nearest that an edge is seen: of a sphere on which the eye is, all but what is within a
+  /// pixel of its horizon is farther.
+  double nearest_edge() const { return all.clearance > 0 ? all.clearance : pixel_angle * farthest; }
 };
 
 /// `packed` is the scene's. `pool`: whose threads help with many primitives, if there is one; the

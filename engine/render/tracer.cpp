@@ -190,7 +190,7 @@ FinderTable finders_to_trace_again(const Plan& plan) {
 ExactScene make_exact_scene(const Plan& plan, const PackedScene& packed, WorkerPool& pool) {
   ExactScene exact;
   exact.carries_paths = are_paths_magnified(plan.statistics);
-  const double nearest = nearest_in_single(plan.features, plan.statistics);
+  const double nearest = nearest_in_single(plan.statistics);
   if (plan.statistics.nearest < nearest) exact.nearest = static_cast<float>(nearest);
   for (const LampDistances& lamp : plan.statistics.lamps) {
     const double reach = lamp_reach_in_single(lamp, plan.features, plan.statistics);

@@ -197,6 +197,24 @@ TEST(Plan, walks_a_square_under_a_low_light) {
             "cell walk");
 }
 
+/// The ground of half of all first scenes: what is near to it is far from the edge of its shadow.
+TEST(Plan, computes_in_single_above_a_sphere_as_large_as_the_ground) {
+  const auto precision_under = [](const Light& light, std::uint32_t material = 0) {
+    Scene scene =
+        scene_with({{Sphere{{0, -1000, 0}, 1000}, 0}, {Sphere{{0, 0.2, 0}, 0.2}, material}});
+    scene.camera.origin = {13, 2, 3};
+    scene.camera.look_at = {0, 0, 0};
+    scene.lights = {light};
+    return make_plan(scene, machine).precision.value;
+  };
+  EXPECT_EQ(precision_under({DistantLight{{-1, -2, -0.7}}}), Precision::single_precision);
+  EXPECT_EQ(precision_under({PointLight{{6, 12, 9}}}), Precision::single_precision);
+  EXPECT_EQ(precision_under({DistantLight{{-1, -0.002, 0}}}), Precision::double_precision)
+      << "its own shadow begins near the eye";
+  EXPECT_EQ(precision_under({DistantLight{{-1, -2, -0.7}}}, 1), Precision::double_precision)
+      << "rays from next to it meet it";
+}
+
 TEST(Plan, mixes_for_shadows_from_square_to_square_as_from_a_sphere) {
   const auto precision_with = [](std::vector<Object> over_it) {
     over_it.push_back({SphereSquare{{}, 1, 1000}, 0});

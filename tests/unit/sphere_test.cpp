@@ -1,6 +1,12 @@
 // Ray and sphere: every case, and accuracy where cancellation would eat it.
 
+#include "engine/objects/sphere/sphere.h"
+
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "engine/math/ray_sphere.h"
 #include "tests/support/rays.h"
@@ -163,6 +169,44 @@ TEST(Sphere, of_embrees_two_sphere_trap_is_the_nearer_one_at_the_right_distance)
     EXPECT_EQ(query.point().id.object, 0U);
     EXPECT_NEAR(query.t_max(), 10.2983, 1e-4);
   }
+}
+
+/// All round the axis, and as far behind the sphere as matters: nothing is nearer, and something is
+/// hardly farther.
+TEST(Sphere, throws_the_edge_of_its_shadow_no_nearer_than_it_says) {
+  Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 center = random.point(-4, 4);
+    const PackedSphere sphere{center, random.between(0.1, 3), {}};
+    PackedLight light;
+    const bool is_far = i % 2 == 0;
+    light.rays = is_far ? LightRays::parallel : LightRays::converging;
+    light.place = is_far ? random.direction() : random.point(-9, 9);
+    if (!is_far && length(sphere.center - light.place) <= sphere.radius) continue;
+    double nearest = infinity;
+    for (int turn = 0; turn < 400; ++turn) {
+      const Vec3 back = is_far ? light.place : unit(light.place - sphere.center);
+      const OrthonormalBasis across = orthonormal_basis(back);
+      const double angle = 2 * std::numbers::pi * turn / 400;
+      const Vec3 out = std::cos(angle) * across.u + std::sin(angle) * across.v;
+      const double sine = is_far ? 0 : sphere.radius / length(sphere.center - light.place);
+      const double cosine = std::sqrt(1 - sine * sine);
+      const Vec3 touched = sphere.center + sphere.radius * (sine * back + cosine * out);
+      const Vec3 onward = sine * out - cosine * back;
+      for (double way = 0; way < 20; way += 0.02)
+        nearest = std::min(nearest, length(touched + way * onward));
+    }
+    const double said = shadow_edge_distance(sphere, light);
+    EXPECT_LE(said, nearest + 1e-9) << i;
+    EXPECT_NEAR(said, nearest, 0.1) << i;
+  }
+}
+
+TEST(Sphere, around_a_light_throws_its_shadow_anywhere) {
+  PackedLight light;
+  light.rays = LightRays::converging;
+  light.place = {0, 0, 5.5};
+  EXPECT_EQ(shadow_edge_distance({{0, 0, 5}, 1, {}}, light), 0);
 }
 
 }  // namespace

@@ -111,6 +111,11 @@ void for_each_subpixel_piece(const PackedSphere& s, const Projection& projection
   if (width > 0 && height > 0 && width * height < 1) visit(seen, std::numbers::pi / 4);
 }
 
+/// How near to the origin the edge of its shadow can fall: behind the circle that the
+/// light's last rays touch, along which they go on. 0 if the light is
+/// inside of it.
+double shadow_edge_distance(const PackedSphere& sphere, const PackedLight& light);
+
 /// From the origin to the surface, from outside of it.
 inline double nearest_distance(const PackedSphere& s) { return length(s.center) - s.radius; }
 
@@ -135,7 +140,7 @@ inline void add_statistics(const PackedSphere& s, const Viewpoint& from, Geometr
   to.smallest = std::min(to.smallest, s.radius);
   to.least_sine = std::min(to.least_sine, sine);
   if (2 * s.radius < distance * from.pixel_angle) to.subpixel += 1;
-  to.blocks += from.blocks(tangent_seen(distance, s.radius, sine));
+  to.note_blocks(from.blocks(tangent_seen(distance, s.radius, sine)), distance - s.radius);
 }
 
 inline void add_mirror(const PackedSphere& s, CurvedMirrors& mirrors) {

@@ -99,7 +99,7 @@ void add_statistics(const PackedTriangle& t, const Viewpoint& from, GeometryStat
   to.note_surface(ball.distance);
   to.smallest = std::min(to.smallest, reach(t));
   to.farthest = std::max(to.farthest, farthest_of(t, from.place));
-  to.blocks += from.blocks(ball.radius / ball.distance);
+  to.note_blocks(from.blocks(ball.radius / ball.distance), ball.distance);
 }
 
 }  // namespace raytracer
