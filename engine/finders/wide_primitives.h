@@ -54,7 +54,9 @@ struct SpreadWithoutWide {
   Spread spread;
   std::size_t wide_from = SpreadsByWidth<Spread>::width_count;  ///< as index_of() has it
 
-  bool is_wide(double width) const { return SpreadsByWidth<Spread>::index_of(width) >= wide_from; }
+  bool is_wide(double width) const {
+    return has_wide() && SpreadsByWidth<Spread>::index_of(width) >= wide_from;
+  }
   bool has_wide() const { return wide_from < SpreadsByWidth<Spread>::width_count; }
 };
 
