@@ -87,6 +87,7 @@ HWY_INLINE hn::Mask<D> occluded_by_each(D d, const T* cell, std::size_t count, c
 template <class D, class Grid, class Test, class V, std::size_t size, class M = hn::Mask<D>>
 HWY_INLINE M occluded_by_wide(D d, const Grid& grid, const Test& test, const V (&values)[size],
                               M lit) {
+  if (hn::AllFalse(d, lit)) return lit;
   return hn::And(
       lit, occluded_by_each(d, grid.casters.cell(grid.wide.begin), grid.wide.count, test, values));
 }
