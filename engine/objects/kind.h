@@ -145,11 +145,18 @@ concept HasNeighbourSearch = requires(double lowest_light) {
   explain_neighbours(Kind(), lowest_light);
 };
 
-/// How near to the origin the edge of its shadow may fall, under a light that is no soft one; of
-/// others anywhere.
+/// How near to the origin the edge of its shadow may fall, under a light or one direction of a soft
+/// one; of others anywhere.
 template <class Kind>
 concept HasShadowEdges = requires(const typename Kind::Primitive& p, const PackedLight& light) {
   { shadow_edge_distance(p, light) } -> std::same_as<double>;
+};
+
+/// How large the numbers are from which the place is computed where rays that start near the eye
+/// meet it; of others as far as any of it is away.
+template <class Kind>
+concept HasMeetingDistance = requires(const typename Kind::Primitive& p) {
+  { meeting_distance(p) } -> std::same_as<double>;
 };
 
 /// Whether light along it is a doubtful case; else none is.

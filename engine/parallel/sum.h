@@ -27,4 +27,18 @@ Sum sum_in_parts(std::size_t count, WorkerPool* pool, const Add& add) {
   return parts[0];
 }
 
+/// The largest of what of(item, largest) gives, which may be as large as what is so far the largest
+/// where it is no larger.
+template <typename Items, typename Of>
+double largest_of(const Items& items, WorkerPool* pool, const Of& of) {
+  struct Largest {
+    double value = 0;
+    void include(const Largest& other) { value = std::max(value, other.value); }
+  };
+  const auto add = [&](std::size_t begin, std::size_t end, Largest& largest) {
+    for (std::size_t i = begin; i < end; ++i) largest.include({of(items[i], largest.value)});
+  };
+  return sum_in_parts<Largest>(items.size(), pool, add).value;
+}
+
 }  // namespace raytracer

@@ -71,11 +71,13 @@ double growth_in_shadows(const SceneStatistics& statistics, double nearest) {
   return growth;
 }
 
-/// The same wherever the edges of shadows may be: of what is sought from the eye.
+/// The same of what is sought from the eye as from anywhere.
 double growth_anywhere(const SceneStatistics& statistics) {
-  double path = 0;
-  for (const ShadowReach& shadow : statistics.shadows) path = std::max(path, shadow.path);
-  return path > 0 ? 1 + path / statistics.nearest : 1;
+  double distance = 0;
+  for (std::size_t kind = 0; kind < statistics.shadows.size(); ++kind)
+    distance = std::max(
+        distance, std::min(statistics.shadows[kind].path, statistics.meeting_distances[kind]));
+  return distance > 0 ? 1 + distance / statistics.nearest : 1;
 }
 
 /// Of the kind whose shadows single displaces most against what is tolerated of its edges, where

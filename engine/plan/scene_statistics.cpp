@@ -7,6 +7,7 @@
 #include "engine/parallel/sum.h"
 #include "engine/plan/coincidence.h"
 #include "engine/plan/magnification.h"
+#include "engine/plan/shadow_reach.h"
 #include "engine/scene/scene.h"
 
 namespace raytracer {
@@ -50,6 +51,22 @@ void add_smooth_surfaces(const PackedScene& packed, GeometryStatistics& to) {
   });
 }
 
+std::array<double, ObjectKinds::count> meeting_distances(const PackedScene& packed,
+                                                         const SceneStatistics& statistics,
+                                                         WorkerPool* pool) {
+  std::array<double, ObjectKinds::count> distances{};
+  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    double& distance = distances[kind_index<Kind>];
+    if constexpr (HasMeetingDistance<Kind>)
+      distance =
+          largest_of(of_kind<Kind>(packed.primitives), pool,
+                     [](const auto& primitive, double) { return meeting_distance(primitive); });
+    else
+      distance = statistics.kinds[kind_index<Kind>].farthest;
+  });
+  return distances;
+}
+
 /// What the eye's distances are to the eye, a light's are to the light.
 /// Returns its distance from the nearest surface.
 double add_converging_light(const PackedScene& packed, const PackedLight& light, WorkerPool* pool,
@@ -57,9 +74,10 @@ double add_converging_light(const PackedScene& packed, const PackedLight& light,
   const auto kinds = statistics_of_kinds(
       packed, Viewpoint::at(light.place, packed.view, packed.frame.scene_origin()), pool);
   const GeometryStatistics all = together(kinds);
-  to.light_clearance = std::min(to.light_clearance, all.clearance / to.farthest);
   double sought_from_points = infinity;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
+    const double from = std::max(length(light.place), to.meeting_distances[kind_index<Kind>]);
+    to.light_clearance = std::min(to.light_clearance, kinds[kind_index<Kind>].clearance / from);
     if (is_sought_from_points<Kind>(of_kind<Kind>(packed.primitives).size(), to.pixels))
       sought_from_points = std::min(sought_from_points, kinds[kind_index<Kind>].clearance);
   });
@@ -67,91 +85,6 @@ double add_converging_light(const PackedScene& packed, const PackedLight& light,
   to.shadow_spread = std::max(to.shadow_spread, reach / sought_from_points);
   to.lamps.push_back({light.place, sought_from_points, all.farthest});
   return all.clearance;
-}
-
-/// How far from the eye a box reaches.
-double farthest_of(const Box& box) {
-  return length({std::max(std::abs(box.low.x), std::abs(box.high.x)),
-                 std::max(std::abs(box.low.y), std::abs(box.high.y)),
-                 std::max(std::abs(box.low.z), std::abs(box.high.z))});
-}
-
-/// From which distances an occluder's place is rounded, at most: the eye's or, of a light that is
-/// not far from what it shines on, that as well.
-double rounded_path(double from_eye, const PackedLight& light, double farthest) {
-  const bool is_near = light.has_place() && !is_far_light(light.place, farthest);
-  return is_near ? from_eye + length(light.place) : from_eye;
-}
-
-/// ShadowReach::growth, each occluder's path being its own; none is farther than `farthest`.
-template <class Kind>
-double shadow_growth(const PackedScene& packed, double farthest, double nearest, WorkerPool* pool) {
-  struct Most {
-    double growth = 0;
-    void include(const Most& other) { growth = std::max(growth, other.growth); }
-  };
-  const auto& primitives = of_kind<Kind>(packed.primitives);
-  const auto add = [&](std::size_t begin, std::size_t end, Most& most) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const double from_eye = std::min(farthest, farthest_of(bounds(primitives[i])));
-      for (const PackedLight& light : packed.lights) {
-        const double path = rounded_path(from_eye, light, farthest);
-        if (path <= most.growth * nearest) continue;
-        most.include({path / std::max(shadow_edge_distance(primitives[i], light), nearest)});
-      }
-    }
-  };
-  return sum_in_parts<Most>(primitives.size(), pool, add).growth;
-}
-
-/// Of a kind that others find. Shadows of soft lights are sought from the points, and exact of
-/// nothing. What rays that follow others meet is displaced as shadows are, also where no edge is.
-template <class Kind>
-ShadowReach found_shadow_reach(const PackedScene& packed, const Features& features,
-                               const SceneStatistics& statistics, WorkerPool* pool) {
-  const bool from_points =
-      is_sought_from_points<Kind>(of_kind<Kind>(packed.primitives).size(), statistics.pixels);
-  if (Kind::has_exact_shadows && packed.soft_lights.empty() && !from_points) return {};
-  const double nearest = statistics.nearest_edge();
-  const double path = statistics.kinds[kind_index<Kind>].farthest;
-  if constexpr (HasShadowEdges<Kind>)
-    if (packed.soft_lights.empty() && !features.reflects && !features.transmits)
-      return {path, shadow_growth<Kind>(packed, path, nearest, pool)};
-  return {path, path / nearest};
-}
-
-/// Of a kind that finds its own parts.
-template <class Kind>
-ShadowReach own_shadow_reach(const PackedScene& packed, const SceneStatistics& statistics) {
-  double longest = 0;
-  if (of_kind<Kind>(packed.primitives).empty()) return {};
-  Box box;
-  for_each_kind([&]<class Other>(std::type_identity<Other>) {
-    for (const auto& other : of_kind<Other>(packed.primitives)) box.include(bounds(other));
-  });
-  if (!packed.soft_lights.empty()) longest = 2 * statistics.farthest;
-  for (const auto& primitive : of_kind<Kind>(packed.primitives))
-    for (const PackedLight& light : packed.lights) {
-      double path = infinity;
-      if (light.rays == LightRays::parallel) path = shadow_path(primitive, light.place, box);
-      longest = std::max(longest, std::min(path, 2 * statistics.farthest));
-    }
-  return {longest, longest / statistics.nearest_edge()};
-}
-
-std::array<ShadowReach, ObjectKinds::count> shadow_reaches(const PackedScene& packed,
-                                                           const Features& features,
-                                                           const SceneStatistics& statistics,
-                                                           WorkerPool* pool) {
-  std::array<ShadowReach, ObjectKinds::count> reaches;
-  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
-    ShadowReach& reach = reaches[kind_index<Kind>];
-    if constexpr (Kind::search == Search::own)
-      reach = own_shadow_reach<Kind>(packed, statistics);
-    else
-      reach = found_shadow_reach<Kind>(packed, features, statistics, pool);
-  });
-  return reaches;
 }
 
 /// Of those that are points: rays to others go every way.
@@ -195,6 +128,7 @@ SceneStatistics gather_statistics(const Scene& scene, const PackedScene& packed,
   statistics.pixels = packed.view.pixel_count();
   statistics.pixel_angle = eye.pixel_angle;
   statistics.farthest = statistics.all.farthest;
+  statistics.meeting_distances = meeting_distances(packed, statistics, pool);
   for (const Light& light : scene.lights) {
     const PackedLight packed_light = pack_light(light, packed.frame);
     if (packed_light.has_place())

@@ -9,6 +9,7 @@
 #include "engine/objects/geometry_statistics.h"
 #include "engine/pack/packed_scene.h"
 #include "engine/parallel/worker_pool.h"
+#include "engine/plan/shadow_reach.h"
 #include "engine/scene/features.h"
 
 namespace raytracer {
@@ -27,15 +28,6 @@ struct LampDistances {
   double bounded;  ///< the farthest point of anything that is
 };
 
-/// How far the shadows of a kind are thrown that are the less exact for it. Lengths are in frame
-/// coordinates.
-struct ShadowReach {
-  double path = 0;  ///< no occluder is farther from the eye, nor from what a lattice shadows
-  /// Of an occluder the distances from which its place is rounded over that of the nearest place,
-  /// from the eye, at which its shadow's edge may be seen: the most.
-  double growth = 0;
-};
-
 /// Lengths are in frame coordinates, distances from the eye.
 struct SceneStatistics {
   std::array<GeometryStatistics, ObjectKinds::count> kinds;  ///< of each kind of object
@@ -48,7 +40,11 @@ struct SceneStatistics {
   /// occluder.
   double shadow_spread = 1;
   std::vector<LampDistances> lamps;  ///< of each point light, in their order
-  /// The least distance of a point light to a surface, as a share of the farthest extent.
+  /// Of each kind, how large the numbers are from which the place is computed where a ray from
+  /// near the eye meets it, at most.
+  std::array<double, ObjectKinds::count> meeting_distances{};
+  /// The least distance of a point light to a surface, as a share of the numbers from which it is
+  /// computed.
   double light_clearance = infinity;
   /// By how much a reflection can magnify an error of direction, in what it changes of a pixel: a
   /// mirror of radius r spreads neighbouring rays 2 d / r times as far at a distance d, and shows

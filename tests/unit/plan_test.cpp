@@ -211,8 +211,12 @@ TEST(Plan, computes_in_single_above_a_sphere_as_large_as_the_ground) {
   EXPECT_EQ(precision_under({PointLight{{6, 12, 9}}}), Precision::single_precision);
   EXPECT_EQ(precision_under({DistantLight{{-1, -0.002, 0}}}), Precision::double_precision)
       << "its own shadow begins near the eye";
-  EXPECT_EQ(precision_under({DistantLight{{-1, -2, -0.7}}}, 1), Precision::double_precision)
-      << "rays from next to it meet it";
+  EXPECT_EQ(precision_under({PointLight{{3, 2, 1}}}), Precision::single_precision)
+      << "near to it, but far in the numbers that tell it apart";
+  EXPECT_EQ(precision_under({SkyLight{}}), Precision::single_precision);
+  EXPECT_NE(precision_under({DistantLight{{-1, -2, -0.7}}}, 1), Precision::double_precision)
+      << "mirrors show it";
+  EXPECT_NE(precision_under({SkyLight{}}, 1), Precision::double_precision);
 }
 
 TEST(Plan, mixes_for_shadows_from_square_to_square_as_from_a_sphere) {

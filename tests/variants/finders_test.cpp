@@ -200,6 +200,29 @@ TEST(Finders, find_the_same_for_the_rays_of_one_block_and_of_many) {
   }
 }
 
+/// Of a sphere a million times as large as what stands on it single rounds middle and radius to a
+/// sixteenth: from next to it, it is met as exactly all the same, by spheres tried one by one and
+/// in a tree, from outside and from within glass.
+TEST(Finders, meet_a_ground_as_large_as_a_planet_in_single) {
+  const std::string ground =
+      R"(, {"type": "sphere", "center": [0, -1000003, 0], "radius": 1000000,
+           "material": {"reflectivity": 0.3}})";
+  const std::string glass = R"({"transparency": 0.9, "ior": 1.5})";
+  for (const int count : {20, 200})
+    for (const std::string& material : {std::string(R"({"reflectivity": 0.6})"), glass}) {
+      Scene scene = with_objects(random_spheres(count, 0.6, material) + ground,
+                                 R"({"type": "distant", "direction": [-0.6, -1, 0.7]})");
+      scene.render.max_depth = 2;  // more mirrors would magnify what single rounds off
+      const Image expected = reference_image(scene);
+      for (const InstructionSet& set : supported_instruction_sets()) {
+        EXPECT_LE(count_wrong(image_on(set, Precision::single_precision, scene), expected), 20)
+            << count << " of " << material << " on " << set.name;
+        EXPECT_EQ(count_wrong(image_on(set, Precision::double_precision, scene), expected), 0)
+            << count << " of " << material << " on " << set.name;
+      }
+    }
+}
+
 TEST(Finders, find_spheres_in_an_image_wider_than_sixteen_bits_count) {
   Scene scene =
       with_objects(R"({"type": "sphere", "center": [5.6, 0, 0], "radius": 0.2})", distant_lights);

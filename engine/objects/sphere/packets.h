@@ -25,6 +25,8 @@ struct SphereItem {
   Triple<T> center;
   T radius2;
   T id;  ///< numbers of primitives are kept as T: they are small
+  T eye_power;
+  bool is_wide;  ///< as is_wide() says
 };
 
 /// Up to eight spheres. Those that are not there have nothing that meets them.
@@ -33,7 +35,9 @@ struct alignas(64) SphereBlock {
   BlockColumn<T> x, y, z;
   BlockColumn<T> radius2;
   BlockColumn<T> id;
+  BlockColumn<T> eye_power;
   std::uint32_t count;
+  bool has_wide;  ///< one of them, as is_wide() says
 
   static SphereBlock empty() {
     SphereBlock block{};
@@ -107,6 +111,12 @@ struct SphereLightView {
   std::size_t bytes() const { return sizeof(T) * discs.casters.values.size(); }
 };
 
+/// The square of what a tangent from the eye is long; negative inside.
+inline double eye_power(const PackedSphere& s) {
+  const double distance = length(s.center);
+  return (distance - s.radius) * (distance + s.radius);
+}
+
 inline ShadowExtent shadow_extent(const PackedSphere& s, const LightAxes& axes) {
   const double u = dot(s.center, axes[0]);
   const double v = dot(s.center, axes[1]);
@@ -127,14 +137,14 @@ struct PacketLayout<SphereKind, T> : DefaultLayout {
   }
 
   static PrimitiveRow<T> row(const PackedSphere& s, std::size_t /*item*/) {
-    const double distance = length(s.center);
     return {.place = narrowed<T>(s.center),
             .curvature = finite<T>(1 / s.radius),
             .radius_square = finite<T>(s.radius * s.radius),
-            .eye_power = static_cast<T>((distance - s.radius) * (distance + s.radius))};
+            .eye_power = static_cast<T>(eye_power(s))};
   }
   static Item item(const PackedSphere& s, std::int32_t number) {
-    return {narrowed<T>(s.center), static_cast<T>(s.radius * s.radius), static_cast<T>(number)};
+    return {narrowed<T>(s.center), static_cast<T>(s.radius * s.radius), static_cast<T>(number),
+            static_cast<T>(eye_power(s)), is_wide(s)};
   }
   static void fill(const PackedSphere& s, std::int32_t number, std::size_t place, Block& block) {
     block.x[place] = static_cast<T>(s.center.x);
@@ -142,6 +152,8 @@ struct PacketLayout<SphereKind, T> : DefaultLayout {
     block.z[place] = static_cast<T>(s.center.z);
     block.radius2[place] = static_cast<T>(s.radius * s.radius);
     block.id[place] = static_cast<T>(number);
+    block.eye_power[place] = static_cast<T>(eye_power(s));
+    block.has_wide = block.has_wide || is_wide(s);
   }
   static Swept swept(std::span<const PackedSphere> spheres, const Numbering& numbers,
                      WorkerPool& pool);

@@ -63,39 +63,58 @@ struct Spheres {
   V3<V> center;
   V radius2;
   V id;
+  V eye_power;
+  bool has_wide;  ///< as is_wide() says
 };
 
-/// The terms of t = c / (b + sqrt(discriminant)), and the lanes whose rays meet their spheres from
-/// outside; no ray meets the sphere that it leaves.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-HWY_INLINE M intersect_spheres(D d, const Spheres<V>& spheres, const RayOrigin<V>& from,
-                               const V3<V>& direction, V& b, V& discriminant, V& c) {
-  const V zero = hn::Zero(d);
-  const V3<V> f = sub(from.point, spheres.center);
-  b = hn::Neg(dot(f, direction));
+/// What rays have to do with their spheres.
+template <class V>
+struct SphereTerms {
+  V3<V> from_center;  ///< where the rays start
+  V b;                ///< from there to the point nearest to the centre
+  V discriminant;
+  V power;  ///< of the start: the square of a tangent; the product of both roots
+};
+
+/// In the residual form (math/ray_sphere.h); where a ray starts nearer to the eye than a wide
+/// sphere's radius, power and discriminant are what they are for the eye and what that place
+/// differs: neither is a difference of squares of the radius then.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE SphereTerms<V> sphere_terms(D, const Spheres<V>& spheres, const V3<V>& point,
+                                       const V3<V>& direction) {
+  const V3<V> f = sub(point, spheres.center);
+  const V b = hn::Neg(dot(f, direction));
   const V3<V> l = mul_add(direction, b, f);
-  discriminant = hn::Sub(spheres.radius2, dot(l, l));
-  c = hn::Max(hn::Sub(dot(f, f), spheres.radius2), zero);
-  const M other = hn::Ne(from.id, spheres.id);
-  return hn::And(other, hn::And(hn::Ge(discriminant, zero), hn::Gt(b, zero)));
+  SphereTerms<V> terms{f, b, hn::Sub(spheres.radius2, dot(l, l)),
+                       hn::Sub(dot(f, f), spheres.radius2)};
+  if (HWY_LIKELY(!spheres.has_wide)) return terms;
+  const auto is_near = hn::Lt(dot(point, point), spheres.radius2);
+  const V power = hn::Add(spheres.eye_power, dot(point, sub(f, spheres.center)));
+  terms.power = hn::IfThenElse(is_near, power, terms.power);
+  terms.discriminant = hn::IfThenElse(is_near, hn::MulSub(b, b, power), terms.discriminant);
+  return terms;
 }
 
 /// Those of a block: `get` takes a column to a vector.
 template <typename T, class Get>
 HWY_INLINE auto lanes_of(const SphereBlock<T>& block, Get get) {
-  return Spheres<decltype(get(block.x))>{
-      {get(block.x), get(block.y), get(block.z)}, get(block.radius2), get(block.id)};
+  return Spheres<decltype(get(block.x))>{{get(block.x), get(block.y), get(block.z)},
+                                         get(block.radius2),
+                                         get(block.id),
+                                         get(block.eye_power),
+                                         block.has_wide};
 }
+/// Lanes whose rays meet their spheres from outside, at t; no ray meets the sphere that it leaves.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE M intersect(D d, const Spheres<V>& spheres, const RayOrigin<V>& from,
                        const V3<V>& direction, M active, V& t) {
-  V b;
-  V discriminant;
-  V c;
-  t = hn::Zero(d);
-  const M hit = hn::And(active, intersect_spheres(d, spheres, from, direction, b, discriminant, c));
+  const V zero = hn::Zero(d);
+  t = zero;
+  const auto [f, b, discriminant, power] = sphere_terms(d, spheres, from.point, direction);
+  const M is_met = hn::And(hn::Ge(discriminant, zero), hn::Gt(b, zero));
+  const M hit = hn::And(active, hn::And(hn::Ne(from.id, spheres.id), is_met));
   if (hn::AllFalse(d, hit)) return hit;
-  t = hn::Div(c, hn::Add(b, hn::Sqrt(hn::Max(discriminant, hn::Zero(d)))));
+  t = hn::Div(hn::Max(power, zero), hn::Add(b, hn::Sqrt(hn::Max(discriminant, zero))));
   return hit;
 }
 /// The same of rays that may begin inside.
@@ -103,15 +122,12 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE M intersect(D d, const Spheres<V>& spheres, const InnerOrigin<V>& from,
                        const V3<V>& direction, M active, V& t) {
   const V zero = hn::Zero(d);
-  const V3<V> f = sub(from.point, spheres.center);
-  const V b = hn::Neg(dot(f, direction));
-  const V3<V> l = mul_add(direction, b, f);
-  const V discriminant = hn::Sub(spheres.radius2, dot(l, l));
+  const auto [f, b, discriminant, power] = sphere_terms(d, spheres, from.point, direction);
   const M is_left = hn::Eq(from.id, spheres.id);
   const M is_there =
       hn::Or(hn::AndNot(is_left, hn::Ge(discriminant, zero)), hn::And(is_left, hn::Gt(b, zero)));
   const V q = hn::Add(b, hn::CopySign(hn::Sqrt(hn::Max(discriminant, zero)), b));
-  const V other = hn::Div(hn::Sub(dot(f, f), spheres.radius2), q);
+  const V other = hn::Div(power, q);
   const M ahead = hn::Ge(b, zero);
   // From one side of the surface to the other: twice to the middle, however short that is.
   const V leave = hn::IfThenElse(is_left, hn::Add(b, b), hn::IfThenElse(ahead, q, other));
@@ -140,9 +156,10 @@ HWY_INLINE void intersect_item(D d, const Geometry<SphereKind, T>&, const Sphere
                                const Origin& from, const V3<V>& direction, M active, Hit<V>& hit) {
   const V id = hn::Set(d, sphere.id);
   V t;
-  const M is_hit =
-      intersect(d, Spheres<V>{broadcast(d, sphere.center), hn::Set(d, sphere.radius2), id}, from,
-                direction, active, t);
+  const M is_hit = intersect(d,
+                             Spheres<V>{broadcast(d, sphere.center), hn::Set(d, sphere.radius2), id,
+                                        hn::Set(d, sphere.eye_power), sphere.is_wide},
+                             from, direction, active, t);
   if (hn::AllFalse(d, is_hit)) return;
   take(hit, is_nearer(hit, t, id, is_hit), t, id);
 }
