@@ -31,7 +31,8 @@ std::vector<Case> standard_cases(const std::string& shipped) {
       {"spheres", false, false, false},         {"mirrors", false, false, false},
       {"glass", false, false, false},           {"still-life", false, false, false},
       {"sky-1000", false, false, false},        {"sky-100000", false, false, false},
-      {"sky-sphereflake", false, false, false},
+      {"sky-sphereflake", false, false, false}, {"ground", false, false, false},
+      {"sky-ground", false, false, false},
   };
   Overrides one_sample;  // the shipped ones ask for more
   one_sample.samples = 1;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tests/measure/scenes/ground_scenes.h"
 #include "tests/measure/scenes/haines_scenes.h"
 #include "tests/measure/scenes/scene_documents.h"
 
@@ -45,6 +46,8 @@ std::vector<NamedScene> made_scenes() {
           {"wide-sun-1000", [] { return random_spheres_under_wide_sun(1'000); }},
           {"wide-sun-100000", [] { return random_spheres_under_wide_sun(100'000); }},
           {"lamp-1000", [] { return random_spheres_under_lamp(1'000); }},
+          {"ground", balls_on_ground_sphere},
+          {"sky-ground", balls_on_ground_sphere_under_sky},
           {"haines-balls", haines_balls},
           {"haines-mount", haines_mount},
           {"haines-rings", haines_rings},
