@@ -1,11 +1,13 @@
 #include "engine/kernel/packet_scene.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
+#include "engine/kernel/build_geometry.h"
 #include "engine/parallel/chunks.h"
 
 namespace raytracer {
@@ -66,18 +68,6 @@ void add_soft_light(const SoftLight& soft, std::vector<PackedLight>& lights,
   packed.soft_lights.push_back(std::move(to));
 }
 
-/// The primitives of one kind, and whose threads help with many.
-template <class Kind>
-struct PrimitivesOf {
-  const PackedScene& scene;
-  std::span<const typename Kind::Primitive> all;
-  WorkerPool& pool;
-};
-
-bool is_used(Finder finder, const FinderRow& finders) {
-  return std::find(finders.begin(), finders.end(), finder) != finders.end();
-}
-
 /// Whether any: paths are carried without.
 bool finds_rays(const FinderTable& finders) {
   return std::any_of(finders.begin(), finders.end(), [](const FinderRow& row) {
@@ -85,14 +75,11 @@ bool finds_rays(const FinderTable& finders) {
   });
 }
 
-/// Items, and the rows of the table that hits look into.
+/// The rows of the table that hits look into.
 template <class Kind, typename T>
-void add_rows(const PrimitivesOf<Kind>& primitives, Geometry<Kind, T>& geometry,
-              PacketScene<T>& packed) {
+void add_rows(const PrimitivesOf<Kind>& primitives, PacketScene<T>& packed) {
   using Layout = PacketLayout<Kind, T>;
   const PackedScene& scene = primitives.scene;
-  const bool needs_items = Layout::needs_items(geometry.finders);
-  if (needs_items) geometry.items.resize(primitives.all.size());
   for_each_range(primitives.all.size(), primitives.pool, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto& primitive = primitives.all[i];
@@ -100,7 +87,6 @@ void add_rows(const PrimitivesOf<Kind>& primitives, Geometry<Kind, T>& geometry,
       PrimitiveRow<T>& row = packed.primitives[static_cast<std::size_t>(number)];
       row = Layout::row(primitive, i);
       row.material = static_cast<T>(scene.material_index(primitive.id));
-      if (needs_items) geometry.items[i] = Layout::item(primitive, number);
       if constexpr (HasCorners<typename Kind::Primitive>) {
         const CornerValues* const values = scene.corner_values_of(primitive.id);
         if (values == nullptr) continue;
@@ -115,62 +101,46 @@ void add_rows(const PrimitivesOf<Kind>& primitives, Geometry<Kind, T>& geometry,
   packed.has_own_normals = packed.has_own_normals || curvature == PrimitiveRow<T>::own_normal;
 }
 
-/// What finds primitives, but for what each light knows of them.
-template <class Kind, typename T>
-void build_finders(const PrimitivesOf<Kind>& primitives, Geometry<Kind, T>& geometry) {
-  using Layout = PacketLayout<Kind, T>;
-  const auto& [scene, all, pool] = primitives;
-  if constexpr (Kind::search == Search::own) geometry.mask = build_screen_mask(scene.view, all);
-  if constexpr (Kind::search == Search::bounded) {
-    if (is_used(Finder::screen_bins, geometry.finders))
-      geometry.bins = build_screen_bins(
-          scene.view, all,
-          [&primitives](std::size_t i) {
-            return Layout::bins_name_rows
-                       ? static_cast<std::uint32_t>(primitives.scene.numbers(primitives.all[i].id))
-                       : static_cast<std::uint32_t>(i);
-          },
-          pool);
-    if (is_used(Finder::tree, geometry.finders))
-      geometry.tree = build_packet_tree<typename Layout::Block>(
-          all,
-          [&primitives](const auto& primitive, std::size_t place, typename Layout::Block& block) {
-            Layout::fill(primitive, primitives.scene.numbers(primitive.id), place, block);
-          },
-          pool);
-  }
-  if constexpr (HasEyeView<Layout, typename Kind::Primitive>)
-    geometry.eye = Layout::eye_view(all, geometry.finders, pool);
-  if constexpr (Kind::has_light_sweep)
-    if (is_used(Finder::light_sweep, geometry.finders))
-      geometry.swept = Layout::swept(all, scene.numbers, pool);
+/// Those of a kind that let light through, or those that do not.
+template <class Kind>
+std::vector<typename Kind::Primitive> chosen(const PrimitivesOf<Kind>& primitives, bool transmits) {
+  std::vector<typename Kind::Primitive> some;
+  for (const auto& primitive : primitives.all)
+    if ((primitives.scene.material_of(primitive.id).transparency > 0) == transmits)
+      some.push_back(primitive);
+  return some;
 }
 
-/// What each light knows of the primitives, unless sweeps look along it.
+/// The finders of some kinds of rays.
+FinderRow finders_of(const FinderRow& finders, std::initializer_list<RayKind> rays) {
+  FinderRow some{};
+  for (const RayKind kind : rays) some[static_cast<std::size_t>(kind)] = finder_of(finders, kind);
+  return some;
+}
+
+/// A kind of a scene that lets light through, of which some do if it `transmits`.
 template <class Kind, typename T>
-void build_light_views(const PrimitivesOf<Kind>& primitives, const std::vector<PackedLight>& lights,
-                       Geometry<Kind, T>& geometry) {
-  const auto build = [&](std::size_t light, WorkerPool& pool) {
-    geometry.lights[light] = PacketLayout<Kind, T>::light_view(
-        primitives.all, lights[light], geometry.finders, primitives.scene.numbers, pool);
+void add_in_parts(const PrimitivesOf<Kind>& primitives, const FinderRow& finders, bool transmits,
+                  const std::vector<PackedLight>& lights, PacketScene<T>& packed) {
+  using enum RayKind;
+  const bool follows_light =
+      std::any_of(primitives.scene.soft_lights.begin(), primitives.scene.soft_lights.end(),
+                  [](const SoftLight& soft) { return soft.light.rays == LightRays::neither; });
+  add_geometry(primitives, finders_of(finders, {from_eye, followed}), transmits, {},
+               packed.geometry);
+  // Light is followed through what transmits; and to where rays share nothing, as others are.
+  const FinderRow through =
+      finders_of(finders, {to_distant_light, to_soft_light, to_point_light, followed});
+  FinderRow up_to = through;
+  if (!follows_light) up_to[static_cast<std::size_t>(followed)] = Finder::none;
+  if (!transmits) return add_geometry(primitives, up_to, false, lights, packed.opaque);
+  const auto add = [&](bool is_clear, const FinderRow& row, Geometries<T>& to) {
+    const auto some = chosen(primitives, is_clear);
+    add_geometry(PrimitivesOf<Kind>{primitives.scene, some, primitives.pool}, row, is_clear, lights,
+                 to);
   };
-  geometry.lights.resize(lights.size());
-  std::vector<std::size_t> seen;
-  for (std::size_t i = 0; i < lights.size(); ++i)
-    if (finder_of(geometry.finders, ray_kind_of(lights[i])) != Finder::light_sweep)
-      seen.push_back(i);
-  // Where it is worth it some views for each thread at a time, and those that are left by all
-  // together. Neighbours, as of every other one little is made: the other end of a sky's axis.
-  constexpr std::size_t turns = 8;
-  const std::size_t threads = primitives.pool.thread_count();
-  const bool are_many = seen.size() * primitives.all.size() >= few_items;
-  const std::size_t alone = are_many ? seen.size() - seen.size() % threads : 0;
-  for_each_chunk(alone, std::min(alone, turns * threads), primitives.pool,
-                 [&](std::size_t, std::size_t begin, std::size_t end) {
-                   WorkerPool own(1);
-                   for (std::size_t i = begin; i < end; ++i) build(seen[i], own);
-                 });
-  for (std::size_t i = alone; i < seen.size(); ++i) build(seen[i], primitives.pool);
+  add(false, up_to, packed.opaque);
+  add(true, through, packed.transmitting);
 }
 
 /// Whether distant lights' grids are larger than what a processor's caches keep of them. Where they
@@ -213,15 +183,15 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
     const PrimitivesOf<Kind> primitives{scene, of_kind<Kind>(scene.primitives), pool};
     // None may be left of those that the finders were chosen for.
     if (primitives.all.empty()) return;
-    auto& geometry = std::get<kind_index<Kind>>(packed.geometry.kinds);
-    geometry.count = primitives.all.size();
-    geometry.finders = finders[kind_index<Kind>];
-    geometry.transmits = features.transmitting[kind_index<Kind>];
-    add_rows(primitives, geometry, packed);
-    build_finders(primitives, geometry);
-    build_light_views(primitives, lights, geometry);
+    const FinderRow& row = finders[kind_index<Kind>];
+    const bool transmits = features.transmitting[kind_index<Kind>];
+    add_rows(primitives, packed);
+    if (features.transmits)
+      add_in_parts(primitives, row, transmits, lights, packed);
+    else
+      add_geometry(primitives, row, transmits, lights, packed.geometry);
   });
-  packed.fetches_light_cells = exceed_caches(packed.geometry);
+  packed.fetches_light_cells = exceed_caches(features.transmits ? packed.opaque : packed.geometry);
   packed.geometry.for_each([&](const auto& geometry) {
     if (geometry.finder(RayKind::to_soft_light) == Finder::light_sweep)
       packed.sweeps_soft_light = true;

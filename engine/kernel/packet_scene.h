@@ -60,6 +60,10 @@ struct PacketScene {
   Triple<T> right;
   Triple<T> up;
   Geometries<T> geometry;
+  /// Of a scene that lets some light through, as rays to lights find it in place of the above: what
+  /// lets none through, which tells at once where a light is hidden, and what does.
+  Geometries<T> opaque;
+  Geometries<T> transmitting;
   bool fetches_light_cells;            ///< before they are needed: the caches cannot hold them all
   bool has_flat;                       ///< primitives without curvature
   bool has_own_normals;                ///< primitives whose kind computes them

@@ -154,6 +154,35 @@ TEST(Finders, find_what_hides_soft_lights_alike_by_every_finder) {
   }
 }
 
+/// Each kind of glass among what lets nothing through, before and behind it, and some of both in
+/// one kind.
+TEST(Finders, find_light_through_glass_among_what_hides_it) {
+  const std::string matt = R"({"shininess": 20})";
+  const std::string glass = R"({"transparency": 0.8, "ior": 1.4})";
+  const std::string sun = R"({"type": "distant", "direction": [-1, -2, 1.5]})";
+  const std::string lamp = R"({"type": "point", "position": [4, 6, -5], "intensity": 900})";
+  const std::string wide_sun = R"({"type": "distant", "direction": [-1, -2, 1.5], "angle": 0.3})";
+  const std::string wide_lamp =
+      R"({"type": "point", "position": [4, 6, -5], "intensity": 900, "radius": 1})";
+  const std::string sky = R"({"type": "sky", "intensity": 0.6})";
+  const std::string floor = R"({"type": "plane", "point": [0, -5, 0], "normal": [0, 1, 0]})";
+  for (const auto& [opaque, clear] :
+       {std::pair(random_spheres(150, 0.6, matt), random_spheres(40, 0.8, glass)),
+        std::pair(random_triangles(60, matt), random_triangles(20, glass)),
+        std::pair(random_cylinders(40, matt) + "," + random_cones(12, glass),
+                  random_cylinders(10, glass) + "," + random_cones(30, matt))})
+    for (const std::string& light : {sun, lamp, wide_sun, wide_lamp, sky}) {
+      Scene scene = with_objects(fmt::format("{},{},{}", opaque, floor, clear), light);
+      scene.camera.width = 90;
+      scene.camera.height = 60;
+      scene.render.max_depth = 3;
+      const Image expected = reference_image(scene);
+      for (const InstructionSet& set : supported_instruction_sets())
+        EXPECT_EQ(count_wrong(image_on(set, Precision::double_precision, scene), expected), 0)
+            << clear.substr(0, 40) << " under " << light << " on " << set.name;
+    }
+}
+
 /// From so far away that a single holds places to a fiftieth of a radius.
 TEST(Finders, find_mirrored_spheres_that_boxes_hardly_hold_apart) {
   const std::string mirror = R"({"reflectivity": 0.6})";

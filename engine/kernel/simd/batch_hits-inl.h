@@ -17,6 +17,16 @@ HWY_INLINE bool is_streamed(const Geometry<Kind, T>& geometry) {
   return false;
 }
 
+/// What is found otherwise.
+struct OutsideStreams {};
+
+template <typename T, class Visit>
+HWY_INLINE void for_each_geometry(const PacketScene<T>& scene, OutsideStreams, const Visit& visit) {
+  for_each_geometry(scene.geometry, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
+    if (!is_streamed(geometry)) visit(geometry);
+  });
+}
+
 /// Whether a scene has such a tree, and rays that follow others and do not branch.
 template <typename T>
 HWY_INLINE bool has_streams(const PacketScene<T>& scene) {
@@ -86,13 +96,6 @@ class BatchHits {
   }
 
  private:
-  struct OutsideStreams {
-    template <class Kind>
-    HWY_INLINE bool operator()(const Geometry<Kind, T>& geometry) const {
-      return !is_streamed(geometry);
-    }
-  };
-
   static constexpr std::size_t own_columns = 5;
 
   static constexpr std::size_t most = blocks_at_once * block_pixels;

@@ -7,14 +7,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// Calls visit(geometry) for the kinds of objects that the scene has.
+/// Calls visit(geometry) for the kinds of objects that there are.
 template <std::size_t kind = 0, typename T, class Visit>
-HWY_INLINE void for_each_geometry(const PacketScene<T>& scene, const Visit& visit) {
+HWY_INLINE void for_each_geometry(const Geometries<T>& geometries, const Visit& visit) {
   if constexpr (kind < ObjectKinds::count) {
-    const auto& geometry = std::get<kind>(scene.geometry.kinds);
+    const auto& geometry = std::get<kind>(geometries.kinds);
     if (geometry.count > 0) visit(geometry);
-    for_each_geometry<kind + 1>(scene, visit);
+    for_each_geometry<kind + 1>(geometries, visit);
   }
+}
+template <typename T, class Visit>
+HWY_INLINE void for_each_geometry(const PacketScene<T>& scene, const Visit& visit) {
+  for_each_geometry(scene.geometry, visit);
 }
 
 /// Rays from the eye against one kind: near to far of the candidates, until the next one is farther
@@ -42,23 +46,23 @@ HWY_INLINE void intersect_from_eye(D d, const PacketScene<T>& scene,
   }
 }
 
-/// The kinds of objects that rays look for: all.
-struct EveryKind {
-  template <class Geometry>
-  HWY_INLINE bool operator()(const Geometry&) const {
-    return true;
-  }
+/// What rays look for.
+struct Everything {};
+
+/// What lets some light through, or what lets none through, of a scene that has the former.
+struct ChosenPart {
+  bool transmits;
 };
 
-/// Those of which some let light through, those that do not, or both.
-struct ChosenKinds {
-  bool opaque;
-  bool transmitting;
-  template <class Geometry>
-  HWY_INLINE bool operator()(const Geometry& geometry) const {
-    return geometry.transmits ? transmitting : opaque;
-  }
-};
+template <typename T, class Visit>
+HWY_INLINE void for_each_geometry(const PacketScene<T>& scene, Everything, const Visit& visit) {
+  for_each_geometry(scene.geometry, visit);
+}
+template <typename T, class Visit>
+HWY_INLINE void for_each_geometry(const PacketScene<T>& scene, ChosenPart part,
+                                  const Visit& visit) {
+  for_each_geometry(part.transmits ? scene.transmitting : scene.opaque, visit);
+}
 
 /// Rays that follow others against one kind. Of what lets nothing through none comes out.
 template <class D, class Kind, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
@@ -79,16 +83,16 @@ HWY_INLINE void intersect_followed(D d, const Geometry<Kind, T>& geometry, const
   }
 }
 
-/// What rays that follow others meet nearer than t_max, of the kinds that `counts` chooses.
-template <class D, class Origin, class Counts = EveryKind, class V = hn::Vec<D>,
+/// What rays that follow others meet nearer than t_max, of the `parts` that are chosen.
+template <class D, class Origin, class Parts = Everything, class V = hn::Vec<D>,
           class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE Hit<V> find_followed(D d, const PacketScene<T>& scene, const Origin& from,
                                 const V3<V>& direction, V t_max, M active,
-                                const Counts& counts = {}) {
+                                const Parts& parts = {}) {
   const V none = hn::Set(d, T(-1));
   Hit<V> hit{t_max, none, none, none};
-  for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
-    if (counts(geometry)) intersect_followed(d, geometry, from, direction, active, hit);
+  for_each_geometry(scene, parts, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
+    intersect_followed(d, geometry, from, direction, active, hit);
   });
   return hit;
 }
@@ -139,15 +143,14 @@ HWY_INLINE M stands_nearer(D d, const Geometry<Kind, T>& geometry, const RayOrig
 }
 
 /// Lanes of `lit` from which something stands on the way to a place on a soft light, by what finds
-/// followed rays; of the kinds that `counts` chooses.
-template <class D, class Counts = EveryKind, class V = hn::Vec<D>, class M = hn::Mask<D>,
+/// followed rays; of the `parts` that are chosen.
+template <class D, class Parts = Everything, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE M occluded_followed(D d, const PacketScene<T>& scene, const ShadowRays<V>& rays, M lit,
-                               const Counts& counts = {}) {
+                               const Parts& parts = {}) {
   const V distance = hn::Mul(rays.path, hn::Set(d, nearer_than_light<T>));
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
-  for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
-    if (!counts(geometry)) return;
+  for_each_geometry(scene, parts, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
     dark = hn::Or(
         dark, stands_nearer(d, geometry, rays.from, rays.towards, distance, hn::AndNot(dark, lit)));
   });
@@ -195,15 +198,14 @@ class LightCandidates {
   std::array<ShaftCandidates, ObjectKinds::count> kinds_;
 };
 
-/// Lanes of `lit` from which something of the kinds that `counts` chooses stands before a light, or
+/// Lanes of `lit` from which something of the `parts` that are chosen stands before a light, or
 /// the end of an axis.
-template <class D, class Light, class Counts = EveryKind, class V = hn::Vec<D>,
+template <class D, class Light, class Parts = Everything, class V = hn::Vec<D>,
           class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE M occluded(D d, const PacketScene<T>& scene, const Light& light,
-                      const ShadowRays<V>& rays, M lit, const Counts& counts = {}) {
+                      const ShadowRays<V>& rays, M lit, const Parts& parts = {}) {
   M dark = hn::Lt(hn::Zero(d), hn::Zero(d));
-  for_each_geometry(scene, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
-    if (!counts(geometry)) return;
+  for_each_geometry(scene, parts, [&](const auto& geometry) RAYTRACER_INLINE_ATTR {
     dark = hn::Or(dark, occluded_by_kind(d, geometry, light, rays, hn::AndNot(dark, lit)));
   });
   return dark;

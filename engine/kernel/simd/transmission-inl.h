@@ -58,26 +58,26 @@ HWY_INLINE V depth_beyond(D d, const PacketScene<T>& scene, const Surface<D>& su
   return hn::Max(hn::Add(depth, hn::IfThenElseZero(is_solid, step)), zero);
 }
 
-inline constexpr ChosenKinds every_kind{.opaque = true, .transmitting = true};
-inline constexpr ChosenKinds opaque_kinds{.opaque = true, .transmitting = false};
-inline constexpr ChosenKinds transmitting_kinds{.opaque = false, .transmitting = true};
+inline constexpr ChosenPart opaque_part{.transmits = false};
+inline constexpr ChosenPart transmitting_part{.transmits = true};
 
 /// What rays meet nearer than t_max that are inside of `depth` solids.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+template <class D, class Parts = Everything, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
 HWY_NOINLINE Hit<V> find_within(D d, const PacketScene<T>& scene, const RayOrigin<V>& from,
                                 const V3<V>& direction, V t_max, V depth, M active,
-                                ChosenKinds kinds = every_kind) {
+                                const Parts& parts = {}) {
   if (hn::AllFalse(d, hn::And(active, hn::Gt(depth, hn::Zero(d)))))
-    return find_followed(d, scene, from, direction, t_max, active, kinds);
-  return find_followed(d, scene, InnerOrigin<V>{from}, direction, t_max, active, kinds);
+    return find_followed(d, scene, from, direction, t_max, active, parts);
+  return find_followed(d, scene, InnerOrigin<V>{from}, direction, t_max, active, parts);
 }
 
 /// Lanes of `lit` from which something stands before the light.
 template <class D, class Light, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_NOINLINE M occluded_by_chosen(D d, const PacketScene<T>& scene, const Light& light,
-                                  const ShadowRays<V>& rays, M lit, ChosenKinds kinds) {
-  return occluded(d, scene, light, rays, lit, kinds);
+                                  const ShadowRays<V>& rays, M lit, ChosenPart part) {
+  return occluded(d, scene, light, rays, lit, part);
 }
 
 /// Surfaces in one place that light is followed through: one that has met so many without getting
@@ -97,7 +97,7 @@ HWY_NOINLINE V transmitted_share(D d, const PacketScene<T>& scene, const ShadowR
   V met = zero;  // since it has got on by more than rounding
   while (true) {
     const Hit<V> hit =
-        find_within(d, scene, from, rays.towards, left, depth, active, transmitting_kinds);
+        find_within(d, scene, from, rays.towards, left, depth, active, transmitting_part);
     active = hn::And(active, hn::Ge(hit.id, zero));
     if (hn::AllFalse(d, active)) return share;
     Surface<D> surface = surface_at(d, scene, from, rays.towards, hit, active);
@@ -130,13 +130,13 @@ class LightThroughSurfaces {
   HWY_INLINE M reached(D d, const PacketScene<T>& scene, const Light& light,
                        const ShadowRays<V>& rays, M lit) {
     share_ = hn::Set(d, T(1));
-    lit = hn::AndNot(occluded_by_chosen(d, scene, light, rays, lit, opaque_kinds), lit);
+    lit = hn::AndNot(occluded_by_chosen(d, scene, light, rays, lit, opaque_part), lit);
     const M inside = hn::And(lit, hn::Gt(depth_, hn::Zero(d)));
     const M outside = hn::AndNot(inside, lit);
     M doubtful = inside;
     if (!hn::AllFalse(d, outside))
       doubtful =
-          hn::Or(inside, occluded_by_chosen(d, scene, light, rays, outside, transmitting_kinds));
+          hn::Or(inside, occluded_by_chosen(d, scene, light, rays, outside, transmitting_part));
     if (hn::AllFalse(d, doubtful)) return lit;
     const V through = transmitted_share(d, scene, rays, depth_, doubtful);
     share_ = hn::IfThenElse(doubtful, through, share_);
@@ -144,7 +144,7 @@ class LightThroughSurfaces {
   }
   HWY_INLINE V share_along(D d, const PacketScene<T>& scene, const ShadowRays<V>& rays,
                            M lit) const {
-    const M clear = hn::AndNot(occluded_followed(d, scene, rays, lit, opaque_kinds), lit);
+    const M clear = hn::AndNot(occluded_followed(d, scene, rays, lit, opaque_part), lit);
     if (hn::AllFalse(d, clear)) return hn::Zero(d);
     return hn::IfThenElseZero(clear, transmitted_share(d, scene, rays, depth_, clear));
   }
