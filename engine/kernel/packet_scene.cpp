@@ -118,29 +118,39 @@ FinderRow finders_of(const FinderRow& finders, std::initializer_list<RayKind> ra
   return some;
 }
 
-/// A kind of a scene that lets light through, of which some do if it `transmits`.
+/// A kind of which some let light through and some do not.
 template <class Kind, typename T>
-void add_in_parts(const PrimitivesOf<Kind>& primitives, const FinderRow& finders, bool transmits,
-                  const std::vector<PackedLight>& lights, PacketScene<T>& packed) {
+void add_split(const PrimitivesOf<Kind>& primitives, const FinderRow& finders,
+               const std::vector<PackedLight>& lights, PacketScene<T>& packed) {
   using enum RayKind;
-  const bool follows_light =
-      std::any_of(primitives.scene.soft_lights.begin(), primitives.scene.soft_lights.end(),
-                  [](const SoftLight& soft) { return soft.light.rays == LightRays::neither; });
-  add_geometry(primitives, finders_of(finders, {from_eye, followed}), transmits, {},
-               packed.geometry);
+  add_geometry(primitives, finders_of(finders, {from_eye, followed}), true, {}, packed.geometry);
+  std::get<kind_index<Kind>>(packed.geometry.kinds).is_split = true;
   // Light is followed through what transmits; and to where rays share nothing, as others are.
   const FinderRow through =
       finders_of(finders, {to_distant_light, to_soft_light, to_point_light, followed});
+  const bool follows_light =
+      std::any_of(primitives.scene.soft_lights.begin(), primitives.scene.soft_lights.end(),
+                  [](const SoftLight& soft) { return soft.light.rays == LightRays::neither; });
   FinderRow up_to = through;
   if (!follows_light) up_to[static_cast<std::size_t>(followed)] = Finder::none;
-  if (!transmits) return add_geometry(primitives, up_to, false, lights, packed.opaque);
-  const auto add = [&](bool is_clear, const FinderRow& row, Geometries<T>& to) {
-    const auto some = chosen(primitives, is_clear);
-    add_geometry(PrimitivesOf<Kind>{primitives.scene, some, primitives.pool}, row, is_clear, lights,
-                 to);
+  const auto add = [&](bool transmits, const FinderRow& row, Geometries<T>& to) {
+    const auto some = chosen(primitives, transmits);
+    add_geometry(PrimitivesOf<Kind>{primitives.scene, some, primitives.pool}, row, transmits,
+                 lights, to);
   };
   add(false, up_to, packed.opaque);
   add(true, through, packed.transmitting);
+}
+
+/// Whether there are of a kind both what lets light through and what does not.
+template <class Kind>
+bool has_both(const PrimitivesOf<Kind>& primitives) {
+  const auto transmits = [&](const auto& primitive) {
+    return primitives.scene.material_of(primitive.id).transparency > 0;
+  };
+  const bool first = transmits(primitives.all[0]);
+  return std::any_of(primitives.all.begin(), primitives.all.end(),
+                     [&](const auto& primitive) { return transmits(primitive) != first; });
 }
 
 /// Whether distant lights' grids are larger than what a processor's caches keep of them. Where they
@@ -186,12 +196,12 @@ PacketScene<T> make_packet_scene(const PackedScene& scene, const Features& featu
     const FinderRow& row = finders[kind_index<Kind>];
     const bool transmits = features.transmitting[kind_index<Kind>];
     add_rows(primitives, packed);
-    if (features.transmits)
-      add_in_parts(primitives, row, transmits, lights, packed);
+    if (transmits && finds_rays(finders) && has_both(primitives))
+      add_split(primitives, row, lights, packed);
     else
       add_geometry(primitives, row, transmits, lights, packed.geometry);
   });
-  packed.fetches_light_cells = exceed_caches(features.transmits ? packed.opaque : packed.geometry);
+  packed.fetches_light_cells = exceed_caches(packed.geometry) || exceed_caches(packed.opaque);
   packed.geometry.for_each([&](const auto& geometry) {
     if (geometry.finder(RayKind::to_soft_light) == Finder::light_sweep)
       packed.sweeps_soft_light = true;

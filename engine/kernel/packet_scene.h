@@ -60,8 +60,8 @@ struct PacketScene {
   Triple<T> right;
   Triple<T> up;
   Geometries<T> geometry;
-  /// Of a scene that lets some light through, as rays to lights find it in place of the above: what
-  /// lets none through, which tells at once where a light is hidden, and what does.
+  /// Of kinds of which some let light through and some do not, as rays to lights find them: what
+  /// hides a light is known at once from the latter, and only the former are followed through.
   Geometries<T> opaque;
   Geometries<T> transmitting;
   bool fetches_light_cells;            ///< before they are needed: the caches cannot hold them all

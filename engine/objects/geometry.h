@@ -19,7 +19,9 @@ struct Geometry {
 
   FinderRow finders{};
   std::size_t count = 0;
-  bool transmits = false;                          ///< light comes through some
+  bool transmits = false;  ///< light comes through some
+  /// It does not through others: what hides lights is in PacketScene's `opaque` and `transmitting`.
+  bool is_split = false;
   LargeArray<typename Layout::Item> items;         ///< where rays or lists look at them
   ScreenBins bins;                                 ///< for rays from the eye
   ScreenMask mask;                                 ///< likewise, of a kind that finds its own parts

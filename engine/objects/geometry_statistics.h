@@ -50,7 +50,10 @@ struct GeometryStatistics {
   double nearest = infinity;  ///< surface; negative inside of it
   /// Distance to the nearest surface, on whichever side of it the viewpoint is.
   double clearance = infinity;
-  double farthest = 0;       ///< point of anything bounded
+  double farthest = 0;  ///< point of anything bounded
+  /// How large the numbers are from which the place is computed where rays that start near the
+  /// viewpoint meet one; 0 of kinds that do not tell: no larger than the farthest point is away.
+  double meeting = 0;
   double visible_reach = 0;  ///< of what is unbounded: how far its points are in view
   /// The least sine of half the angle that something round is seen at: a radius over the distance
   /// of its centre.
@@ -69,6 +72,8 @@ struct GeometryStatistics {
     clearance = std::min(clearance, std::abs(distance));
   }
 
+  void note_meeting(double size) { meeting = std::max(meeting, size); }
+
   /// Of something so far away, negative inside of it, that touches so many.
   void note_blocks(double count, double distance) {
     blocks += count;
@@ -86,6 +91,7 @@ struct GeometryStatistics {
     nearest = std::min(nearest, other.nearest);
     clearance = std::min(clearance, other.clearance);
     farthest = std::max(farthest, other.farthest);
+    meeting = std::max(meeting, other.meeting);
     visible_reach = std::max(visible_reach, other.visible_reach);
     least_sine = std::min(least_sine, other.least_sine);
     smallest = std::min(smallest, other.smallest);
@@ -100,6 +106,8 @@ struct GeometryStatistics {
   /// The largest of farthest distance / radius of something round: what its normals' errors grow
   /// by.
   double distance_in_radii() const { return std::isinf(least_sine) ? 0 : 1 + 1 / least_sine; }
+
+  double meeting_distance() const { return meeting > 0 ? meeting : farthest; }
 
   /// The largest step between the doubles of a centre, in radii.
   double coarseness() const { return place_in_radii * unit_roundoff<double>; }

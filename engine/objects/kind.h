@@ -152,13 +152,6 @@ concept HasShadowEdges = requires(const typename Kind::Primitive& p, const Packe
   { shadow_edge_distance(p, light) } -> std::same_as<double>;
 };
 
-/// How large the numbers are from which the place is computed where rays that start near the eye
-/// meet it; of others as far as any of it is away.
-template <class Kind>
-concept HasMeetingDistance = requires(const typename Kind::Primitive& p) {
-  { meeting_distance(p) } -> std::same_as<double>;
-};
-
 /// Whether light along it is a doubtful case; else none is.
 template <class Kind>
 concept HasGrazingLight = requires(const typename Kind::Primitive& p, const PackedLight& light) {

@@ -27,7 +27,7 @@ constexpr double mirror_tolerance_px = 1.0 / 16;
 // What a normal may turn by, in radians, and a point be displaced by, in radii of what it is on.
 // Calibrated likewise.
 constexpr double surface_tolerance = 1.0 / 192;
-// The least distance of a light from a surface, of the extent. Chosen.
+// The least distance of a light from a surface, of what it is computed from. Chosen.
 constexpr double least_clearance = 1.0 / 256;
 // Two surfaces are apart if rounding moves neither past the other. Derived: each by as much, both
 // as they meet a ray and as a shadow's ray leaves.
@@ -75,8 +75,8 @@ double growth_in_shadows(const SceneStatistics& statistics, double nearest) {
 double growth_anywhere(const SceneStatistics& statistics) {
   double distance = 0;
   for (std::size_t kind = 0; kind < statistics.shadows.size(); ++kind)
-    distance = std::max(
-        distance, std::min(statistics.shadows[kind].path, statistics.meeting_distances[kind]));
+    distance = std::max(distance, std::min(statistics.shadows[kind].path,
+                                           statistics.kinds[kind].meeting_distance()));
   return distance > 0 ? 1 + distance / statistics.nearest : 1;
 }
 
@@ -90,7 +90,7 @@ struct DisplacedShadows {
   bool are_tolerated() const { return error_px <= tolerance_px; }
 };
 DisplacedShadows most_displaced_shadows(const SceneStatistics& statistics) {
-  const double direction_error_px = kappa * single_rounding / statistics.pixel_angle;
+  const double direction_error_px = direction_error_in_single(statistics);
   DisplacedShadows most;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     const ShadowReach& shadow = statistics.shadows[kind_index<Kind>];
@@ -141,6 +141,10 @@ const char* name_of(Precision precision) {
   return precision == Precision::single_precision ? "single" : "double";
 }
 
+double direction_error_in_single(const SceneStatistics& statistics) {
+  return kappa * single_rounding / statistics.pixel_angle;
+}
+
 ArithmeticError predict_arithmetic_error(Precision precision, const Features& features,
                                          const SceneStatistics& statistics) {
   const double rounding = kappa * rounding_of(precision);
@@ -167,7 +171,7 @@ ArithmeticError predict_arithmetic_error(Precision precision, const Features& fe
 }
 
 double nearest_in_single(const SceneStatistics& statistics) {
-  const double direction_error_px = kappa * single_rounding / statistics.pixel_angle;
+  const double direction_error_px = direction_error_in_single(statistics);
   double nearest = 0;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
     const ShadowReach& shadow = statistics.shadows[kind_index<Kind>];
@@ -183,14 +187,14 @@ double nearest_in_single(const SceneStatistics& statistics) {
 
 double lamp_reach_in_single(const LampDistances& lamp, const Features& features,
                             const SceneStatistics& statistics) {
-  const double direction_error_px = kappa * single_rounding / statistics.pixel_angle;
+  const double direction_error_px = direction_error_in_single(statistics);
   return has_spreading_shadows(features, statistics)
              ? lamp.nearest * least_tolerance_px(features) / direction_error_px
              : infinity;
 }
 
 bool are_paths_magnified(const SceneStatistics& statistics) {
-  const double direction_error_px = kappa * single_rounding / statistics.pixel_angle;
+  const double direction_error_px = direction_error_in_single(statistics);
   return direction_error_px * statistics.magnification > mirror_tolerance_px;
 }
 
@@ -207,7 +211,7 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
   if (requested != automatic) return {requested, because("it is asked for")};
 
   const double tolerance_px = least_tolerance_px(features);
-  const double direction_error_px = kappa * single_rounding / statistics.pixel_angle;
+  const double direction_error_px = direction_error_in_single(statistics);
   if (direction_error_px > tolerance_px)
     return {double_precision,
             because("single would displace edges by {:.2g} pixels: a pixel is only {:.2g} "
@@ -233,7 +237,7 @@ Choice<Precision> choose_precision(Precision requested, const Features& features
 
   if (statistics.light_clearance < least_clearance)
     return {double_precision,
-            because("single could not tell a light from the surface {:.2g} of the extent away",
+            because("single could not tell a light from the surface {:.2g} of its distance away",
                     statistics.light_clearance)};
 
   const DisplacedShadows displaced = most_displaced_shadows(statistics);

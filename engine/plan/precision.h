@@ -17,6 +17,9 @@ struct ArithmeticError {
 /// "single", "double" or "mixed", of what is chosen.
 const char* name_of(Precision precision);
 
+/// What single displaces edges by that are as far as what is rounded, in pixels.
+double direction_error_in_single(const SceneStatistics& statistics);
+
 /// Of the kernels in `precision`, which is not automatic.
 ArithmeticError predict_arithmetic_error(Precision precision, const Features& features,
                                          const SceneStatistics& statistics);

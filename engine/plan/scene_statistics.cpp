@@ -51,22 +51,6 @@ void add_smooth_surfaces(const PackedScene& packed, GeometryStatistics& to) {
   });
 }
 
-std::array<double, ObjectKinds::count> meeting_distances(const PackedScene& packed,
-                                                         const SceneStatistics& statistics,
-                                                         WorkerPool* pool) {
-  std::array<double, ObjectKinds::count> distances{};
-  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
-    double& distance = distances[kind_index<Kind>];
-    if constexpr (HasMeetingDistance<Kind>)
-      distance =
-          largest_of(of_kind<Kind>(packed.primitives), pool,
-                     [](const auto& primitive, double) { return meeting_distance(primitive); });
-    else
-      distance = statistics.kinds[kind_index<Kind>].farthest;
-  });
-  return distances;
-}
-
 /// What the eye's distances are to the eye, a light's are to the light.
 /// Returns its distance from the nearest surface.
 double add_converging_light(const PackedScene& packed, const PackedLight& light, WorkerPool* pool,
@@ -76,7 +60,8 @@ double add_converging_light(const PackedScene& packed, const PackedLight& light,
   const GeometryStatistics all = together(kinds);
   double sought_from_points = infinity;
   for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
-    const double from = std::max(length(light.place), to.meeting_distances[kind_index<Kind>]);
+    const double from =
+        std::max(length(light.place), to.kinds[kind_index<Kind>].meeting_distance());
     to.light_clearance = std::min(to.light_clearance, kinds[kind_index<Kind>].clearance / from);
     if (is_sought_from_points<Kind>(of_kind<Kind>(packed.primitives).size(), to.pixels))
       sought_from_points = std::min(sought_from_points, kinds[kind_index<Kind>].clearance);
@@ -128,7 +113,6 @@ SceneStatistics gather_statistics(const Scene& scene, const PackedScene& packed,
   statistics.pixels = packed.view.pixel_count();
   statistics.pixel_angle = eye.pixel_angle;
   statistics.farthest = statistics.all.farthest;
-  statistics.meeting_distances = meeting_distances(packed, statistics, pool);
   for (const Light& light : scene.lights) {
     const PackedLight packed_light = pack_light(light, packed.frame);
     if (packed_light.has_place())

@@ -40,9 +40,6 @@ struct SceneStatistics {
   /// occluder.
   double shadow_spread = 1;
   std::vector<LampDistances> lamps;  ///< of each point light, in their order
-  /// Of each kind, how large the numbers are from which the place is computed where a ray from
-  /// near the eye meets it, at most.
-  std::array<double, ObjectKinds::count> meeting_distances{};
   /// The least distance of a point light to a surface, as a share of the numbers from which it is
   /// computed.
   double light_clearance = infinity;

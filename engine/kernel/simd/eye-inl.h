@@ -44,7 +44,7 @@ HWY_INLINE void store(D d, const V3<V>& direction, const Hit<V>& hit, V pixel, M
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE void prefetch_light_cells(D d, const PacketScene<T>& scene, const V3<V>& points,
                                      M lanes) {
-  for_each_geometry(scene.transmits ? scene.opaque : scene.geometry,
+  for_each_geometry(scene, ChosenPart{.transmits = false},
                     [&]<class Kind>(const Geometry<Kind, T>& geometry) RAYTRACER_INLINE_ATTR {
                       if constexpr (HasLargeViews<typename PacketLayout<Kind, T>::LightView>)
                         for (const PacketLight<T>& light : scene.lights)

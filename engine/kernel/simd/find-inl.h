@@ -49,7 +49,7 @@ HWY_INLINE void intersect_from_eye(D d, const PacketScene<T>& scene,
 /// What rays look for.
 struct Everything {};
 
-/// What lets some light through, or what lets none through, of a scene that has the former.
+/// What lets some light through, or what lets none through.
 struct ChosenPart {
   bool transmits;
 };
@@ -58,10 +58,16 @@ template <typename T, class Visit>
 HWY_INLINE void for_each_geometry(const PacketScene<T>& scene, Everything, const Visit& visit) {
   for_each_geometry(scene.geometry, visit);
 }
-template <typename T, class Visit>
+template <std::size_t kind = 0, typename T, class Visit>
 HWY_INLINE void for_each_geometry(const PacketScene<T>& scene, ChosenPart part,
                                   const Visit& visit) {
-  for_each_geometry(part.transmits ? scene.transmitting : scene.opaque, visit);
+  if constexpr (kind < ObjectKinds::count) {
+    const auto& whole = std::get<kind>(scene.geometry.kinds);
+    const Geometries<T>& of_both = part.transmits ? scene.transmitting : scene.opaque;
+    const auto& geometry = whole.is_split ? std::get<kind>(of_both.kinds) : whole;
+    if (geometry.count > 0 && geometry.transmits == part.transmits) visit(geometry);
+    for_each_geometry<kind + 1>(scene, part, visit);
+  }
 }
 
 /// Rays that follow others against one kind. Of what lets nothing through none comes out.

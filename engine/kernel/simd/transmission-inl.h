@@ -84,7 +84,7 @@ HWY_NOINLINE M occluded_by_chosen(D d, const PacketScene<T>& scene, const Light&
 /// on goes to and fro between some that rounding cannot tell apart.
 inline constexpr int most_in_one_place = 16;
 
-/// How much of the light that starts out from a light arrives at points before which no kind stands
+/// How much of the light that starts out from a light arrives at points before which nothing stands
 /// that lets none through: the product of the transparencies on the straight way. `depth` is of how
 /// many solids the points are inside.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>

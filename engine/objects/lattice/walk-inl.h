@@ -45,8 +45,8 @@ struct CellHit {
   V3<V> normal;
 };
 
-/// Notes the distance to the sphere that was found, in the order of sphere_terms(), so that it
-/// is as far as the same one that is in no lattice, and its normal.
+/// Notes the distance to the sphere that was found, in the residual form of sphere_terms(), so
+/// that it is as far as the same one that is in no lattice, and its normal.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE void measure(D d, const V3<V>& origin, const V3<V>& direction, CellHit<V, M>& found) {
   const V zero = hn::Zero(d);

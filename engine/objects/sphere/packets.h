@@ -26,7 +26,7 @@ struct SphereItem {
   T radius2;
   T id;  ///< numbers of primitives are kept as T: they are small
   T eye_power;
-  bool is_wide;  ///< as is_wide() says
+  bool has_wide;  ///< whether it is, as is_wide() says
 };
 
 /// Up to eight spheres. Those that are not there have nothing that meets them.

@@ -23,7 +23,10 @@ HWY_INLINE void intersect_candidate(D d, const PrimitiveRows<T>& rows,
   const V b = dot(center, direction);
   const V3<V> l{hn::MulSub(direction.x, b, center.x), hn::MulSub(direction.y, b, center.y),
                 hn::MulSub(direction.z, b, center.z)};
-  const V discriminant = hn::Sub(hn::Set(d, sphere.radius_square), dot(l, l));
+  // Of what is nearer than it is wide the horizon is where b^2 is the power.
+  const V discriminant = HWY_UNLIKELY(sphere.eye_power < sphere.radius_square)
+                             ? hn::MulSub(b, b, hn::Set(d, sphere.eye_power))
+                             : hn::Sub(hn::Set(d, sphere.radius_square), dot(l, l));
   const M is_hit = hn::And(hn::Ge(discriminant, zero), hn::Gt(b, zero));
   // Also where no lane hits: a wrong guess of the processor, which of small spheres there would be
   // many, costs more than a division.
@@ -74,6 +77,7 @@ struct SphereTerms {
   V b;                ///< from there to the point nearest to the centre
   V discriminant;
   V power;  ///< of the start: the square of a tangent; the product of both roots
+  V size;   ///< of the numbers that the place is computed from where the ray meets the sphere
 };
 
 /// In the residual form (math/ray_sphere.h); where a ray starts nearer to the eye than a wide
@@ -85,13 +89,16 @@ HWY_INLINE SphereTerms<V> sphere_terms(D, const Spheres<V>& spheres, const V3<V>
   const V3<V> f = sub(point, spheres.center);
   const V b = hn::Neg(dot(f, direction));
   const V3<V> l = mul_add(direction, b, f);
+  const V radius = hn::Sqrt(spheres.radius2);
   SphereTerms<V> terms{f, b, hn::Sub(spheres.radius2, dot(l, l)),
-                       hn::Sub(dot(f, f), spheres.radius2)};
+                       hn::Sub(dot(f, f), spheres.radius2), radius};
   if (HWY_LIKELY(!spheres.has_wide)) return terms;
   const auto is_near = hn::Lt(dot(point, point), spheres.radius2);
   const V power = hn::Add(spheres.eye_power, dot(point, sub(f, spheres.center)));
+  const auto is_flat = hn::And(is_near, hn::Lt(power, spheres.radius2));
   terms.power = hn::IfThenElse(is_near, power, terms.power);
-  terms.discriminant = hn::IfThenElse(is_near, hn::MulSub(b, b, power), terms.discriminant);
+  terms.discriminant = hn::IfThenElse(is_flat, hn::MulSub(b, b, power), terms.discriminant);
+  terms.size = hn::IfThenElse(is_near, hn::Div(hn::Abs(spheres.eye_power), radius), radius);
   return terms;
 }
 
@@ -110,7 +117,7 @@ HWY_INLINE M intersect(D d, const Spheres<V>& spheres, const RayOrigin<V>& from,
                        const V3<V>& direction, M active, V& t) {
   const V zero = hn::Zero(d);
   t = zero;
-  const auto [f, b, discriminant, power] = sphere_terms(d, spheres, from.point, direction);
+  const auto [f, b, discriminant, power, size] = sphere_terms(d, spheres, from.point, direction);
   const M is_met = hn::And(hn::Ge(discriminant, zero), hn::Gt(b, zero));
   const M hit = hn::And(active, hn::And(hn::Ne(from.id, spheres.id), is_met));
   if (hn::AllFalse(d, hit)) return hit;
@@ -122,7 +129,7 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE M intersect(D d, const Spheres<V>& spheres, const InnerOrigin<V>& from,
                        const V3<V>& direction, M active, V& t) {
   const V zero = hn::Zero(d);
-  const auto [f, b, discriminant, power] = sphere_terms(d, spheres, from.point, direction);
+  const auto [f, b, discriminant, power, size] = sphere_terms(d, spheres, from.point, direction);
   const M is_left = hn::Eq(from.id, spheres.id);
   const M is_there =
       hn::Or(hn::AndNot(is_left, hn::Ge(discriminant, zero)), hn::And(is_left, hn::Gt(b, zero)));
@@ -131,7 +138,7 @@ HWY_INLINE M intersect(D d, const Spheres<V>& spheres, const InnerOrigin<V>& fro
   const M ahead = hn::Ge(b, zero);
   // From one side of the surface to the other: twice to the middle, however short that is.
   const V leave = hn::IfThenElse(is_left, hn::Add(b, b), hn::IfThenElse(ahead, q, other));
-  const V noise = place_noise(d, from.point, hn::Sqrt(spheres.radius2));
+  const V noise = place_noise(d, from.point, size);
   const Chords<V, M> chords{is_there, hn::IfThenElse(ahead, other, q), leave, noise,
                             hn::Lt(zero, zero)};
   return hn::And(active, meet_solid(d, chords, from, spheres.id, dot(from.normal, f), t));
@@ -158,7 +165,7 @@ HWY_INLINE void intersect_item(D d, const Geometry<SphereKind, T>&, const Sphere
   V t;
   const M is_hit = intersect(d,
                              Spheres<V>{broadcast(d, sphere.center), hn::Set(d, sphere.radius2), id,
-                                        hn::Set(d, sphere.eye_power), sphere.is_wide},
+                                        hn::Set(d, sphere.eye_power), sphere.has_wide},
                              from, direction, active, t);
   if (hn::AllFalse(d, is_hit)) return;
   take(hit, is_nearer(hit, t, id, is_hit), t, id);

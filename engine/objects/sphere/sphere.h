@@ -111,16 +111,10 @@ void for_each_subpixel_piece(const PackedSphere& s, const Projection& projection
   if (width > 0 && height > 0 && width * height < 1) visit(seen, std::numbers::pi / 4);
 }
 
-/// Whether the eye, at the origin, is nearer to its surface than to its middle: where rays start
-/// near the eye, as they do on a ground, differences from the middle would lose their digits.
+/// Whether the eye, at the origin, is nearer to its surface than it is wide: where rays start near
+/// the eye, as they do on a ground, differences from the middle would lose their digits.
 inline bool is_wide(const PackedSphere& s) {
   return dot(s.center, s.center) < 4 * s.radius * s.radius;
-}
-
-/// Of a wide one, what is computed from there is less than as far again as its surface.
-inline double meeting_distance(const PackedSphere& s) {
-  const double distance = length(s.center);
-  return is_wide(s) ? 2 * std::abs(distance - s.radius) : distance + s.radius;
 }
 
 /// How near to the origin the edge of its shadow can fall: behind the circle that the
@@ -148,6 +142,9 @@ inline void add_statistics(const PackedSphere& s, const Viewpoint& from, Geometr
   const double sine = s.radius / distance;
   to.note_surface(distance - s.radius);
   to.note_place(s.center - from.scene_origin, s.radius);
+  // Of a wide one, what is computed from there is less than as far again as its surface.
+  to.note_meeting(distance < 2 * s.radius ? 2 * std::abs(distance - s.radius)
+                                          : distance + s.radius);
   to.farthest = std::max(to.farthest, distance + s.radius);
   to.smallest = std::min(to.smallest, s.radius);
   to.least_sine = std::min(to.least_sine, sine);

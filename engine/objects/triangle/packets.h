@@ -102,8 +102,9 @@ struct PacketLayout<TriangleKind, T> : DefaultLayout {
       const Finder finder = finder_of(finders, rays);
       return finder != Finder::none && finder != Finder::tree;
     };
-    return are_tried(RayKind::from_eye) || are_tried(RayKind::to_distant_light) ||
-           are_tried(RayKind::to_soft_light) || are_tried(RayKind::to_point_light);
+    return are_tried(RayKind::from_eye) || are_tried(RayKind::followed) ||
+           are_tried(RayKind::to_distant_light) || are_tried(RayKind::to_soft_light) ||
+           are_tried(RayKind::to_point_light);
   }
 
   static PrimitiveRow<T> row(const PackedTriangle& t, std::size_t /*item*/) {

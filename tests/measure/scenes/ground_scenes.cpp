@@ -10,20 +10,20 @@ namespace {
 
 /// `mirror` and `glass` name materials.
 std::string document(const std::string& light, const char* mirror, const char* glass) {
-  constexpr int across = 22;
-  constexpr double spacing = 1;
+  constexpr int half = 11;
   constexpr double radius = 0.2;
   Dice dice(31);
   SpheresText matt_balls;
   SpheresText mirror_balls;
   SpheresText glass_balls;
-  for (int i = 0; i < across * across; ++i) {
-    const double x = spacing * (i % across - across / 2) + dice.within(0, 0.9);
-    const double z = spacing * (i / across - across / 2) + dice.within(0, 0.9);
-    const double chance = dice.within(0, 1);
-    SpheresText& balls = chance < 0.8 ? matt_balls : chance < 0.95 ? mirror_balls : glass_balls;
-    balls.add({x, radius, z}, radius);
-  }
+  for (int row = -half; row < half; ++row)
+    for (int column = -half; column < half; ++column) {
+      const double x = column + dice.within(0, 0.9);
+      const double z = row + dice.within(0, 0.9);
+      const double chance = dice.within(0, 1);
+      SpheresText& balls = chance < 0.8 ? matt_balls : chance < 0.95 ? mirror_balls : glass_balls;
+      balls.add({x, radius, z}, radius);
+    }
   matt_balls.add({-4, 1, 0}, 1);
   glass_balls.add({0, 1, 0}, 1);
   mirror_balls.add({4, 1, 0}, 1);
