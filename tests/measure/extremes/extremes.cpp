@@ -70,7 +70,7 @@ Row measure(const Extreme& extreme, const peers::Peers& all_peers, WorkerPool& p
                         chosen.levels <= predicted.levels;
   std::string text =
       fmt::format("| {} | {} | {:.1g} px, {:.1g} | {:.1g} px, {:.1g} | {} | {} | {} |",
-                  extreme.name, is_single ? "single" : "double", predicted.displacement_px,
+                  extreme.name, name_of(plan.precision.value), predicted.displacement_px,
                   predicted.levels, chosen.displacement_px, chosen.levels, pixels_text(chosen),
                   pixels_text(single), pixels_text(in_double));
   for (const auto& peer : all_peers)
