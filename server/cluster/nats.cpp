@@ -7,6 +7,7 @@
 
 #include "server/cluster/nats_link.h"
 #include "server/cluster/nats_options.h"
+#include "server/cluster/nats_status.h"
 
 namespace raytracer {
 namespace {
@@ -16,52 +17,6 @@ using std::chrono::milliseconds;
 template <typename Duration>
 std::int64_t nanoseconds(Duration duration) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(duration).count();
-}
-
-bool is_away(natsStatus status) {
-  switch (status) {
-    case NATS_CONNECTION_CLOSED:
-    case NATS_CONNECTION_DISCONNECTED:
-    case NATS_NO_SERVER:
-    case NATS_NOT_YET_CONNECTED:
-    case NATS_STALE_CONNECTION:
-    case NATS_IO_ERROR:
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool is_passing(natsStatus status, jsErrCode error) {
-  switch (status) {
-    case NATS_TIMEOUT:
-    case NATS_NO_RESPONDERS:
-      return true;
-    default:
-      return error == JSStreamNotFoundErr || error == JSClusterNotAvailErr;
-  }
-}
-
-/// What libnats says beside the status.
-std::string last_words() {
-  const std::string said = nats_last_error();
-  return said.empty() ? "no more is said" : said;
-}
-
-/// Throws what the status means, unless all went well. `what`: that was to be done.
-void require(natsStatus status, std::string_view what, jsErrCode error = jsErrCode{}) {
-  if (status == NATS_OK) return;
-  const std::string text =
-      fmt::format("{}: {} ({})", what, natsStatus_GetText(status), last_words());
-  if (is_away(status)) throw NatsAway(text);
-  if (is_passing(status, error)) throw NatsUnavailable(text);
-  if (error == JSStreamStoreFailedErr || error == JSInsufficientResourcesErr ||
-      error == JSStorageResourcesExceededErr || error == JSAccountResourcesExceededErr)
-    throw StreamFull(
-        "the cluster's store is full (--max-stored): delete jobs, or wait until old ones "
-        "are forgotten; " +
-        text);
-  throw NatsRefused(text);
 }
 
 template <typename T, void (*destroy)(T*)>
@@ -335,10 +290,16 @@ void NatsConnection::ensure_consumer(const std::string& stream, const ConsumerSp
 
 void NatsConnection::remove_consumer(const std::string& stream, const std::string& name) {
   const auto session = link_->session();
+  // NATS may still be writing the files that it is to remove. It says so, though the consumer has
+  // ended: then it finds none at the next try.
+  constexpr int most_tries = 3;
   jsErrCode error{};
-  const natsStatus status =
-      js_DeleteConsumer(session->context(), stream.c_str(), name.c_str(), nullptr, &error);
-  if (error == JSConsumerNotFoundErr || status == NATS_NOT_FOUND) return;
+  natsStatus status = NATS_OK;
+  for (int i = 0; i < most_tries; ++i) {
+    status = js_DeleteConsumer(session->context(), stream.c_str(), name.c_str(), nullptr, &error);
+    if (status == NATS_OK || status == NATS_NOT_FOUND || error == JSConsumerNotFoundErr) return;
+    if (is_away(status) || is_passing(status, error)) break;
+  }
   require(status, "ending " + name, error);
 }
 
