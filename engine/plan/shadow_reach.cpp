@@ -71,7 +71,7 @@ FarOccluders<Kind> far_occluders(const PackedScene& packed, double farthest, dou
 
 /// Under a soft light whose rays share directions: the mean of what each of them gives, as each
 /// brings as small a part of the light. A sky's N directions are so far from each other that no two
-/// of their edges meet: each being wrong by a N-th of the light, their squared error is a N-th of
+/// of their edges meet: each being wrong by an N-th of the light, their squared error is an N-th of
 /// that of a light's edge that is displaced by the mean.
 template <class Occluders>
 double growth_under(const SoftLight& soft, const Occluders& occluders, double farthest,

@@ -117,9 +117,8 @@ inline bool is_wide(const PackedSphere& s) {
   return dot(s.center, s.center) < 4 * s.radius * s.radius;
 }
 
-/// How near to the origin the edge of its shadow can fall: behind the circle that the
-/// light's last rays touch, along which they go on. 0 if the light is
-/// inside of it.
+/// How near to the origin the edge of its shadow can fall: behind the circle that the light's last
+/// rays touch, along which they go on. 0 if the light is inside of it.
 double shadow_edge_distance(const PackedSphere& sphere, const PackedLight& light);
 
 /// From the origin to the surface, from outside of it.
@@ -142,7 +141,7 @@ inline void add_statistics(const PackedSphere& s, const Viewpoint& from, Geometr
   const double sine = s.radius / distance;
   to.note_surface(distance - s.radius);
   to.note_place(s.center - from.scene_origin, s.radius);
-  // Of a wide one, what is computed from there is less than as far again as its surface.
+  // Of one that is_wide() the place is computed from less than twice how far its surface is.
   to.note_meeting(distance < 2 * s.radius ? 2 * std::abs(distance - s.radius)
                                           : distance + s.radius);
   to.farthest = std::max(to.farthest, distance + s.radius);
