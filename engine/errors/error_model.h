@@ -66,8 +66,11 @@ struct SampleErrorModel {
   /// edge between them is anywhere.
   static constexpr double block_neighbour_share = 0.5;
 
-  /// Of what is missed from what is around it, squared, in a channel. Chosen: black or white.
+  /// Of what is missed from what is around it, squared, in a channel, as long as nothing else is
+  /// known. Chosen: black or white.
   static constexpr double subpixel_contrast2 = 0.5;
+  /// As many samples that met it would say as much. Chosen: a few.
+  static constexpr double subpixel_prior = 4;
   /// n samples miss an area a of a pixel with the probability exp(-n a / 2). Derived: exp(-n a) if
   /// they lay anywhere; chosen: half, as a bound.
   static constexpr double subpixel_miss_rate = 0.5;

@@ -48,7 +48,7 @@ void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering
   const int pilot = choose_pilot_samples(tracing.plan.statistics, most_samples);
   bool is_complete = render_pilot(pilot, tracing, refined);
   const bool has_estimate = is_complete && pilot > 1;
-  if (has_estimate) refined.look_for_subpixel_objects();
+  if (has_estimate) refined.look_for_subpixel_objects(pilot);
   constexpr double far_off = 2;  // where a pass that brings little may be the last one needed
   int passes_in_vain = 0;
   while (is_complete && has_estimate && refined.error2() > refined2 &&
@@ -64,11 +64,11 @@ void refine_to_contract(int most_samples, Tracing& tracing, Rendering& rendering
     passes_in_vain = is_in_vain ? passes_in_vain + 1 : 0;
   }
   rendering.samples_per_pixel = refined.mean_samples();
-  const double error2 = refined.error2();
-  if (!rendering.image.values.empty()) rendering.estimated_error = std::sqrt(error2 / values);
+  if (!rendering.image.values.empty())
+    rendering.estimated_error = std::sqrt(refined.expected_error2() / values);
   if (tracing.progress.stop)
     rendering.stop = Stop::cancelled;
-  else if (has_estimate && settings.target_rmse && error2 <= allowed2)
+  else if (has_estimate && settings.target_rmse && refined.error2() <= allowed2)
     rendering.stop = Stop::target;
   else
     rendering.stop = settings.budget_ms ? Stop::budget : Stop::samples;

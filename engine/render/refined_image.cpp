@@ -95,12 +95,12 @@ void RefinedImage::guess_errors(const std::vector<std::uint8_t>& coarseness) {
   after_ms_ = RefinementModel::half_buffer_cost * guess_ms + transfer_ms_;
 }
 
-void RefinedImage::look_for_subpixel_objects() {
+void RefinedImage::look_for_subpixel_objects(int samples) {
   if (!(tracing_.plan.statistics.all.subpixel > 0)) return;
   // A plan packs the scene and looks at all objects, too.
   if (tracing_.is_over_time(tracing_.plan_ms)) return;
-  errors_.set_subpixel(
-      SubpixelObjects(pack_scene(tracing_.scene, &tracing_.pool), image_.channels));
+  errors_.set_subpixel(SubpixelObjects(pack_scene(tracing_.scene, &tracing_.pool), image_.channels),
+                       samples);
 }
 
 double RefinedImage::mean_samples() const {

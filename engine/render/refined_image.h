@@ -29,11 +29,14 @@ class RefinedImage {
   /// With a sample per pixel, or what there was time for.
   void begin(CoarsePicture first);
 
-  /// Counts objects that all samples may miss from here on, if there is time to find them.
-  void look_for_subpixel_objects();
+  /// Counts objects that all samples may miss from here on, if there is time to find them. All
+  /// pixels have so many samples.
+  void look_for_subpixel_objects(int samples);
 
-  /// The squared error, the sum over the values, with its uncertainty.
+  /// The squared error, the sum over the values, with its uncertainty: what a contract is held to.
   double error2() const { return errors_.error2(); }
+  /// Without: what it probably is.
+  double expected_error2() const { return errors_.expected_error2(); }
 
   /// The mean over the pixels.
   double mean_samples() const;

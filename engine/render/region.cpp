@@ -125,10 +125,10 @@ void ImageOfRegions<Channel>::add(const RegionRendering<Channel>& part) {
 
 template <typename Channel>
 BasicRendering<Channel> ImageOfRegions<Channel>::finish() && {
-  rendering_.estimated_error = subtile_error2_.empty()
-                                   ? neighbour_error(rendering_.image, samples_)
-                                   : rms_of(error_multiplier_ * conservative_sum(subtile_error2_),
-                                            rendering_.image.values.size());
+  rendering_.estimated_error =
+      subtile_error2_.empty()
+          ? neighbour_error(rendering_.image, samples_)
+          : rms_of(error_multiplier_ * sum_of(subtile_error2_), rendering_.image.values.size());
   return std::move(rendering_);
 }
 

@@ -59,7 +59,7 @@ void render_fixed(Tracing& tracing, BasicRendering<Channel>& rendering) {
   rendering.image = std::move(*image);
   if (!errors) return;
   const double error2 =
-      choose_error_multiplier(tracing.plan.statistics).initial * conservative_sum(errors->all());
+      choose_error_multiplier(tracing.plan.statistics).initial * sum_of(errors->all());
   rendering.estimated_error = rms_of(error2, rendering.image.values.size());
 }
 

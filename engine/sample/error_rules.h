@@ -22,8 +22,11 @@ struct ErrorMultiplier {
 /// pixels, e is that of random samples; otherwise it is taken between that and where edges cross.
 ErrorMultiplier choose_error_multiplier(const SceneStatistics& statistics);
 
-/// The sum of these squared errors with its own uncertainty, which counts where few have an error:
-/// that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself.
+/// The sum of these squared errors: what is told of an image.
+double sum_of(std::span<const double> errors2);
+
+/// The same with its own uncertainty, to which contracts are held. It counts where few have an
+/// error: that of k squares of normal numbers has a standard deviation of sqrt(2 / k) of itself.
 double conservative_sum(std::span<const double> errors2);
 
 /// The rms error of so many values, channels of pixels, whose squared errors sum up to `error2`.

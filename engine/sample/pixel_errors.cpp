@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 
 #include "engine/parallel/chunks.h"
@@ -70,8 +69,9 @@ void PixelErrors::use_guesses() {
     if (guesses_[subtile] >= 0) subtiles_[subtile] = guesses_[subtile];
 }
 
-void PixelErrors::set_subpixel(SubpixelObjects objects) {
+void PixelErrors::set_subpixel(SubpixelObjects objects, int samples) {
   subpixel_ = std::move(objects);
+  subpixel_->learn_contrast(spreads_, samples);
   sum_subtiles();
 }
 
@@ -278,11 +278,8 @@ float PixelErrors::unscaled(std::size_t subtile, std::size_t pixel,
 double PixelErrors::of_pixel(std::size_t pixel) const {
   const auto seen = static_cast<double>(seen_[pixel]);
   if (!subpixel_ || samples_[pixel] < 1) return seen;
-  return std::max(seen, subpixel_->error2(pixel, samples_[pixel]));
-}
-
-double PixelErrors::expected_error2() const {
-  return std::accumulate(subtiles_.begin(), subtiles_.end(), 0.0);
+  const double missed = subpixel_->error2(pixel, samples_[pixel]);
+  return std::max(seen, shown_(missed, x_of(pixel), y_of(pixel)));
 }
 
 }  // namespace raytracer

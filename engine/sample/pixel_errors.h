@@ -3,8 +3,8 @@
 //   error2 = multiplier x (subtiles' mean of (A - B)^2 / 4, by a pixel's variance) / error_power(n)
 //
 // in linear light, taken through the transfer (ShownError), or, if that is more, what subpixel
-// objects cost that all samples may have missed; and, of an image's sum, two standard deviations
-// (conservative_sum()).
+// objects cost that all samples may have missed. The sum over an image is what is told of it;
+// contracts are held to two standard deviations more (conservative_sum()).
 //
 // A pixel's squared error is its error coefficient, that of one sample, over error_power() of its
 // samples. The coefficient grows with the variance of the samples; what a variance comes to is told
@@ -62,8 +62,8 @@ class PixelErrors {
   void forget_guesses(std::size_t block);
   /// Takes guesses in, if there is nothing else yet.
   void use_guesses();
-  /// These objects may be missed. estimate() was called before.
-  void set_subpixel(SubpixelObjects objects);
+  /// These objects may be missed. All pixels have so many samples, and estimate() was called.
+  void set_subpixel(SubpixelObjects objects, int samples);
 
   /// Takes all in, and what a refinement has changed, if there was one. To be called before
   /// anything is asked.
@@ -86,7 +86,7 @@ class PixelErrors {
   double of_pixel(std::size_t pixel) const;
   double of_subtile(std::size_t subtile) const { return subtiles_[subtile]; }
   /// That of the image, the sum over its values.
-  double expected_error2() const;
+  double expected_error2() const { return sum_of(subtiles_); }
   /// With its uncertainty.
   double error2() const { return conservative_sum(subtiles_); }
 

@@ -4,12 +4,20 @@
 #include <cmath>
 
 #include "engine/errors/error_model.h"
-#include "engine/image/pixel_spreads.h"
 #include "engine/math/projection.h"
 
 namespace raytracer {
+namespace {
 
-SubpixelObjects::SubpixelObjects(const PackedScene& scene, int channels) : channels_(channels) {
+using Model = SampleErrorModel;
+
+/// The share of a pixel that objects of so much area cover, which lie anywhere in it.
+double covered(double area) { return -std::expm1(-area); }
+
+}  // namespace
+
+SubpixelObjects::SubpixelObjects(const PackedScene& scene, int channels)
+    : contrast2_(channels * Model::subpixel_contrast2) {
   const View& view = scene.view;
   const auto stride = static_cast<std::size_t>(PixelSpreads::whole_subtiles(view.width));
   pixels_.resize(stride * static_cast<std::size_t>(PixelSpreads::whole_subtiles(view.height)));
@@ -38,12 +46,29 @@ SubpixelObjects::SubpixelObjects(const PackedScene& scene, int channels) : chann
   });
 }
 
+void SubpixelObjects::learn_contrast(const PixelSpreads& spreads, int samples) {
+  // A pixel of which they cover c varies by c (1 - c) of their squared contrast.
+  double seen = 0;
+  double of_contrast = 0;
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    if (pixels_[i].sum == 0) continue;
+    const double cover = covered(pixels_[i].sum);
+    seen += samples * static_cast<double>(spreads.variance[i]);
+    of_contrast += samples * cover * (1 - cover);
+  }
+  const double most = contrast2_;
+  contrast2_ =
+      std::min(most, (seen + Model::subpixel_prior * most) / (of_contrast + Model::subpixel_prior));
+}
+
 double SubpixelObjects::error2(std::size_t pixel, int samples) const {
-  using Model = SampleErrorModel;
   const Areas& areas = pixels_[pixel];
   if (areas.sum == 0) return 0;
-  return channels_ * Model::subpixel_contrast2 * static_cast<double>(areas.sum_of_squares) *
-         std::exp(-samples * static_cast<double>(areas.sum) * Model::subpixel_miss_rate);
+  const double sum = areas.sum;
+  const double cover = covered(sum);
+  const double shown = cover / sum;
+  return contrast2_ * shown * shown * static_cast<double>(areas.sum_of_squares) *
+         std::exp(-samples * cover * Model::subpixel_miss_rate);
 }
 
 }  // namespace raytracer

@@ -1,16 +1,20 @@
 // Objects smaller than a pixel, which samples can miss without a trace.
 //
 // What no sample met is in no difference between samples, so the error that it would leave is known
-// from its size alone: where such objects cover the areas a_i of a pixel, together a, its n samples
-// miss them all with at most about the probability exp(-n a / 2) (exp(-n a) if both lay anywhere),
-// and leave out a_i of its light then.
+// from its size: where such objects have the areas a_i in a pixel, together a, they cover about
+// c = 1 - exp(-a) of it, as some hide others, and show c / a of their areas. Its n samples miss
+// them all with at most about the probability exp(-n c / 2) (exp(-n c) if both lay anywhere), and
+// leave out what they show of its light then.
 //
-// Limits: kinds that tell their subpixel pieces; lattices do not. Those behind others count too.
+// How much that light differs from what is around it, other pixels tell whose samples met some.
+//
+// Limits: kinds that tell their subpixel pieces; lattices do not.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
+#include "engine/image/pixel_spreads.h"
 #include "engine/pack/packed_scene.h"
 
 namespace raytracer {
@@ -20,8 +24,12 @@ class SubpixelObjects {
   /// `channels`: of the image.
   SubpixelObjects(const PackedScene& scene, int channels);
 
-  /// What missing them costs in this pixel, the sum over its values' squared errors, probably.
-  /// Pixels are numbered as those of PixelSpreads.
+  /// Takes in what so many samples of each pixel tell of their contrast. Until then it is taken to
+  /// be as that of black and white.
+  void learn_contrast(const PixelSpreads& spreads, int samples);
+
+  /// What missing them costs in this pixel, the sum over its values' squared errors in linear
+  /// light, probably. Pixels are numbered as those of PixelSpreads.
   double error2(std::size_t pixel, int samples) const;
 
  private:
@@ -31,7 +39,7 @@ class SubpixelObjects {
   };
 
   std::vector<Areas> pixels_;
-  int channels_;
+  double contrast2_;  ///< squared, the sum over the channels
 };
 
 }  // namespace raytracer

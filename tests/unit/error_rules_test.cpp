@@ -13,6 +13,7 @@ namespace {
 TEST(ConservativeSum, adds_less_where_many_have_an_error) {
   EXPECT_DOUBLE_EQ(conservative_sum(std::vector<double>{1}), 1 + 2 * std::sqrt(2));
   EXPECT_DOUBLE_EQ(conservative_sum(std::vector<double>(100, 0.01)), 1 + 0.2 * std::sqrt(2));
+  EXPECT_DOUBLE_EQ(sum_of(std::vector<double>(100, 0.01)), 1);
 }
 
 TEST(ErrorMultiplier, is_less_where_edges_cross_pixels) {

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
 
+#include "engine/image/pixel_spreads.h"
 #include "engine/math/block.h"
 #include "engine/sample/neighbour_error.h"
 #include "engine/sample/pattern.h"
@@ -181,13 +183,17 @@ TEST(NeighbourError, counts_what_is_beside_a_tile) {
   EXPECT_EQ(neighbour_error2(Image(1, 1), {0, 0, 1, 1}), 0);
 }
 
+// Of a pixel, at that distance.
+const double width_of_pixel = 2 * std::tan(0.25) / 32 * 100;
+
+SubpixelObjects subpixel_among(const std::vector<json>& spheres) {
+  const Scene scene = scene_of(
+      document(camera_json(32, 32, 0.5, {0, 0, 0}, {0, 0, 1}), spheres, {distant_json({0, 0, 1})}));
+  return SubpixelObjects(pack_scene(scene, nullptr), 3);
+}
+
 TEST(SubpixelObjects, are_those_smaller_than_a_pixel_until_samples_must_meet_them) {
-  const double pixel = 2 * std::tan(0.25) / 32 * 100;  // at that distance
-  const auto subpixel_among = [&](const std::vector<json>& spheres) {
-    const Scene scene = scene_of(document(camera_json(32, 32, 0.5, {0, 0, 0}, {0, 0, 1}), spheres,
-                                          {distant_json({0, 0, 1})}));
-    return SubpixelObjects(pack_scene(scene, nullptr), 3);
-  };
+  const double pixel = width_of_pixel;
   // To the right of the middle and above it, in the middle of a pixel; a large one elsewhere.
   const SubpixelObjects one =
       subpixel_among({sphere_json({2.5 * pixel, 2.5 * pixel, 100}, 0.2 * pixel),
@@ -203,6 +209,41 @@ TEST(SubpixelObjects, are_those_smaller_than_a_pixel_until_samples_must_meet_the
       subpixel_among({sphere_json({3 * pixel, 2.5 * pixel, 100}, 0.2 * pixel)});
   EXPECT_NEAR(on_a_side.error2(its_pixel, 1) / on_a_side.error2(its_pixel + 1, 1), 1, 0.05);
   EXPECT_LT(on_a_side.error2(its_pixel, 1), one.error2(its_pixel, 1) / 3);
+}
+
+TEST(SubpixelObjects, hide_each_other) {
+  const double pixel = width_of_pixel;
+  constexpr std::size_t its_pixel = 13 * 32 + 18;
+  const auto before_each_other = [&](int count) {
+    std::vector<json> spheres;
+    for (int i = 0; i < count; ++i)
+      spheres.push_back(sphere_json({2.5 * pixel, 2.5 * pixel, 100 + 0.1 * i}, 0.3 * pixel));
+    return subpixel_among(spheres);
+  };
+  // Each of twenty shows little of itself; but all of them cover no more than the pixel.
+  EXPECT_LT(before_each_other(20).error2(its_pixel, 1), before_each_other(1).error2(its_pixel, 1));
+  EXPECT_GT(before_each_other(20).error2(its_pixel, 16), 1e-6);
+}
+
+TEST(SubpixelObjects, are_missed_by_as_much_as_those_that_were_met_differ) {
+  const double pixel = width_of_pixel;
+  constexpr std::size_t its_pixel = 13 * 32 + 18;
+  std::vector<json> spheres;
+  for (int y = -8; y < 8; ++y)
+    for (int x = -8; x < 8; ++x)
+      spheres.push_back(sphere_json({(x + 0.5) * pixel, (y + 0.5) * pixel, 100}, 0.3 * pixel));
+  const SubpixelObjects unknown = subpixel_among(spheres);
+  const auto learnt = [&](float variance) {
+    SubpixelObjects objects = unknown;
+    PixelSpreads spreads(32, 32);
+    std::fill(spreads.variance.begin(), spreads.variance.end(), variance);
+    objects.learn_contrast(spreads, 16);
+    return objects.error2(its_pixel, 16);
+  };
+  const double before = unknown.error2(its_pixel, 16);
+  EXPECT_LT(learnt(0), before / 100);
+  EXPECT_NEAR(learnt(0.1F) / learnt(0.05F), 2, 0.1);
+  EXPECT_EQ(learnt(10), before);
 }
 
 }  // namespace
