@@ -19,7 +19,7 @@ using std::chrono::seconds;
 
 constexpr milliseconds between_searches{250};  // for tasks that come again
 constexpr milliseconds to_answer{100};
-constexpr milliseconds before_another_try{500};
+constexpr milliseconds before_another_worker{500};
 constexpr milliseconds before_asking_again{250};  // NATS, while it is away
 constexpr milliseconds to_fetch_scene{500};       // that others have: a task or two
 constexpr seconds longest_standstill{30};         // of a task that is still said to be in progress
@@ -252,7 +252,7 @@ bool TaskRunner::is_to_be_tried(const JobRecord& record, Running& running) {
         member.name != parts_.self.name && is_alive(member, parts_.store.limits()) &&
         std::none_of(failures.begin(), failures.end(),
                      [&](const auto& failure) { return failure.worker == member.name; })) {
-      hand_back(running, before_another_try);
+      hand_back(running, before_another_worker);
       return false;
     }
   return true;
@@ -310,7 +310,7 @@ void TaskRunner::give_up(const JobRecord& record, Running& running, const std::s
     running.message.acknowledge();
     return;
   }
-  running.message.hand_back(before_another_try);
+  running.message.hand_back(before_another_worker);
 }
 
 milliseconds TaskRunner::shortest_timeout() const {
