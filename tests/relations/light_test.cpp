@@ -84,5 +84,36 @@ TEST(Light, of_intensity_zero_leaves_its_ambient_part) {
   EXPECT_EQ(distance(image, image_of(text)), 0);
 }
 
+/// A room, of which a slit in the ceiling lets in light of the sky, seen from inside.
+json room_with_slit() {
+  const std::vector<Vec3> vertices{{-1, 0, -1},    {1, 0, -1},    {1, 0, 1},    {-1, 0, 1},
+                                   {-1, 1, -1},    {1, 1, -1},    {1, 1, 1},    {-1, 1, 1},
+                                   {-0.01, 1, -1}, {0.01, 1, -1}, {0.01, 1, 1}, {-0.01, 1, 1}};
+  const std::vector<std::array<int, 3>> triangles{
+      {0, 1, 2}, {0, 2, 3}, {0, 1, 5}, {0, 5, 4},  {1, 2, 6},  {1, 6, 5}, {2, 3, 7},
+      {2, 7, 6}, {3, 0, 4}, {3, 4, 7}, {4, 8, 11}, {4, 11, 7}, {9, 5, 6}, {9, 6, 10}};
+  json text = document(camera_json(16, 16, 0.8, {0.5, 0.9, 0}, {0, 0, 0}),
+                       {mesh_json(vertices, triangles)}, {json{{"type", "sky"}, {"intensity", 1}}});
+  text["ambient"] = 0.5;
+  return text;
+}
+
+TEST(Light, that_is_seen_through_a_slit_is_found_by_many_samples) {
+  json text = room_with_slit();
+  const auto mean = [&](int samples) {
+    text["render"] = {{"samples", samples}, {"transfer", "linear"}};
+    const Image image = image_of(text);
+    double sum = 0;
+    for (const float value : image.values) sum += static_cast<double>(value);
+    return sum / static_cast<double>(image.values.size());
+  };
+  // All of the floor sees some of it, so that it has all of the ambient part in the end.
+  const double by_few = mean(16);
+  const double by_many = mean(1024);
+  EXPECT_GT(by_few, 0.1);
+  EXPECT_GT(by_many, 1.2 * by_few);
+  EXPECT_LT(by_many, 0.6);
+}
+
 }  // namespace
 }  // namespace raytracer::test
