@@ -115,6 +115,7 @@ std::vector<OpenJob> TaskRunner::jobs_in_order() {
   }
   std::stable_sort(due.begin(), due.end(), [](const Due& a, const Due& b) { return a.at < b.at; });
   std::vector<OpenJob> jobs;
+  jobs.reserve(due.size());
   for (Due& one : due) jobs.push_back(std::move(one.job));
   return jobs;
 }

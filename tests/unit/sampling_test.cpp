@@ -214,15 +214,14 @@ TEST(SubpixelObjects, are_those_smaller_than_a_pixel_until_samples_must_meet_the
 TEST(SubpixelObjects, hide_each_other) {
   const double pixel = width_of_pixel;
   constexpr std::size_t its_pixel = 13 * 32 + 18;
-  const auto before_each_other = [&](int count) {
-    std::vector<json> spheres;
-    for (int i = 0; i < count; ++i)
-      spheres.push_back(sphere_json({2.5 * pixel, 2.5 * pixel, 100 + 0.1 * i}, 0.3 * pixel));
-    return subpixel_among(spheres);
+  const auto in_one_place = [&](int count) {
+    return subpixel_among(
+        std::vector<json>(static_cast<std::size_t>(count),
+                          sphere_json({2.5 * pixel, 2.5 * pixel, 100}, 0.3 * pixel)));
   };
   // Each of twenty shows little of itself; but all of them cover no more than the pixel.
-  EXPECT_LT(before_each_other(20).error2(its_pixel, 1), before_each_other(1).error2(its_pixel, 1));
-  EXPECT_GT(before_each_other(20).error2(its_pixel, 16), 1e-6);
+  EXPECT_LT(in_one_place(20).error2(its_pixel, 1), in_one_place(1).error2(its_pixel, 1));
+  EXPECT_GT(in_one_place(20).error2(its_pixel, 16), 1e-6);
 }
 
 TEST(SubpixelObjects, are_missed_by_as_much_as_those_that_were_met_differ) {
