@@ -8,9 +8,8 @@
 //   648 contracts   the same scenes at 6 sizes and 4 targets: an earlier measurement
 //   19 scenes       a still earlier measurement, of which only the numbers are left
 //
-// With them `make tradeoff` keeps all of its targets (commit 08076b8). On scenes that nothing was
-// calibrated on, `make contracts SEED=20261123 SCENES=300` of commit bf92630, 887 of 900 targets
-// are kept, and 91.6 % of the estimates are within a factor 2 of the error.
+// With them `make tradeoff` keeps all of its targets (commit 08076b8). How many are kept on random
+// scenes, and how true the estimates are, is in tests/measure/contracts/README.md.
 //
 // Mitchell: "Consequences of Stratified Sampling in Graphics", SIGGRAPH 1996.
 #pragma once
