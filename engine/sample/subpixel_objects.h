@@ -8,7 +8,8 @@
 //
 // How much that light differs from what is around it, other pixels tell whose samples met some.
 //
-// Limits: kinds that tell their subpixel pieces; lattices do not.
+// Limits: kinds that tell their subpixel pieces; lattices do not. One contrast for all of an
+// image's: a few bright ones among many dim are told as dim.
 #pragma once
 
 #include <cstddef>
