@@ -56,47 +56,59 @@ HWY_INLINE M meet_open(D d, const SideHits<V, M>& side, V& t) {
   return hn::Or(outside, inside);
 }
 
-/// The same of rays that begin on a surface, perhaps of this solid.
-template <class D, AxialLanesOf<hn::Vec<D>> C, class Place, class Direction, class V = hn::Vec<D>,
-          class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_NOINLINE M intersect_open(D d, const C& c, const RayOrigin<V>& from, const V3<V>& direction,
-                              const Place& f, const Direction& g, V power, V& t) {
-  // A power that is less than the rounding of the place counts as none; of most it is far more.
-  const V reach = rounded_reach(c, f, from.point);
-  const V far_more =
-      hn::Mul(hn::Set(d, 16 * std::numeric_limits<T>::epsilon()), hn::Mul(reach, reach));
-  if (HWY_UNLIKELY(!hn::AllTrue(d, hn::Ge(hn::Abs(power), far_more))))
-    power = hn::IfThenZeroElse(hn::Lt(hn::Abs(power), power_noise(d, c, f, from.point)), power);
-  const auto crossings = crossings_of(d, c, f, g, power);
-  const M is_hit = meet_open(d, side_hits(d, c, f, g, crossings), t);
-  const M leaves = hn::Eq(from.id, c.id);
-  if (hn::AllFalse(d, leaves)) return is_hit;
-  V across;
-  const M meets_other = leave_side(d, c, from, direction, f, g, crossings, across);
-  t = hn::IfThenElse(leaves, across, t);
-  return hn::Or(hn::And(leaves, meets_other), hn::AndNot(leaves, is_hit));
+/// The power of places that are in the side, but for rounding: none. By value, so that whoever asks
+/// for it, which is rare, keeps its solids in registers.
+template <class D, AxialLanesOf<hn::Vec<D>> C, class Place, class V = hn::Vec<D>>
+HWY_NOINLINE V power_without_noise(D d, C c, const Place& f, const V3<V>& point, V power) {
+  return hn::IfThenZeroElse(hn::Lt(hn::Abs(power), power_noise(d, c, f, point)), power);
+}
+
+/// Lanes of rays that begin in the side of their own open solid and meet its other side, at t.
+template <class D, AxialLanesOf<hn::Vec<D>> C, class Place, class Direction, class Crossings,
+          class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_NOINLINE M meet_own_side(D d, C c, const RayOrigin<V>& from, const V3<V>& direction,
+                             const Place& f, const Direction& g, const Crossings& crossings, V& t) {
+  return leave_side(d, c, from, direction, f, g, crossings, t);
 }
 
 /// Lanes of `active` whose rays meet their solid, at t. No ray begins inside a closed one.
-template <class D, AxialLanesOf<hn::Vec<D>> C, class V = hn::Vec<D>, class M = hn::Mask<D>>
+template <class D, AxialLanesOf<hn::Vec<D>> C, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
 HWY_INLINE M intersect(D d, const C& c, const RayOrigin<V>& from, const V3<V>& direction, M active,
                        V& t) {
   const auto g = direction_along(c, direction);
   const auto f = place_along(c, from.point);
-  const V power = power_of(c, f);
   const M is_closed = hn::Gt(c.has_caps, hn::Zero(d));
   const M closed = hn::And(active, is_closed);
   const M open = hn::AndNot(is_closed, active);
+  const bool has_open = !hn::AllFalse(d, open);
+  V power = power_of(c, f);
+  if (has_open) {
+    // Of most places it is far more than its rounding.
+    const V reach = rounded_reach(c, f, from.point);
+    const V far_more =
+        hn::Mul(hn::Set(d, 16 * std::numeric_limits<T>::epsilon()), hn::Mul(reach, reach));
+    const M is_near = hn::And(open, hn::Lt(hn::Abs(power), far_more));
+    if (HWY_UNLIKELY(!hn::AllFalse(d, is_near)))
+      power = hn::IfThenElse(is_near, power_without_noise(d, C(c), f, from.point, power), power);
+  }
+  const auto crossings = crossings_of(d, c, f, g, power);
   M is_hit = hn::Lt(power, power);
   t = hn::Zero(d);
   if (HWY_LIKELY(!hn::AllFalse(d, closed))) {
-    const auto crossings = crossings_of(d, c, f, g, power);
     const M hits_closed = enter_closed(d, closed_chord(d, c, f, g, crossings), t);
     is_hit = hn::And(hn::AndNot(hn::Eq(from.id, c.id), hits_closed), closed);
   }
-  if (HWY_UNLIKELY(!hn::AllFalse(d, open))) {
+  if (has_open) {
     V t_open;
-    const M hits_open = hn::And(open, intersect_open(d, c, from, direction, f, g, power, t_open));
+    M hits_open = hn::And(open, meet_open(d, side_hits(d, c, f, g, crossings), t_open));
+    const M leaves = hn::And(open, hn::Eq(from.id, c.id));
+    if (HWY_UNLIKELY(!hn::AllFalse(d, leaves))) {
+      V across;
+      const M meets_other = meet_own_side(d, C(c), from, direction, f, g, crossings, across);
+      t_open = hn::IfThenElse(leaves, across, t_open);
+      hits_open = hn::Or(hn::And(leaves, meets_other), hn::AndNot(leaves, hits_open));
+    }
     t = hn::IfThenElse(open, t_open, t);
     is_hit = hn::Or(is_hit, hits_open);
   }
