@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "engine/parallel/chunks.h"
@@ -147,6 +148,7 @@ void PixelErrors::sum_up(std::size_t first, InversePower& inverse_power, Subtile
   // Column by column, which do not wait for each other.
   std::array<float, subtile_side> error2{};
   std::array<float, subtile_side> variance{};
+  std::array<float, subtile_side> variance2{};
   const int samples = samples_[first];
   bool are_alike = true;
   for (int y = 0; y < subtile_side; ++y)
@@ -154,18 +156,23 @@ void PixelErrors::sum_up(std::size_t first, InversePower& inverse_power, Subtile
       const std::size_t pixel = first + index(0, y) + x;
       error2[x] += spreads_.error2[pixel];
       variance[x] += variances_[pixel];
+      variance2[x] += variances_[pixel] * variances_[pixel];
       are_alike &= samples_[pixel] == samples;
     }
   sums.error2 = (error2[0] + error2[1]) + (error2[2] + error2[3]);
   sums.variance = (variance[0] + variance[1]) + (variance[2] + variance[3]);
-  sums.of_means = sums.variance * inverse_power(samples);
+  const float share = inverse_power(samples);
+  sums.of_means = sums.variance * share;
+  sums.of_means2 = ((variance2[0] + variance2[1]) + (variance2[2] + variance2[3])) * share * share;
   if (are_alike) return;
-  sums.variance = sums.of_means = 0;
+  sums.variance = sums.of_means = sums.of_means2 = 0;
   for (int y = 0; y < subtile_side; ++y)
     for (int x = 0; x < subtile_side; ++x) {
       const std::size_t pixel = first + index(x, y);
       if (samples_[pixel] == 0) continue;
-      sums.of_means += variances_[pixel] * inverse_power(samples_[pixel]);
+      const float of_mean = variances_[pixel] * inverse_power(samples_[pixel]);
+      sums.of_means += of_mean;
+      sums.of_means2 += of_mean * of_mean;
       sums.variance += variances_[pixel];
     }
 }
@@ -173,12 +180,16 @@ void PixelErrors::sum_up(std::size_t first, InversePower& inverse_power, Subtile
 float PixelErrors::rate_at(std::size_t place) const {
   float error2 = 0;
   float of_means = 0;
+  float of_means2 = 0;
   for (const std::size_t row : {place - stride_, place, place + stride_})
     for (const std::size_t at : {row - 1, row, row + 1}) {
       error2 += sums_[at].error2;
       of_means += sums_[at].of_means;
+      of_means2 += sums_[at].of_means2;
     }
-  return of_means > 0 ? error2 / of_means : 0;
+  if (!(of_means > 0)) return 0;
+  const float expected = Model::prior_edge_pixels * of_means2 / of_means;
+  return (error2 + expected) / (of_means + expected);
 }
 
 float PixelErrors::least_at(std::size_t place) const {
@@ -255,17 +266,21 @@ void PixelErrors::calibrate(const RefinementChange& change) {
   });
   double sum = 0;
   double squares = 0;
-  for (const double error2 : expected) {
-    sum += error2;
-    squares += error2 * error2;
+  double refined = 0;  // of what was expected before
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    sum += expected[i];
+    squares += expected[i] * expected[i];
+    refined += static_cast<double>(seen_[change.pixels[i]]);
   }
   if (!(squares > 0)) return;
+  const double share = refined > 0 ? std::min(refined / expected_error2(), 1.0) : 0;
   const double weight = sum * sum / squares;  // as many pixels of equal errors would say as much
   const double growth =
       (change.squares * weight / sum + Model::prior_pixels) / (weight + Model::prior_pixels);
-  multiplier_ = std::clamp(multiplier_ * std::max(growth, Model::least_multiplier_change),
-                           least_multiplier_, Model::most_multiplier);
-  unrefined_multiplier_ = Model::unrefined_multiplier;
+  const double believed =
+      share * growth + (1 - share) * std::max(growth, Model::least_multiplier_change);
+  multiplier_ = std::clamp(multiplier_ * believed, least_multiplier_, Model::most_multiplier);
+  unrefined_multiplier_ = std::pow(multiplier_, Model::unrefined_power);
 }
 
 float PixelErrors::unscaled(std::size_t subtile, std::size_t pixel,

@@ -9,12 +9,12 @@
 // A pixel's squared error is its error coefficient, that of one sample, over error_power() of its
 // samples. The coefficient grows with the variance of the samples; what a variance comes to is told
 // by half buffers (PixelSpread): for each subtile by those of the subtiles about it, because one
-// pixel's halves agree or differ by chance.
+// pixel's halves agree or differ by chance, and a few that err as edges do, because where an edge
+// passes many pixels alike, all of them agree or differ together.
 //
 // How much half buffers overstate, nobody knows beforehand (ErrorMultiplier). But a refinement
 // shows it of the pixels that it refines: what it changes is what they erred before it and after
-// it. Of those that it leaves it says nothing: some were left because their halves happened to
-// agree.
+// it. Of those that it leaves it says less: some were left because their halves happened to agree.
 //
 // Limits: what no sample met is in no difference; objects smaller than pixels are counted
 // (SubpixelObjects).
@@ -108,6 +108,7 @@ class PixelErrors {
     float pixels = 0;       ///< how many
     float variance = 0;     ///< of their samples
     float of_means = 0;     ///< the variance over error_power()
+    float of_means2 = 0;    ///< the squares of these
     float error2 = 0;       ///< by half buffers
     float coefficient = 0;  ///< the squared error of one sample
   };

@@ -20,6 +20,11 @@ constexpr int width = 37;  // no multiple of a block
 constexpr int height = 21;
 constexpr ErrorMultiplier multiplier{.initial = 1, .least = 0.4};
 
+/// What pixels of this variance err by if they err as edges do: no prior changes that.
+constexpr float variance = 0.2F;
+constexpr float of_4_samples = variance / 8;
+constexpr float of_16_samples = variance / 64;
+
 /// An image whose pixels all have 4 samples, which tell nothing but in some.
 class PixelErrorsTest : public testing::Test {
  protected:
@@ -35,10 +40,10 @@ class PixelErrorsTest : public testing::Test {
   }
 
   /// All pixels err alike.
-  PixelErrors even_errors(double initial) {
+  PixelErrors even_errors(double initial, double least = multiplier.least) {
     for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) tell(x, y, 0.01, 0.2);
-    PixelErrors errors(width, height, {initial, multiplier.least}, shown_, pool_);
+      for (int x = 0; x < width; ++x) tell(x, y, of_4_samples, variance);
+    PixelErrors errors(width, height, {initial, least}, shown_, pool_);
     errors.spreads() = spreads_;
     errors.set_all(4);
     errors.estimate();
@@ -58,11 +63,24 @@ TEST_F(PixelErrorsTest, are_none_where_samples_are_equal) {
 }
 
 TEST_F(PixelErrorsTest, are_the_halves_in_all) {
-  for (int x = 8; x < 28; ++x) tell(x, 9, 0.01, 0.2);
+  for (int x = 8; x < 28; ++x) tell(x, 9, of_4_samples, variance);
   double sum = 0;
   errors().for_each_error([&](std::size_t, double error2) { sum += error2; });
-  EXPECT_NEAR(sum, 20 * 0.01, 0.3 * 20 * 0.01) << "and a little for what is beside them";
+  EXPECT_NEAR(sum, 20 * of_4_samples, 0.3 * 20 * of_4_samples)
+      << "and a little for what is beside them";
   EXPECT_GT(errors_.error2(), sum) << "for its uncertainty";
+}
+
+/// An edge at 45 degrees passes all of its pixels alike: halves that agree there say so once.
+TEST_F(PixelErrorsTest, are_there_where_an_edge_splits_all_halves_evenly) {
+  for (int i = 4; i < 20; ++i) tell(i, i, 0, variance);
+  EXPECT_GT(errors().of_pixel(errors_.index(12, 12)), 0.02 * of_4_samples);
+}
+
+TEST_F(PixelErrorsTest, are_next_to_none_where_many_halves_agree) {
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) tell(x, y, 0, 1e-4);
+  EXPECT_LT(errors().of_pixel(errors_.index(12, 12)), 0.02 * 1e-4 / 8);
 }
 
 /// One pixel's halves agree by chance: its variance says that it has an error as the others.
@@ -118,18 +136,35 @@ TEST_F(PixelErrorsTest, are_none_beyond_the_rim) {
   EXPECT_GE(count, width + height - 1);
 }
 
-TEST_F(PixelErrorsTest, of_those_that_a_refinement_leaves_are_as_of_independent_halves) {
+/// Of those that it leaves luck may be a part.
+TEST_F(PixelErrorsTest, are_believed_to_fall_as_far_as_they_are_refined) {
+  for (const int columns : {18, width}) {
+    PixelErrors errors = even_errors(1, 0.1);
+    std::vector<std::uint32_t> pixels;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < columns; ++x)
+        pixels.push_back(static_cast<std::uint32_t>(errors.index(x, y)));
+    for (const std::uint32_t pixel : pixels) errors.set(pixel, 16, {of_16_samples, variance});
+    errors.estimate({pixels, 0});
+    const double share = columns / double{width};
+    const double growth = 100 / (100.0 + columns * height);  // what the prior says of no change
+    const double believed = share * growth + (1 - share) * 0.6;
+    EXPECT_NEAR(errors.of_pixel(errors.index(5, 9)) / of_16_samples, believed, 0.01) << columns;
+  }
+}
+
+TEST_F(PixelErrorsTest, of_those_that_a_refinement_leaves_are_half_way_to_independent_halves) {
   PixelErrors errors = even_errors(0.7);
   const std::size_t left = errors.index(5, 9);
-  EXPECT_NEAR(errors.of_pixel(left), 0.7 * 0.01, 1e-4);
+  EXPECT_NEAR(errors.of_pixel(left), 0.7 * of_4_samples, 1e-4);
   std::vector<std::uint32_t> pixels;
   for (int y = 0; y < height; ++y)
     for (int x = 12; x < width; ++x)
       pixels.push_back(static_cast<std::uint32_t>(errors.index(x, y)));
-  for (const std::uint32_t pixel : pixels) errors.set(pixel, 16, {0.00125F, 0.2F});
+  for (const std::uint32_t pixel : pixels) errors.set(pixel, 16, {of_16_samples, variance});
   errors.estimate({pixels, 0});
-  EXPECT_NEAR(errors.of_pixel(left), 0.01, 1e-4);
-  EXPECT_NEAR(errors.of_pixel(errors.index(20, 9)), 0.6 * 0.7 * 0.00125, 1e-5);
+  EXPECT_NEAR(errors.of_pixel(errors.index(20, 9)), multiplier.least * of_16_samples, 1e-5);
+  EXPECT_NEAR(errors.of_pixel(left), std::sqrt(multiplier.least) * of_4_samples, 1e-4);
 }
 
 TEST_F(PixelErrorsTest, are_corrected_alike_by_each_of_several_refinements) {
@@ -140,9 +175,11 @@ TEST_F(PixelErrorsTest, are_corrected_alike_by_each_of_several_refinements) {
     for (int y = 0; y < height; ++y)
       for (int x = x_begin; x < x_begin + width / 3; ++x)
         pixels.push_back(static_cast<std::uint32_t>(errors.index(x, y)));
-    for (const std::uint32_t pixel : pixels) errors.set(pixel, 16, {0.00125F, 0.2F});
-    errors.estimate({pixels, static_cast<double>(pixels.size()) * 0.7 * (0.01 + 0.00125)});
-    EXPECT_NEAR(errors.of_pixel(pixels.front()), 0.7 * 0.00125, 0.05 * 0.00125) << x_begin;
+    for (const std::uint32_t pixel : pixels) errors.set(pixel, 16, {of_16_samples, variance});
+    errors.estimate(
+        {pixels, static_cast<double>(pixels.size()) * 0.7 * (of_4_samples + of_16_samples)});
+    EXPECT_NEAR(errors.of_pixel(pixels.front()), 0.7 * of_16_samples, 0.05 * of_16_samples)
+        << x_begin;
   }
 }
 
@@ -150,7 +187,7 @@ TEST_F(PixelErrorsTest, are_what_a_refinement_changed) {
   std::vector<std::uint32_t> pixels;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      tell(x, y, 0.01, 0.2);
+      tell(x, y, of_4_samples, variance);
       pixels.push_back(static_cast<std::uint32_t>(spreads_.index(x, y)));
     }
   const auto refined_with_change = [&](double share, double least = multiplier.least) {
@@ -159,20 +196,20 @@ TEST_F(PixelErrorsTest, are_what_a_refinement_changed) {
     refined.set_all(4);
     refined.estimate();
     const double expected_before = refined.of_pixel(pixels[0]);
-    EXPECT_NEAR(expected_before, 0.01, 1e-4);
-    for (const std::uint32_t pixel : pixels) refined.set(pixel, 16, {0.00125F, 0.2F});
+    EXPECT_NEAR(expected_before, of_4_samples, 1e-4);
+    for (const std::uint32_t pixel : pixels) refined.set(pixel, 16, {of_16_samples, variance});
     PixelErrors alike = refined;
     alike.estimate();
     const double uncorrected = alike.of_pixel(pixels[0]);
     const double count = static_cast<double>(pixels.size());
-    refined.estimate({pixels, share * count * (0.01 + uncorrected)});
+    refined.estimate({pixels, share * count * (of_4_samples + uncorrected)});
     return refined.of_pixel(pixels[0]) / uncorrected;
   };
   EXPECT_NEAR(refined_with_change(1), 1, 0.01);
   EXPECT_NEAR(refined_with_change(2), 1.9, 0.1) << "as far as so many pixels are believed";
   EXPECT_NEAR(refined_with_change(0.8), 0.8, 0.05);
-  EXPECT_NEAR(refined_with_change(0), 0.6, 1e-6) << "luck may be a part of it";
-  EXPECT_NEAR(refined_with_change(0, 0.85), 0.85, 1e-6) << "less is not believed";
+  EXPECT_NEAR(refined_with_change(0), 0.4, 1e-6) << "less is not believed";
+  EXPECT_NEAR(refined_with_change(0, 0.85), 0.85, 1e-6) << "nor here";
   EXPECT_DOUBLE_EQ(refined_with_change(1000), 4);
 }
 
