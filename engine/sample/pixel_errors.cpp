@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "engine/parallel/chunks.h"
@@ -25,9 +24,7 @@ PixelErrors::PixelErrors(int width, int height, const ErrorMultiplier& multiplie
       columns_(blocks_along(width)),
       rows_(blocks_along(height)),
       stride_(subtiles_across * columns_ + 2),
-      unrefined_multiplier_(multiplier.initial),
-      multiplier_(multiplier.initial),
-      least_multiplier_(multiplier.least),
+      calibration_(multiplier),
       spreads_(width, height),
       samples_(spreads_.error2.size()),
       is_refined_(samples_.size()),
@@ -49,9 +46,20 @@ void PixelErrors::set_all(int samples) {
   sample_count_ = std::int64_t{samples} * width_ * height_;
   std::fill(guesses_.begin(), guesses_.end(), no_guess);
   std::fill(is_refined_.begin(), is_refined_.end(), char{});
+  calibration_.forget();
 }
 
 void PixelErrors::set(std::size_t pixel, int samples, const PixelSpread& spread) {
+  if (const double rate = rates_[subtile_of(pixel)].of_variance; rate > 0 && samples_[pixel] > 0) {
+    // The variance of n samples is less than that of all by what their mean errs.
+    const double power = error_power(samples_[pixel]);
+    const auto told = [&](float variance, double of_samples) {
+      return rate / power * static_cast<double>(variance) * (1 + 1 / of_samples);
+    };
+    calibration_.tell(
+        {told(spreads_.variance[pixel], power), told(spread.variance, error_power(samples))},
+        is_refined_[pixel] == 0);
+  }
   sample_count_ += samples - samples_[pixel];
   samples_[pixel] = samples;
   spreads_.set(pixel, spread);
@@ -251,36 +259,38 @@ void PixelErrors::sum_subtiles() {
 }
 
 void PixelErrors::calibrate(const RefinementChange& change) {
+  // All by one multiplier, as that is what the change corrects.
+  const double refined = calibration_.multiplier(true);
+  const double before = calibration_.lasting_share();
+  const double before_of_first = before * refined / calibration_.multiplier(false);
   std::vector<double> expected(change.pixels.size());
   for_each_range(expected.size(), pool_, [&](std::size_t begin, std::size_t end) {
     InversePower inverse_power;
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t pixel = change.pixels[i];
-      // All by one multiplier, as that is what the change corrects.
-      const double before = is_refined_[pixel] != 0 ? 1 : multiplier_ / unrefined_multiplier_;
+      const double share = is_refined_[pixel] != 0 ? before : before_of_first;
       is_refined_[pixel] = 1;
       const float after = unscaled(subtile_of(pixel), pixel, inverse_power);
-      expected[i] = before * static_cast<double>(seen_[pixel]) +
-                    shown(after, pixel, x_of(pixel), y_of(pixel));
+      expected[i] =
+          share * static_cast<double>(seen_[pixel]) + shown(after, pixel, x_of(pixel), y_of(pixel));
     }
   });
-  double sum = 0;
-  double squares = 0;
-  double refined = 0;  // of what was expected before
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    sum += expected[i];
-    squares += expected[i] * expected[i];
-    refined += static_cast<double>(seen_[change.pixels[i]]);
-  }
-  if (!(squares > 0)) return;
-  const double share = refined > 0 ? std::min(refined / expected_error2(), 1.0) : 0;
-  const double weight = sum * sum / squares;  // as many pixels of equal errors would say as much
-  const double growth =
-      (change.squares * weight / sum + Model::prior_pixels) / (weight + Model::prior_pixels);
-  const double believed =
-      share * growth + (1 - share) * std::max(growth, Model::least_multiplier_change);
-  multiplier_ = std::clamp(multiplier_ * believed, least_multiplier_, Model::most_multiplier);
-  unrefined_multiplier_ = std::pow(multiplier_, Model::unrefined_power);
+  calibration_.learn(expected, change.squares, unscaled_left());
+}
+
+double PixelErrors::unscaled_left() const {
+  std::vector<double> sums(rows_);
+  for_each_row([&](std::size_t row) {
+    InversePower inverse_power;
+    for_each_subtile(row, [&](std::size_t subtile, std::size_t, std::size_t first) {
+      if (!(rates_[subtile].of_variance > 0)) return;
+      for_each_pixel(first, [&](std::size_t pixel, int, int) {
+        if (is_refined_[pixel] == 0)
+          sums[row] += static_cast<double>(unscaled(subtile, pixel, inverse_power));
+      });
+    });
+  });
+  return sum_of(sums);
 }
 
 float PixelErrors::unscaled(std::size_t subtile, std::size_t pixel,

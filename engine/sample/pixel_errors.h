@@ -12,9 +12,7 @@
 // pixel's halves agree or differ by chance, and a few that err as edges do, because where an edge
 // passes many pixels alike, all of them agree or differ together.
 //
-// How much half buffers overstate, nobody knows beforehand (ErrorMultiplier). But a refinement
-// shows it of the pixels that it refines: what it changes is what they erred before it and after
-// it. Of those that it leaves it says less: some were left because their halves happened to agree.
+// The multiplier is learned from what refinements change (ErrorCalibration).
 //
 // Limits: what no sample met is in no difference; objects smaller than pixels are counted
 // (SubpixelObjects).
@@ -30,6 +28,7 @@
 #include "engine/image/tile.h"
 #include "engine/math/block.h"
 #include "engine/parallel/worker_pool.h"
+#include "engine/sample/error_calibration.h"
 #include "engine/sample/error_rules.h"
 #include "engine/sample/shown_error.h"
 #include "engine/sample/subpixel_objects.h"
@@ -128,7 +127,7 @@ class PixelErrors {
   float unscaled(std::size_t subtile, std::size_t pixel, InversePower& inverse_power) const;
   /// What that comes to where it is shown, with the multiplier.
   double shown(float unscaled, std::size_t pixel, int x, int y) const {
-    const double multiplier = is_refined_[pixel] != 0 ? multiplier_ : unrefined_multiplier_;
+    const double multiplier = calibration_.multiplier(is_refined_[pixel] != 0);
     return shown_(multiplier * static_cast<double>(unscaled), x, y);
   }
   bool may_err(std::size_t subtile) const {
@@ -139,6 +138,8 @@ class PixelErrors {
   /// From the sums of the subtiles around a place.
   float rate_at(std::size_t place) const;
   float least_at(std::size_t place) const;
+  /// The same of all pixels that were never refined.
+  double unscaled_left() const;
   /// Corrects the multiplier, by `seen_` of before.
   void calibrate(const RefinementChange& change);
   /// Sets `seen_` and `subtiles_`.
@@ -177,9 +178,7 @@ class PixelErrors {
   std::size_t columns_;  ///< of blocks
   std::size_t rows_;
   std::size_t stride_;  ///< of a row of `sums_`
-  double unrefined_multiplier_;
-  double multiplier_;  ///< of refined pixels
-  double least_multiplier_;
+  ErrorCalibration calibration_;
   PixelSpreads spreads_;
   std::vector<int> samples_;
   std::vector<char> is_refined_;

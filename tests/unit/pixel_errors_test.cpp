@@ -23,7 +23,10 @@ constexpr ErrorMultiplier multiplier{.initial = 1, .least = 0.4};
 /// What pixels of this variance err by if they err as edges do: no prior changes that.
 constexpr float variance = 0.2F;
 constexpr float of_4_samples = variance / 8;
-constexpr float of_16_samples = variance / 64;
+
+/// The same pixels with 16 samples: what the mean of 4 erred was missing in their variance.
+constexpr float variance_of_16 = variance * (1 + 1.0F / 8) / (1 + 1.0F / 64);
+constexpr float of_16_samples = variance_of_16 / 64;
 
 /// An image whose pixels all have 4 samples, which tell nothing but in some.
 class PixelErrorsTest : public testing::Test {
@@ -136,35 +139,23 @@ TEST_F(PixelErrorsTest, are_none_beyond_the_rim) {
   EXPECT_GE(count, width + height - 1);
 }
 
-/// Of those that it leaves luck may be a part.
-TEST_F(PixelErrorsTest, are_believed_to_fall_as_far_as_they_are_refined) {
-  for (const int columns : {18, width}) {
-    PixelErrors errors = even_errors(1, 0.1);
+TEST_F(PixelErrorsTest, of_those_that_a_refinement_leaves_are_more_if_the_others_had_luck) {
+  constexpr float luck = 0.8F;  // of what their variance told a fifth was
+  const auto error_left = [&](float lasting) {
+    PixelErrors errors = even_errors(0.7);
     std::vector<std::uint32_t> pixels;
     for (int y = 0; y < height; ++y)
-      for (int x = 0; x < columns; ++x)
+      for (int x = 12; x < width; ++x)
         pixels.push_back(static_cast<std::uint32_t>(errors.index(x, y)));
-    for (const std::uint32_t pixel : pixels) errors.set(pixel, 16, {of_16_samples, variance});
-    errors.estimate({pixels, 0});
-    const double share = columns / double{width};
-    const double growth = 100 / (100.0 + columns * height);  // what the prior says of no change
-    const double believed = share * growth + (1 - share) * 0.6;
-    EXPECT_NEAR(errors.of_pixel(errors.index(5, 9)) / of_16_samples, believed, 0.01) << columns;
-  }
-}
-
-TEST_F(PixelErrorsTest, of_those_that_a_refinement_leaves_are_half_way_to_independent_halves) {
-  PixelErrors errors = even_errors(0.7);
-  const std::size_t left = errors.index(5, 9);
-  EXPECT_NEAR(errors.of_pixel(left), 0.7 * of_4_samples, 1e-4);
-  std::vector<std::uint32_t> pixels;
-  for (int y = 0; y < height; ++y)
-    for (int x = 12; x < width; ++x)
-      pixels.push_back(static_cast<std::uint32_t>(errors.index(x, y)));
-  for (const std::uint32_t pixel : pixels) errors.set(pixel, 16, {of_16_samples, variance});
-  errors.estimate({pixels, 0});
-  EXPECT_NEAR(errors.of_pixel(errors.index(20, 9)), multiplier.least * of_16_samples, 1e-5);
-  EXPECT_NEAR(errors.of_pixel(left), std::sqrt(multiplier.least) * of_4_samples, 1e-4);
+    for (const std::uint32_t pixel : pixels)
+      errors.set(pixel, 16, {lasting * of_16_samples, lasting * variance_of_16});
+    const double change = lasting * (of_4_samples + of_16_samples);
+    errors.estimate({pixels, 0.7 * change * static_cast<double>(pixels.size())});
+    EXPECT_NEAR(errors.of_pixel(errors.index(20, 9)), 0.7 * lasting * of_16_samples, 1e-5);
+    return errors.of_pixel(errors.index(5, 9));
+  };
+  EXPECT_NEAR(error_left(1), 0.7 * of_4_samples, 2e-4);
+  EXPECT_NEAR(error_left(luck), 0.7 * of_4_samples * (1 + 0.2 * 25 / 12), 2e-3);
 }
 
 TEST_F(PixelErrorsTest, are_corrected_alike_by_each_of_several_refinements) {
@@ -175,7 +166,7 @@ TEST_F(PixelErrorsTest, are_corrected_alike_by_each_of_several_refinements) {
     for (int y = 0; y < height; ++y)
       for (int x = x_begin; x < x_begin + width / 3; ++x)
         pixels.push_back(static_cast<std::uint32_t>(errors.index(x, y)));
-    for (const std::uint32_t pixel : pixels) errors.set(pixel, 16, {of_16_samples, variance});
+    for (const std::uint32_t pixel : pixels) errors.set(pixel, 16, {of_16_samples, variance_of_16});
     errors.estimate(
         {pixels, static_cast<double>(pixels.size()) * 0.7 * (of_4_samples + of_16_samples)});
     EXPECT_NEAR(errors.of_pixel(pixels.front()), 0.7 * of_16_samples, 0.05 * of_16_samples)
@@ -197,7 +188,8 @@ TEST_F(PixelErrorsTest, are_what_a_refinement_changed) {
     refined.estimate();
     const double expected_before = refined.of_pixel(pixels[0]);
     EXPECT_NEAR(expected_before, of_4_samples, 1e-4);
-    for (const std::uint32_t pixel : pixels) refined.set(pixel, 16, {of_16_samples, variance});
+    for (const std::uint32_t pixel : pixels)
+      refined.set(pixel, 16, {of_16_samples, variance_of_16});
     PixelErrors alike = refined;
     alike.estimate();
     const double uncorrected = alike.of_pixel(pixels[0]);

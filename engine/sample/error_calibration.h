@@ -1,0 +1,56 @@
+// How far half buffers overstate errors: nobody knows beforehand, refinements tell.
+//
+// What a refinement changes is what its pixels erred before it and after it. But they were chosen
+// for what their samples told, of which a part was luck: what new samples tell of the same is less.
+// As much as these had too much, those that were left have too little, as all together were told
+// rightly on average.
+#pragma once
+
+#include <span>
+
+#include "engine/sample/error_rules.h"
+
+namespace raytracer {
+
+/// What the variance of a pixel's samples told of its squared error in linear light, and what that
+/// of more samples tells of the same.
+struct ToldError {
+  double before = 0;
+  double after = 0;
+
+  ToldError& operator+=(const ToldError& other) {
+    before += other.before;
+    after += other.after;
+    return *this;
+  }
+};
+
+class ErrorCalibration {
+ public:
+  explicit ErrorCalibration(const ErrorMultiplier& multiplier);
+
+  /// Of pixels that were refined, or have never been.
+  double multiplier(bool is_refined) const { return is_refined ? refined_ : left_; }
+
+  /// One more pixel is being refined, for the first time or again.
+  void tell(const ToldError& told, bool is_first);
+  /// The share of what was expected of the pixels being refined that was no luck, at most 1.
+  double lasting_share() const;
+  /// Ends a refinement. For each of its pixels the squared errors, before it and after it together,
+  /// that refined ones were `expected` to have by the multiplier, without the luck; the sum of the
+  /// squared differences that it made; and what all pixels that were never refined err in linear
+  /// light, without a multiplier.
+  void learn(std::span<const double> expected, double change2, double left_error2);
+
+  /// None was ever refined.
+  void forget() { now_ = ever_ = {}; }
+
+ private:
+  double refined_;
+  double left_;
+  double least_;
+  ToldError now_{};   ///< of the pixels being refined
+  ToldError ever_{};  ///< of all pixels, when they were first refined
+};
+
+}  // namespace raytracer
