@@ -176,7 +176,7 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
     });
   });
   for_each_done([&](std::uint32_t pixel, int samples, const SampledPixel& by) {
-    errors_.set(pixel, samples, by.spread);
+    errors_.refine(pixel, samples, by.spread);
     tracing_.beyond.not_numbers += by.is_number ? 0 : 1;
   });
   errors_.estimate({changed, change2});

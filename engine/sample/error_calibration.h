@@ -34,16 +34,15 @@ class ErrorCalibration {
 
   /// One more pixel is being refined, for the first time or again.
   void tell(const ToldError& told, bool is_first);
-  /// The share of what was expected of the pixels being refined that was no luck, at most 1.
-  double lasting_share() const;
-  /// Ends a refinement. For each of its pixels the squared errors, before it and after it together,
-  /// that refined ones were `expected` to have by the multiplier, without the luck; the sum of the
-  /// squared differences that it made; and what all pixels that were never refined err in linear
-  /// light, without a multiplier.
-  void learn(std::span<const double> expected, double change2, double left_error2);
+  /// Ends a refinement. By the multiplier of refined ones its pixels had these squared errors
+  /// `before` it and have these `after` it, one each; then the sum of the squared differences that
+  /// it made, and what all pixels that were never refined err in linear light, without a
+  /// multiplier.
+  void learn(std::span<const double> before, std::span<const double> after, double change2,
+             double left_error2);
 
   /// None was ever refined.
-  void forget() { now_ = ever_ = {}; }
+  void forget();
 
  private:
   double refined_;

@@ -50,19 +50,24 @@ void PixelErrors::set_all(int samples) {
 }
 
 void PixelErrors::set(std::size_t pixel, int samples, const PixelSpread& spread) {
-  if (const double rate = rates_[subtile_of(pixel)].of_variance; rate > 0 && samples_[pixel] > 0) {
-    // The variance of n samples is less than that of all by what their mean errs.
-    const double power = error_power(samples_[pixel]);
-    const auto told = [&](float variance, double of_samples) {
-      return rate / power * static_cast<double>(variance) * (1 + 1 / of_samples);
-    };
-    calibration_.tell(
-        {told(spreads_.variance[pixel], power), told(spread.variance, error_power(samples))},
-        is_refined_[pixel] == 0);
-  }
   sample_count_ += samples - samples_[pixel];
   samples_[pixel] = samples;
   spreads_.set(pixel, spread);
+}
+
+void PixelErrors::refine(std::size_t pixel, int samples, const PixelSpread& spread) {
+  if (const double rate = rates_[subtile_of(pixel)].of_variance; rate > 0) {
+    const double power = error_power(samples_[pixel]);
+    // The variance of samples is less than that of all by what their mean errs.
+    const double mean_rate = calibration_.multiplier(true) * rate;
+    const auto told = [&](float variance, double of_samples) {
+      return rate / power * static_cast<double>(variance) * (1 + mean_rate / of_samples);
+    };
+    calibration_.tell({.before = told(spreads_.variance[pixel], power),
+                       .after = told(spread.variance, error_power(samples))},
+                      is_refined_[pixel] == 0);
+  }
+  set(pixel, samples, spread);
 }
 
 void PixelErrors::set_guess(std::size_t subtile, double error2) {
@@ -197,7 +202,7 @@ float PixelErrors::rate_at(std::size_t place) const {
     }
   if (!(of_means > 0)) return 0;
   const float expected = Model::prior_edge_pixels * of_means2 / of_means;
-  return (error2 + expected) / (of_means + expected);
+  return std::max(error2 / of_means, (error2 + expected) / (of_means + expected));
 }
 
 float PixelErrors::least_at(std::size_t place) const {
@@ -260,35 +265,35 @@ void PixelErrors::sum_subtiles() {
 
 void PixelErrors::calibrate(const RefinementChange& change) {
   // All by one multiplier, as that is what the change corrects.
-  const double refined = calibration_.multiplier(true);
-  const double before = calibration_.lasting_share();
-  const double before_of_first = before * refined / calibration_.multiplier(false);
-  std::vector<double> expected(change.pixels.size());
-  for_each_range(expected.size(), pool_, [&](std::size_t begin, std::size_t end) {
+  const double of_left = calibration_.multiplier(true) / calibration_.multiplier(false);
+  std::vector<double> before(change.pixels.size());
+  std::vector<double> after(change.pixels.size());
+  for_each_range(change.pixels.size(), pool_, [&](std::size_t begin, std::size_t end) {
     InversePower inverse_power;
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t pixel = change.pixels[i];
-      const double share = is_refined_[pixel] != 0 ? before : before_of_first;
+      before[i] = (is_refined_[pixel] != 0 ? 1 : of_left) * static_cast<double>(seen_[pixel]);
       is_refined_[pixel] = 1;
-      const float after = unscaled(subtile_of(pixel), pixel, inverse_power);
-      expected[i] =
-          share * static_cast<double>(seen_[pixel]) + shown(after, pixel, x_of(pixel), y_of(pixel));
+      after[i] =
+          shown(unscaled(subtile_of(pixel), pixel, inverse_power), pixel, x_of(pixel), y_of(pixel));
     }
   });
-  calibration_.learn(expected, change.squares, unscaled_left());
+  calibration_.learn(before, after, change.squares, unscaled_left());
 }
 
 double PixelErrors::unscaled_left() const {
   std::vector<double> sums(rows_);
   for_each_row([&](std::size_t row) {
     InversePower inverse_power;
+    double sum = 0;
     for_each_subtile(row, [&](std::size_t subtile, std::size_t, std::size_t first) {
-      if (!(rates_[subtile].of_variance > 0)) return;
+      if (!may_err(subtile)) return;
       for_each_pixel(first, [&](std::size_t pixel, int, int) {
         if (is_refined_[pixel] == 0)
-          sums[row] += static_cast<double>(unscaled(subtile, pixel, inverse_power));
+          sum += static_cast<double>(unscaled(subtile, pixel, inverse_power));
       });
     });
+    sums[row] = sum;
   });
   return sum_of(sums);
 }

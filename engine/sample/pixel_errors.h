@@ -55,6 +55,8 @@ class PixelErrors {
   void set_all(int samples);
   /// A pixel has so many samples, at least 1, which tell this.
   void set(std::size_t pixel, int samples, const PixelSpread& spread);
+  /// The same of one that was chosen for what its samples told, of which luck may be a part.
+  void refine(std::size_t pixel, int samples, const PixelSpread& spread);
   /// The pixels of a subtile have one sample each, or one for all, and together probably this
   /// squared error. So it stays until forget_guesses() or set_all().
   void set_guess(std::size_t subtile, double error2);
@@ -138,7 +140,7 @@ class PixelErrors {
   /// From the sums of the subtiles around a place.
   float rate_at(std::size_t place) const;
   float least_at(std::size_t place) const;
-  /// The same of all pixels that were never refined.
+  /// The sum of unscaled() over all pixels that were never refined.
   double unscaled_left() const;
   /// Corrects the multiplier, by `seen_` of before.
   void calibrate(const RefinementChange& change);

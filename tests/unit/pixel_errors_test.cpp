@@ -24,9 +24,12 @@ constexpr ErrorMultiplier multiplier{.initial = 1, .least = 0.4};
 constexpr float variance = 0.2F;
 constexpr float of_4_samples = variance / 8;
 
-/// The same pixels with 16 samples: what the mean of 4 erred was missing in their variance.
-constexpr float variance_of_16 = variance * (1 + 1.0F / 8) / (1 + 1.0F / 64);
-constexpr float of_16_samples = variance_of_16 / 64;
+/// The same pixels with 16 samples: what the mean of 4 erred, by a multiplier of 0.7, was missing
+/// in their variance.
+constexpr PixelSpread with_16_samples(double multiplier, float share = 1) {
+  const auto more = static_cast<float>((1 + multiplier / 8) / (1 + multiplier / 64));
+  return {share * more * variance / 64, share * more * variance};
+}
 
 /// An image whose pixels all have 4 samples, which tell nothing but in some.
 class PixelErrorsTest : public testing::Test {
@@ -72,6 +75,34 @@ TEST_F(PixelErrorsTest, are_the_halves_in_all) {
   EXPECT_NEAR(sum, 20 * of_4_samples, 0.3 * 20 * of_4_samples)
       << "and a little for what is beside them";
   EXPECT_GT(errors_.error2(), sum) << "for its uncertainty";
+}
+
+/// As soon as halves differ by more than edges do, they are believed.
+TEST_F(PixelErrorsTest, are_the_halves_of_a_single_pixel_if_they_are_more) {
+  tell(12, 9, 0.5 * variance, variance);
+  // Of it and the eight beside it, which count a fifth.
+  const double of_pixel = 0.5 * variance / (1 + 8 * 0.2);
+  EXPECT_NEAR(errors().of_pixel(errors_.index(12, 9)), of_pixel, 0.01 * of_pixel);
+}
+
+/// Others are all set, which is no refinement: none of them was chosen for its luck.
+TEST_F(PixelErrorsTest, learn_no_luck_of_pixels_that_were_not_chosen) {
+  PixelErrors all = even_errors(0.7);
+  PixelErrors twice = even_errors(0.7);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      twice.set(twice.index(x, y), 4, {0, 2 * variance});
+      twice.set(twice.index(x, y), 4, {of_4_samples, variance});
+    }
+  twice.estimate();
+  std::vector<std::uint32_t> pixels;
+  for (int x = 0; x < width; ++x) pixels.push_back(static_cast<std::uint32_t>(all.index(x, 9)));
+  for (PixelErrors* const errors : {&all, &twice}) {
+    for (const std::uint32_t pixel : pixels) errors->refine(pixel, 16, with_16_samples(0.7, 0.5F));
+    errors->estimate({pixels, 0.1});
+  }
+  EXPECT_EQ(twice.of_pixel(all.index(5, 4)), all.of_pixel(all.index(5, 4)));
+  EXPECT_EQ(twice.of_pixel(pixels[5]), all.of_pixel(pixels[5]));
 }
 
 /// An edge at 45 degrees passes all of its pixels alike: halves that agree there say so once.
@@ -148,10 +179,11 @@ TEST_F(PixelErrorsTest, of_those_that_a_refinement_leaves_are_more_if_the_others
       for (int x = 12; x < width; ++x)
         pixels.push_back(static_cast<std::uint32_t>(errors.index(x, y)));
     for (const std::uint32_t pixel : pixels)
-      errors.set(pixel, 16, {lasting * of_16_samples, lasting * variance_of_16});
-    const double change = lasting * (of_4_samples + of_16_samples);
+      errors.refine(pixel, 16, with_16_samples(0.7, lasting));
+    const double of_16_samples = static_cast<double>(with_16_samples(0.7, lasting).error2);
+    const double change = lasting * of_4_samples + of_16_samples;
     errors.estimate({pixels, 0.7 * change * static_cast<double>(pixels.size())});
-    EXPECT_NEAR(errors.of_pixel(errors.index(20, 9)), 0.7 * lasting * of_16_samples, 1e-5);
+    EXPECT_NEAR(errors.of_pixel(errors.index(20, 9)), 0.7 * of_16_samples, 1e-5);
     return errors.of_pixel(errors.index(5, 9));
   };
   EXPECT_NEAR(error_left(1), 0.7 * of_4_samples, 2e-4);
@@ -161,12 +193,13 @@ TEST_F(PixelErrorsTest, of_those_that_a_refinement_leaves_are_more_if_the_others
 TEST_F(PixelErrorsTest, are_corrected_alike_by_each_of_several_refinements) {
   PixelErrors errors = even_errors(0.7);
   // What they change is what they err by the multiplier that there is.
+  const double of_16_samples = static_cast<double>(with_16_samples(0.7).error2);
   for (const int x_begin : {0, width / 3, 2 * width / 3}) {
     std::vector<std::uint32_t> pixels;
     for (int y = 0; y < height; ++y)
       for (int x = x_begin; x < x_begin + width / 3; ++x)
         pixels.push_back(static_cast<std::uint32_t>(errors.index(x, y)));
-    for (const std::uint32_t pixel : pixels) errors.set(pixel, 16, {of_16_samples, variance_of_16});
+    for (const std::uint32_t pixel : pixels) errors.refine(pixel, 16, with_16_samples(0.7));
     errors.estimate(
         {pixels, static_cast<double>(pixels.size()) * 0.7 * (of_4_samples + of_16_samples)});
     EXPECT_NEAR(errors.of_pixel(pixels.front()), 0.7 * of_16_samples, 0.05 * of_16_samples)
@@ -189,7 +222,7 @@ TEST_F(PixelErrorsTest, are_what_a_refinement_changed) {
     const double expected_before = refined.of_pixel(pixels[0]);
     EXPECT_NEAR(expected_before, of_4_samples, 1e-4);
     for (const std::uint32_t pixel : pixels)
-      refined.set(pixel, 16, {of_16_samples, variance_of_16});
+      refined.refine(pixel, 16, with_16_samples(multiplier.initial));
     PixelErrors alike = refined;
     alike.estimate();
     const double uncorrected = alike.of_pixel(pixels[0]);
