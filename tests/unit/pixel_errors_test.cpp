@@ -96,6 +96,7 @@ TEST_F(PixelErrorsTest, learn_no_luck_of_pixels_that_were_not_chosen) {
     }
   twice.estimate();
   std::vector<std::uint32_t> pixels;
+  pixels.reserve(width);
   for (int x = 0; x < width; ++x) pixels.push_back(static_cast<std::uint32_t>(all.index(x, 9)));
   for (PixelErrors* const errors : {&all, &twice}) {
     for (const std::uint32_t pixel : pixels) errors->refine(pixel, 16, with_16_samples(0.7, 0.5F));
