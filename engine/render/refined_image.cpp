@@ -165,9 +165,6 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
         for (std::size_t k = tasks[i].begin; k < tasks[i].end; ++k)
           visit(pixels[k].pixel, pixels[k].samples, sampled[k]);
   };
-  std::vector<std::uint32_t> changed;
-  changed.reserve(pixels.size());
-  for_each_done([&](std::uint32_t pixel, int, const SampledPixel&) { changed.push_back(pixel); });
   double change2 = 0;
   shown_.change([&](Image& image) {
     for_each_done([&](std::uint32_t pixel, int, const SampledPixel& by) {
@@ -179,7 +176,7 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
     errors_.refine(pixel, samples, by.spread);
     tracing_.beyond.not_numbers += by.is_number ? 0 : 1;
   });
-  errors_.estimate({changed, change2});
+  errors_.estimate(change2);
   after_ms_ = tracing_.watch.elapsed_ms() - last_sample_ms_;
   return is_all_done(is_done);
 }

@@ -56,18 +56,16 @@ void PixelErrors::set(std::size_t pixel, int samples, const PixelSpread& spread)
 }
 
 void PixelErrors::refine(std::size_t pixel, int samples, const PixelSpread& spread) {
-  if (const double rate = rates_[subtile_of(pixel)].of_variance; rate > 0) {
-    const double power = error_power(samples_[pixel]);
-    // The variance of samples is less than that of all by what their mean errs.
-    const double mean_rate = calibration_.multiplier(true) * rate;
-    const auto told = [&](float variance, double of_samples) {
-      return rate / power * static_cast<double>(variance) * (1 + mean_rate / of_samples);
-    };
-    calibration_.tell({.before = told(spreads_.variance[pixel], power),
-                       .after = told(spread.variance, error_power(samples))},
-                      is_refined_[pixel] == 0);
-  }
+  const double rate = rates_[subtile_of(pixel)].of_variance;
+  refining_.push_back({.pixel = pixel, .rate = rate, .power = error_power(samples_[pixel])});
+  refining_.back().before = told(refining_.back(), refining_.back().power);
   set(pixel, samples, spread);
+}
+
+double PixelErrors::told(const Refining& refining, double power) const {
+  // The variance of samples is less than that of all by what their mean errs.
+  return refining.rate / refining.power * static_cast<double>(variances_[refining.pixel]) *
+         (1 + calibration_.multiplier(true) * refining.rate / power);
 }
 
 void PixelErrors::set_guess(std::size_t subtile, double error2) {
@@ -217,7 +215,7 @@ float PixelErrors::least_at(std::size_t place) const {
   return pixels > 0 ? Model::subtile_neighbour_share * coefficient / pixels : 0;
 }
 
-void PixelErrors::estimate(const RefinementChange& change) {
+void PixelErrors::estimate(double change2) {
   for_each_row([this](std::size_t row) {
     const std::vector<char> has_variance = find_variances(row);
     for (std::size_t column = 0; column < columns_; ++column)
@@ -241,7 +239,7 @@ void PixelErrors::estimate(const RefinementChange& change) {
       rates_[subtile].least = least_at(place);
     });
   });
-  if (!change.pixels.empty()) calibrate(change);
+  if (!refining_.empty()) calibrate(change2);
   sum_subtiles();
 }
 
@@ -263,22 +261,28 @@ void PixelErrors::sum_subtiles() {
   use_guesses();
 }
 
-void PixelErrors::calibrate(const RefinementChange& change) {
+void PixelErrors::calibrate(double change2) {
   // All by one multiplier, as that is what the change corrects.
   const double of_left = calibration_.multiplier(true) / calibration_.multiplier(false);
-  std::vector<double> before(change.pixels.size());
-  std::vector<double> after(change.pixels.size());
-  for_each_range(change.pixels.size(), pool_, [&](std::size_t begin, std::size_t end) {
+  std::vector<double> before(refining_.size());
+  std::vector<double> after(refining_.size());
+  for (const Refining& refining : refining_) {
+    const double power = error_power(samples_[refining.pixel]);
+    calibration_.tell({.before = refining.before, .after = told(refining, power)},
+                      is_refined_[refining.pixel] == 0);
+  }
+  for_each_range(refining_.size(), pool_, [&](std::size_t begin, std::size_t end) {
     InversePower inverse_power;
     for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t pixel = change.pixels[i];
+      const std::size_t pixel = refining_[i].pixel;
       before[i] = (is_refined_[pixel] != 0 ? 1 : of_left) * static_cast<double>(seen_[pixel]);
       is_refined_[pixel] = 1;
       after[i] =
           shown(unscaled(subtile_of(pixel), pixel, inverse_power), pixel, x_of(pixel), y_of(pixel));
     }
   });
-  calibration_.learn(before, after, change.squares, unscaled_left());
+  refining_.clear();
+  calibration_.learn(before, after, change2, unscaled_left());
 }
 
 double PixelErrors::unscaled_left() const {

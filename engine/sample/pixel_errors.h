@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "engine/image/pixel_spreads.h"
@@ -34,12 +33,6 @@
 #include "engine/sample/subpixel_objects.h"
 
 namespace raytracer {
-
-/// What a refinement of these pixels has changed.
-struct RefinementChange {
-  std::span<const std::uint32_t> pixels{};
-  double squares = 0;  ///< the sum of the squared differences of their values
-};
 
 /// Pixels are numbered as those of PixelSpreads, subtiles as those of SubtileErrors; those beyond
 /// the image's rim have no error.
@@ -66,9 +59,9 @@ class PixelErrors {
   /// These objects may be missed. All pixels have so many samples, and estimate() was called.
   void set_subpixel(SubpixelObjects objects, int samples);
 
-  /// Takes all in, and what a refinement has changed, if there was one. To be called before
-  /// anything is asked.
-  void estimate(const RefinementChange& change = {});
+  /// Takes all in, and learns from the pixels that were refined, if any were: what all their
+  /// values changed by, squared, sums up to `change2`. To be called before anything is asked.
+  void estimate(double change2 = 0);
 
   std::size_t index(int x, int y) const { return spreads_.index(x, y); }
   int x_of(std::size_t pixel) const;
@@ -120,7 +113,17 @@ class PixelErrors {
     float least = 0;        ///< likewise, without any variance
   };
 
+  /// A pixel that is being refined: what was told of it before.
+  struct Refining {
+    std::size_t pixel = 0;
+    double rate = 0;
+    double power = 1;   ///< error_power() of its samples
+    double before = 0;  ///< told()
+  };
+
   std::size_t subtile_of(std::size_t pixel) const;
+  /// What its variance, of samples with this power, tells of the squared error that it had.
+  double told(const Refining& refining, double power) const;
   /// Which blocks of a row have a variance in or beside them, with a rim.
   std::vector<char> find_variances(std::size_t row) const;
   /// Sets `variances_` in a block.
@@ -142,8 +145,8 @@ class PixelErrors {
   float least_at(std::size_t place) const;
   /// The sum of unscaled() over all pixels that were never refined.
   double unscaled_left() const;
-  /// Corrects the multiplier, by `seen_` of before.
-  void calibrate(const RefinementChange& change);
+  /// Corrects the multipliers by what was refined, and `seen_` of before.
+  void calibrate(double change2);
   /// Sets `seen_` and `subtiles_`.
   void sum_subtiles();
 
@@ -184,6 +187,7 @@ class PixelErrors {
   PixelSpreads spreads_;
   std::vector<int> samples_;
   std::vector<char> is_refined_;
+  std::vector<Refining> refining_{};
   std::int64_t sample_count_ = 0;  ///< of all pixels
   std::vector<float> variances_;   ///< those that count
   std::vector<float> seen_;        ///< squared errors at the last estimate(), without what

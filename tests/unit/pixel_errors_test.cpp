@@ -100,7 +100,7 @@ TEST_F(PixelErrorsTest, learn_no_luck_of_pixels_that_were_not_chosen) {
   for (int x = 0; x < width; ++x) pixels.push_back(static_cast<std::uint32_t>(all.index(x, 9)));
   for (PixelErrors* const errors : {&all, &twice}) {
     for (const std::uint32_t pixel : pixels) errors->refine(pixel, 16, with_16_samples(0.7, 0.5F));
-    errors->estimate({pixels, 0.1});
+    errors->estimate(0.1);
   }
   EXPECT_EQ(twice.of_pixel(all.index(5, 4)), all.of_pixel(all.index(5, 4)));
   EXPECT_EQ(twice.of_pixel(pixels[5]), all.of_pixel(pixels[5]));
@@ -183,7 +183,7 @@ TEST_F(PixelErrorsTest, of_those_that_a_refinement_leaves_are_more_if_the_others
       errors.refine(pixel, 16, with_16_samples(0.7, lasting));
     const double of_16_samples = static_cast<double>(with_16_samples(0.7, lasting).error2);
     const double change = lasting * of_4_samples + of_16_samples;
-    errors.estimate({pixels, 0.7 * change * static_cast<double>(pixels.size())});
+    errors.estimate(0.7 * change * static_cast<double>(pixels.size()));
     EXPECT_NEAR(errors.of_pixel(errors.index(20, 9)), 0.7 * of_16_samples, 1e-5);
     return errors.of_pixel(errors.index(5, 9));
   };
@@ -201,8 +201,7 @@ TEST_F(PixelErrorsTest, are_corrected_alike_by_each_of_several_refinements) {
       for (int x = x_begin; x < x_begin + width / 3; ++x)
         pixels.push_back(static_cast<std::uint32_t>(errors.index(x, y)));
     for (const std::uint32_t pixel : pixels) errors.refine(pixel, 16, with_16_samples(0.7));
-    errors.estimate(
-        {pixels, static_cast<double>(pixels.size()) * 0.7 * (of_4_samples + of_16_samples)});
+    errors.estimate(static_cast<double>(pixels.size()) * 0.7 * (of_4_samples + of_16_samples));
     EXPECT_NEAR(errors.of_pixel(pixels.front()), 0.7 * of_16_samples, 0.05 * of_16_samples)
         << x_begin;
   }
@@ -222,13 +221,15 @@ TEST_F(PixelErrorsTest, are_what_a_refinement_changed) {
     refined.estimate();
     const double expected_before = refined.of_pixel(pixels[0]);
     EXPECT_NEAR(expected_before, of_4_samples, 1e-4);
-    for (const std::uint32_t pixel : pixels)
-      refined.refine(pixel, 16, with_16_samples(multiplier.initial));
     PixelErrors alike = refined;
+    for (const std::uint32_t pixel : pixels) {
+      alike.set(pixel, 16, with_16_samples(multiplier.initial));
+      refined.refine(pixel, 16, with_16_samples(multiplier.initial));
+    }
     alike.estimate();
     const double uncorrected = alike.of_pixel(pixels[0]);
     const double count = static_cast<double>(pixels.size());
-    refined.estimate({pixels, share * count * (of_4_samples + uncorrected)});
+    refined.estimate(share * count * (of_4_samples + uncorrected));
     return refined.of_pixel(pixels[0]) / uncorrected;
   };
   EXPECT_NEAR(refined_with_change(1), 1, 0.01);
