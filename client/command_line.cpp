@@ -80,7 +80,7 @@ void add_accuracy_options(CLI::App& command, Overrides& overrides) {
       add_override<int>(command, overrides, "--samples", "N", "Samples per pixel")
           ->check(refuse_unless_whole(1));
   CLI::Option* const target = add_override<double>(command, overrides, "--target-rmse", "X",
-                                                   "Refine until the estimated RMSE is at most X")
+                                                   "Refine until the RMSE is most likely at most X")
                                   ->check(refuse_unless_positive);
   CLI::Option* const budget = add_override<double>(command, overrides, "--budget-ms", "T",
                                                    "Refine for at most T milliseconds of tracing")

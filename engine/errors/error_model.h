@@ -8,8 +8,8 @@
 //   648 contracts   the same scenes at 6 sizes and 4 targets: an earlier measurement
 //   19 scenes       a still earlier measurement, of which only the numbers are left
 //
-// With them `make tradeoff` keeps all of its targets (commit 08076b8). How many are kept on random
-// scenes, and how true the estimates are, is in tests/measure/contracts/README.md.
+// `make tradeoff` kept all of its targets at commit 08076b8. How many are kept on random scenes
+// since, and how true the estimates are, is in tests/measure/contracts/README.md.
 //
 // Mitchell: "Consequences of Stratified Sampling in Graphics", SIGGRAPH 1996.
 #pragma once
@@ -37,9 +37,10 @@ struct SampleErrorModel {
   /// 316 estimates are true within a factor of 2, and all targets kept. It was 0.4 before, and
   /// pixels that a refinement left were taken at 1: 281 and 313.
   static constexpr double least_multiplier = 0.1;
-  /// Where objects are smaller than pixels. Calibrated on 648 contracts: 0.5 misses one.
+  /// Where objects are smaller than pixels. Calibrated on 648 contracts, when it could fall by 0.6
+  /// at once at most: 0.5 missed one.
   static constexpr double least_subpixel_multiplier = 0.65;
-  /// Chosen: twice what was ever seen.
+  /// Chosen: twice what refinements ever showed; those left are taken at no more either.
   static constexpr double most_multiplier = 4;
   /// As many refined pixels count as much as the multiplier before them. Chosen: fewer say little.
   static constexpr double prior_pixels = 100;

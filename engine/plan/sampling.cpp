@@ -29,10 +29,12 @@ std::string why_contract(const RenderSettings& settings, std::optional<double> r
       "the difference of their half buffers demand";
   const std::string until =
       settings.target_rmse
-          ? fmt::format(", until the estimated RMSE is at most {:g}{}", *refined_to,
-                        refined_to == settings.target_rmse
-                            ? ""
-                            : ", which is the target with a margin for subpixel lattices")
+          ? fmt::format(
+                ", until the estimated RMSE and two of its standard deviations are at most {:g}{}",
+                *refined_to,
+                refined_to == settings.target_rmse
+                    ? ""
+                    : ", which is the target with a margin for subpixel lattices")
           : "";
   if (!settings.budget_ms) return how + until;
   return how + until +

@@ -176,7 +176,7 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
     errors_.refine(pixel, samples, by.spread);
     tracing_.beyond.not_numbers += by.is_number ? 0 : 1;
   });
-  errors_.estimate(change2);
+  errors_.learn(change2);
   after_ms_ = tracing_.watch.elapsed_ms() - last_sample_ms_;
   return is_all_done(is_done);
 }

@@ -32,7 +32,7 @@ void ErrorCalibration::learn(std::span<const double> before, std::span<const dou
     expected += lasting * before[i] + after[i];
     squares += (before[i] + after[i]) * (before[i] + after[i]);
   }
-  if (expected > 0) {
+  if (squares > 0) {
     // As many pixels of equal errors would say as much.
     const double weight = expected * expected / squares;
     const double growth =

@@ -12,8 +12,8 @@
 
 namespace raytracer {
 
-/// What the variance of a pixel's samples told of its squared error in linear light, and what that
-/// of more samples tells of the same.
+/// What the variance of a pixel's samples told of its squared error in linear light, without a
+/// multiplier, and what that of more samples tells of the same.
 struct ToldError {
   double before = 0;
   double after = 0;
@@ -41,7 +41,7 @@ class ErrorCalibration {
   void learn(std::span<const double> before, std::span<const double> after, double change2,
              double left_error2);
 
-  /// None was ever refined.
+  /// None was ever refined; what has been learned of halves stays.
   void forget();
 
  private:

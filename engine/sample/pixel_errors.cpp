@@ -46,6 +46,7 @@ void PixelErrors::set_all(int samples) {
   sample_count_ = std::int64_t{samples} * width_ * height_;
   std::fill(guesses_.begin(), guesses_.end(), no_guess);
   std::fill(is_refined_.begin(), is_refined_.end(), char{});
+  refining_.clear();
   calibration_.forget();
 }
 
@@ -56,16 +57,19 @@ void PixelErrors::set(std::size_t pixel, int samples, const PixelSpread& spread)
 }
 
 void PixelErrors::refine(std::size_t pixel, int samples, const PixelSpread& spread) {
-  const double rate = rates_[subtile_of(pixel)].of_variance;
-  refining_.push_back({.pixel = pixel, .rate = rate, .power = error_power(samples_[pixel])});
-  refining_.back().before = told(refining_.back(), refining_.back().power);
+  refining_.push_back({.pixel = static_cast<std::uint32_t>(pixel),
+                       .is_first = is_refined_[pixel] == 0,
+                       .samples = samples_[pixel]});
   set(pixel, samples, spread);
 }
 
-double PixelErrors::told(const Refining& refining, double power) const {
+float PixelErrors::told(const Refining& refining, int samples) const {
+  if (!(rates_[subtile_of(refining.pixel)].of_variance > 0)) return 0;
   // The variance of samples is less than that of all by what their mean errs.
-  return refining.rate / refining.power * static_cast<double>(variances_[refining.pixel]) *
-         (1 + calibration_.multiplier(true) * refining.rate / power);
+  const double rate = refining.rate;
+  const double of_mean = calibration_.multiplier(true) * rate / error_power(samples);
+  const double variance = variances_[refining.pixel];
+  return static_cast<float>(rate / error_power(refining.samples) * variance * (1 + of_mean));
 }
 
 void PixelErrors::set_guess(std::size_t subtile, double error2) {
@@ -215,7 +219,7 @@ float PixelErrors::least_at(std::size_t place) const {
   return pixels > 0 ? Model::subtile_neighbour_share * coefficient / pixels : 0;
 }
 
-void PixelErrors::estimate(double change2) {
+void PixelErrors::find_rates() {
   for_each_row([this](std::size_t row) {
     const std::vector<char> has_variance = find_variances(row);
     for (std::size_t column = 0; column < columns_; ++column)
@@ -239,7 +243,22 @@ void PixelErrors::estimate(double change2) {
       rates_[subtile].least = least_at(place);
     });
   });
-  if (!refining_.empty()) calibrate(change2);
+}
+
+void PixelErrors::estimate() {
+  find_rates();
+  sum_subtiles();
+}
+
+void PixelErrors::learn(double change2) {
+  for_each_range(refining_.size(), pool_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      refining_[i].rate = rates_[subtile_of(refining_[i].pixel)].of_variance;
+      refining_[i].before = told(refining_[i], refining_[i].samples);
+    }
+  });
+  find_rates();
+  calibrate(change2);
   sum_subtiles();
 }
 
@@ -266,22 +285,20 @@ void PixelErrors::calibrate(double change2) {
   const double of_left = calibration_.multiplier(true) / calibration_.multiplier(false);
   std::vector<double> before(refining_.size());
   std::vector<double> after(refining_.size());
-  for (const Refining& refining : refining_) {
-    const double power = error_power(samples_[refining.pixel]);
-    calibration_.tell({.before = refining.before, .after = told(refining, power)},
-                      is_refined_[refining.pixel] == 0);
-  }
   for_each_range(refining_.size(), pool_, [&](std::size_t begin, std::size_t end) {
     InversePower inverse_power;
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t pixel = refining_[i].pixel;
-      before[i] = (is_refined_[pixel] != 0 ? 1 : of_left) * static_cast<double>(seen_[pixel]);
+      refining_[i].after = told(refining_[i], samples_[pixel]);
+      before[i] = (refining_[i].is_first ? of_left : 1) * static_cast<double>(seen_[pixel]);
       is_refined_[pixel] = 1;
       after[i] =
           shown(unscaled(subtile_of(pixel), pixel, inverse_power), pixel, x_of(pixel), y_of(pixel));
     }
   });
-  refining_.clear();
+  for (const Refining& refining : refining_)
+    calibration_.tell({.before = refining.before, .after = refining.after}, refining.is_first);
+  refining_ = {};
   calibration_.learn(before, after, change2, unscaled_left());
 }
 

@@ -12,7 +12,8 @@
 // pixel's halves agree or differ by chance, and a few that err as edges do, because where an edge
 // passes many pixels alike, all of them agree or differ together.
 //
-// The multiplier is learned from what refinements change (ErrorCalibration).
+// The multiplier, and that of pixels that refinements leave, are learned from what refinements
+// change (ErrorCalibration).
 //
 // Limits: what no sample met is in no difference; objects smaller than pixels are counted
 // (SubpixelObjects).
@@ -43,12 +44,13 @@ class PixelErrors {
   PixelErrors(int width, int height, const ErrorMultiplier& multiplier, const ShownError& shown,
               WorkerPool& pool);
 
-  /// For whoever gives all pixels as many samples, and says so by set_all().
+  /// For whoever gives all pixels as many samples, and says so by set_all(): none is a refined one.
   PixelSpreads& spreads() { return spreads_; }
   void set_all(int samples);
   /// A pixel has so many samples, at least 1, which tell this.
   void set(std::size_t pixel, int samples, const PixelSpread& spread);
-  /// The same of one that was chosen for what its samples told, of which luck may be a part.
+  /// The same of one that had fewer, and was chosen for what they told, of which luck may be a
+  /// part: once before learn().
   void refine(std::size_t pixel, int samples, const PixelSpread& spread);
   /// The pixels of a subtile have one sample each, or one for all, and together probably this
   /// squared error. So it stays until forget_guesses() or set_all().
@@ -59,9 +61,11 @@ class PixelErrors {
   /// These objects may be missed. All pixels have so many samples, and estimate() was called.
   void set_subpixel(SubpixelObjects objects, int samples);
 
-  /// Takes all in, and learns from the pixels that were refined, if any were: what all their
-  /// values changed by, squared, sums up to `change2`. To be called before anything is asked.
-  void estimate(double change2 = 0);
+  /// Takes all in. To be called before anything is asked.
+  void estimate();
+  /// The same after a refinement, and learns from it: what the values of all pixels that were
+  /// refined have changed by, squared, sums up to `change2`.
+  void learn(double change2);
 
   std::size_t index(int x, int y) const { return spreads_.index(x, y); }
   int x_of(std::size_t pixel) const;
@@ -113,17 +117,19 @@ class PixelErrors {
     float least = 0;        ///< likewise, without any variance
   };
 
-  /// A pixel that is being refined: what was told of it before.
+  /// A pixel that is being refined.
   struct Refining {
-    std::size_t pixel = 0;
-    double rate = 0;
-    double power = 1;   ///< error_power() of its samples
-    double before = 0;  ///< told()
+    std::uint32_t pixel;
+    bool is_first;     ///< was never refined before
+    int samples;       ///< before
+    float rate = 0;    ///< likewise
+    float before = 0;  ///< the squared error in linear light that its variance told, and
+    float after = 0;   ///< what that of more samples tells of the same
   };
 
   std::size_t subtile_of(std::size_t pixel) const;
-  /// What its variance, of samples with this power, tells of the squared error that it had.
-  double told(const Refining& refining, double power) const;
+  /// What its variance, of so many samples, tells of the squared error that it had.
+  float told(const Refining& refining, int samples) const;
   /// Which blocks of a row have a variance in or beside them, with a rim.
   std::vector<char> find_variances(std::size_t row) const;
   /// Sets `variances_` in a block.
@@ -145,9 +151,11 @@ class PixelErrors {
   float least_at(std::size_t place) const;
   /// The sum of unscaled() over all pixels that were never refined.
   double unscaled_left() const;
+  /// Sets `rates_`, and what is needed for it.
+  void find_rates();
   /// Corrects the multipliers by what was refined, and `seen_` of before.
   void calibrate(double change2);
-  /// Sets `seen_` and `subtiles_`.
+  /// Sets `seen_` and `subtiles_`, from `rates_`.
   void sum_subtiles();
 
   /// Calls visit(row) for all rows of blocks, on the pool's threads.

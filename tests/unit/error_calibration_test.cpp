@@ -86,8 +86,16 @@ TEST_F(ErrorCalibrationTest, gives_what_some_had_too_much_to_those_that_are_left
   expect(0.8, 0.8 * 1.2);
   calibration_.learn(errors, errors, sum, 1e-9);
   expect(0.8, 4);
+}
+
+TEST_F(ErrorCalibrationTest, forgets_luck_and_keeps_what_halves_are) {
+  calibration_.learn(errors, errors, sum / 2, 1);
+  calibration_.tell({.before = 2, .after = 1}, true);
   calibration_.forget();
-  expect(0.8, 0.8);
+  const double refined = 0.8 * 600 / 1100;
+  expect(refined, refined);
+  calibration_.learn(errors, errors, sum, 1);
+  expect(refined, refined);
 }
 
 }  // namespace

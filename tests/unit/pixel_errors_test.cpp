@@ -24,8 +24,8 @@ constexpr ErrorMultiplier multiplier{.initial = 1, .least = 0.4};
 constexpr float variance = 0.2F;
 constexpr float of_4_samples = variance / 8;
 
-/// The same pixels with 16 samples: what the mean of 4 erred, by a multiplier of 0.7, was missing
-/// in their variance.
+/// The same pixels with 16 samples: what the mean of 4 erred, by this multiplier, was missing in
+/// their variance, of which so much was no luck.
 constexpr PixelSpread with_16_samples(double multiplier, float share = 1) {
   const auto more = static_cast<float>((1 + multiplier / 8) / (1 + multiplier / 64));
   return {share * more * variance / 64, share * more * variance};
@@ -46,10 +46,10 @@ class PixelErrorsTest : public testing::Test {
   }
 
   /// All pixels err alike.
-  PixelErrors even_errors(double initial, double least = multiplier.least) {
+  PixelErrors even_errors(double initial) {
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) tell(x, y, of_4_samples, variance);
-    PixelErrors errors(width, height, {initial, least}, shown_, pool_);
+    PixelErrors errors(width, height, {initial, multiplier.least}, shown_, pool_);
     errors.spreads() = spreads_;
     errors.set_all(4);
     errors.estimate();
@@ -92,18 +92,32 @@ TEST_F(PixelErrorsTest, learn_no_luck_of_pixels_that_were_not_chosen) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       twice.set(twice.index(x, y), 4, {0, 2 * variance});
-      twice.set(twice.index(x, y), 4, {of_4_samples, variance});
     }
+  twice.estimate();
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) twice.set(twice.index(x, y), 4, {of_4_samples, variance});
   twice.estimate();
   std::vector<std::uint32_t> pixels;
   pixels.reserve(width);
   for (int x = 0; x < width; ++x) pixels.push_back(static_cast<std::uint32_t>(all.index(x, 9)));
   for (PixelErrors* const errors : {&all, &twice}) {
     for (const std::uint32_t pixel : pixels) errors->refine(pixel, 16, with_16_samples(0.7, 0.5F));
-    errors->estimate(0.1);
+    errors->learn(0.1);
   }
   EXPECT_EQ(twice.of_pixel(all.index(5, 4)), all.of_pixel(all.index(5, 4)));
   EXPECT_EQ(twice.of_pixel(pixels[5]), all.of_pixel(pixels[5]));
+}
+
+/// A glint that 4 samples saw and 16 did not: another, which nobody looked at again, may err more.
+TEST_F(PixelErrorsTest, are_more_elsewhere_if_all_that_was_told_was_luck) {
+  tell(5, 5, of_4_samples, variance);
+  tell(34, 5, of_4_samples, variance);
+  const std::size_t left = errors().index(34, 5);
+  const double before = errors_.of_pixel(left);
+  errors_.refine(errors_.index(5, 5), 16, {});
+  errors_.learn(0);
+  EXPECT_EQ(errors_.of_pixel(errors_.index(5, 5)), 0);
+  EXPECT_GT(errors_.of_pixel(left), 1.2 * before);
 }
 
 /// An edge at 45 degrees passes all of its pixels alike: halves that agree there say so once.
@@ -183,7 +197,7 @@ TEST_F(PixelErrorsTest, of_those_that_a_refinement_leaves_are_more_if_the_others
       errors.refine(pixel, 16, with_16_samples(0.7, lasting));
     const double of_16_samples = static_cast<double>(with_16_samples(0.7, lasting).error2);
     const double change = lasting * of_4_samples + of_16_samples;
-    errors.estimate(0.7 * change * static_cast<double>(pixels.size()));
+    errors.learn(0.7 * change * static_cast<double>(pixels.size()));
     EXPECT_NEAR(errors.of_pixel(errors.index(20, 9)), 0.7 * of_16_samples, 1e-5);
     return errors.of_pixel(errors.index(5, 9));
   };
@@ -201,7 +215,7 @@ TEST_F(PixelErrorsTest, are_corrected_alike_by_each_of_several_refinements) {
       for (int x = x_begin; x < x_begin + width / 3; ++x)
         pixels.push_back(static_cast<std::uint32_t>(errors.index(x, y)));
     for (const std::uint32_t pixel : pixels) errors.refine(pixel, 16, with_16_samples(0.7));
-    errors.estimate(static_cast<double>(pixels.size()) * 0.7 * (of_4_samples + of_16_samples));
+    errors.learn(static_cast<double>(pixels.size()) * 0.7 * (of_4_samples + of_16_samples));
     EXPECT_NEAR(errors.of_pixel(pixels.front()), 0.7 * of_16_samples, 0.05 * of_16_samples)
         << x_begin;
   }
@@ -229,7 +243,7 @@ TEST_F(PixelErrorsTest, are_what_a_refinement_changed) {
     alike.estimate();
     const double uncorrected = alike.of_pixel(pixels[0]);
     const double count = static_cast<double>(pixels.size());
-    refined.estimate(share * count * (of_4_samples + uncorrected));
+    refined.learn(share * count * (of_4_samples + uncorrected));
     return refined.of_pixel(pixels[0]) / uncorrected;
   };
   EXPECT_NEAR(refined_with_change(1), 1, 0.01);
