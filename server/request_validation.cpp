@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <openssl/crypto.h>
 
+#include <algorithm>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -23,6 +25,24 @@ void require_short_target(const httplib::Request& request) {
   if (request.target.size() > longest_target)
     refuse(414, fmt::format("The request's target has {} characters; at most {} are read",
                             request.target.size(), longest_target));
+}
+
+/// httplib drops what is given twice alike, and of "a=b=c" takes the first name and the last value.
+void require_plain_query(const httplib::Request& request) {
+  const std::string_view target = request.target;
+  const std::size_t begin = std::min(target.find('?'), target.size() - 1) + 1;
+  std::set<std::string_view> names;
+  for (std::size_t at = begin; at < target.size();) {
+    const std::size_t end = std::min(target.find('&', at), target.size());
+    const std::string_view parameter = target.substr(at, end - at);
+    const std::size_t sign = parameter.find('=');
+    if (parameter.find('=', sign + 1) != parameter.npos && sign != parameter.npos)
+      refuse(400, fmt::format("The query parameter \"{}\" has more than one \"=\"", parameter));
+    if (!parameter.empty() && !names.insert(parameter.substr(0, sign)).second)
+      refuse(400, fmt::format("The query parameter \"{}\" is given more than once",
+                              parameter.substr(0, sign)));
+    at = end + 1;
+  }
 }
 
 /// "Content-Length : 5" is a body to some and none to others, which smuggles requests through
@@ -104,6 +124,7 @@ void require_scene_body(const httplib::Request& request, std::int64_t most_bytes
 void validate_request(const httplib::Request& request, const RouteTable& routes,
                       const Config& config) {
   require_short_target(request);
+  require_plain_query(request);
   require_plain_field_names(request);
   require_one_host(request);
   if (is_preflight(request, config.allowed_origins)) return require_no_body(request);

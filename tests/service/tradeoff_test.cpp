@@ -122,6 +122,8 @@ TEST_F(Tradeoff, task_is_one_of_two_and_of_jobs_alone) {
   expect_problem(post("/jobs?task=curve", small_scene), 400, "render or tradeoff");
   expect_problem(post("/jobs?task=render&task=tradeoff", small_scene), 400,
                  "\"task\" is given more than once");
+  expect_problem(post("/jobs?task=render&task=render", small_scene), 400,
+                 "\"task\" is given more than once");
 }
 
 TEST_F(Tradeoff, result_of_a_running_job_is_409_and_it_can_be_cancelled) {
