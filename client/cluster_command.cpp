@@ -44,7 +44,7 @@ void print_cluster(const Cluster& cluster) {
 void add_cluster(CLI::App& app, const ServerChoice& server) {
   add_command(app, "cluster", "Show who works behind a server, and on how much")
       .callback([&server] {
-        if (!server.url)
+        if (!with_variables(server).url)
           throw InputError(
               "cluster: name a server with --server or RAYTRACER_SERVER; a private one works "
               "alone");

@@ -40,8 +40,9 @@ class NumberedFiles : public Film {
   std::string media_type() const override { return media_type_; }
 
   bool has(int frame) override {
-    // They appear whole.
-    const bool is_there = resumes_ && std::filesystem::is_regular_file(file(frame).path);
+    // We write them whole; a full disk, or a copy that was broken off, may have cut one.
+    const bool is_there =
+        resumes_ && std::filesystem::is_regular_file(path(frame)) && is_whole_image(read(frame));
     if (is_there) kept_ = file(frame);
     return is_there;
   }

@@ -7,6 +7,8 @@
 namespace raytracer::client {
 namespace {
 
+constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
+
 /// A big-endian integer of a PNG; 0 where the bytes end.
 int png_integer(std::string_view bytes, std::size_t at) {
   unsigned value = 0;
@@ -44,11 +46,24 @@ std::optional<NetpbmHeader> netpbm_header(std::string_view bytes, std::string_vi
 }
 
 std::optional<ImageSize> image_size(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG\r\n\x1a\n") && bytes.size() >= 24)
+  if (bytes.starts_with(png_signature) && bytes.size() >= 24)
     return ImageSize{png_integer(bytes, 16), png_integer(bytes, 20)};
   for (const std::string_view magic : {"P6", "PF"})
     if (const auto header = netpbm_header(bytes, magic)) return header->size;
   return std::nullopt;
+}
+
+bool is_whole_image(std::string_view bytes) {
+  constexpr std::string_view png_end = "IEND\xae\x42\x60\x82";  // the last chunk, and its checksum
+  if (bytes.starts_with(png_signature)) return bytes.ends_with(png_end);
+  const auto holds = [&](std::string_view magic, std::size_t pixel_bytes) {
+    const auto header = netpbm_header(bytes, magic);
+    return header &&
+           bytes.size() == header->length + pixel_bytes *
+                                                static_cast<std::size_t>(header->size.width_px) *
+                                                static_cast<std::size_t>(header->size.height_px);
+  };
+  return holds("P6", 3) || holds("PF", 3 * sizeof(float));
 }
 
 }  // namespace raytracer::client

@@ -30,6 +30,9 @@ struct ImageSize {
 /// What the header of a PNG, P6 or PF says; none if the bytes are neither.
 std::optional<ImageSize> image_size(std::string_view bytes);
 
+/// Whether the bytes are a PNG, P6 or PF to its end, by their lengths alone.
+bool is_whole_image(std::string_view bytes);
+
 /// A P6 or PF header: its size, and where the pixels begin.
 struct NetpbmHeader {
   ImageSize size;

@@ -71,16 +71,29 @@ SceneText document_of(const Reading& reading, const std::string& label) {
   return {label, model::to_document(reading.scene), false};
 }
 
+/// The first character that is no white space; a space if there is none.
+char first_character(const std::string& text) {
+  const std::string_view content = without_byte_order_mark(text);
+  const std::size_t begin = content.find_first_not_of(" \t\r\n");
+  return begin == content.npos ? ' ' : content[begin];
+}
+
 /// A document is known by its content; whoever gives another file its ending wants it read so.
 SceneText read_document(const std::string& path) {
   std::string text = read_all(*source_of_file(path));
-  const std::string_view content = without_byte_order_mark(text);
-  const std::size_t begin = content.find_first_not_of(" \t\r\n");
-  if (!without_compression(path).ends_with(".json") &&
-      (begin == content.npos || content[begin] != '{'))
+  if (!without_compression(path).ends_with(".json") && first_character(text) != '{')
     throw InputError(
         fmt::format("is no scene document, and its ending is none of {}", all_endings()));
   return {path, std::move(text)};
+}
+
+SceneText read_standard_input() {
+  SceneText scene{"standard input", read_to_end(stdin, "standard input")};
+  if (const char first = first_character(scene.text); first != '{' && first != ' ')
+    throw InputError(
+        "standard input: is no scene document, which begins with {; other formats are known by "
+        "their ending: name a file");
+  return scene;
 }
 
 /// Flags about what a scene says itself are refused.
@@ -91,7 +104,7 @@ void refuse_flags(const SceneChoice& choice, Openness openness) {
                                                                  : Openness::atoms;
     if (openness >= needed) continue;
     throw InputError(fmt::format(
-        "{}: {} says this itself; the option is for {}", flag, choice.name,
+        "{}: {} does without it; the option is for {}", flag, choice.name,
         needed == Openness::atoms ? "atoms and other particles" : "formats without a camera"));
   }
 }
@@ -102,7 +115,7 @@ std::optional<SceneText> read_scene_file(const SceneChoice& choice, const Overri
   const std::string& scene = choice.name;
   const Format* const format = format_of(scene);
   refuse_flags(choice, format ? format->openness : Openness::nothing);
-  if (scene == "-") return SceneText{"standard input", read_to_end(stdin, "standard input")};
+  if (scene == "-") return read_standard_input();
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(scene, error);
   if (!std::filesystem::exists(status) || std::filesystem::is_directory(status)) {

@@ -224,6 +224,15 @@ struct FrameFit {
   double distance() const { return *std::max_element(reach.begin(), reach.end()); }
 };
 
+/// As far as the eye has to be from a place for rounding not to swallow it; that far if `distance`
+/// is less.
+double discernible(double distance, const Triple& place) {
+  const double largest = std::max({std::abs(place[0]), std::abs(place[1]), std::abs(place[2])});
+  const double least = 16 * std::numeric_limits<double>::epsilon() * largest;
+  const double enough = std::max(distance, least);
+  return enough > 0 ? enough : 1;
+}
+
 double zoomed(double fov, double zoom) { return 2 * std::atan(std::tan(fov / 2) / zoom); }
 
 }  // namespace
@@ -258,8 +267,7 @@ model::View view_of_all(const model::Scene& scene, const ImportOptions& options,
 
   model::View view{};
   view.at = sum(pivot, sum(scaled(right, fit.x), scaled(above, fit.y)));
-  view.from = sum(view.at, scaled(towards_eye, fit.distance()));
-  if (view.from == view.at) view.from = sum(view.at, towards_eye);
+  view.from = sum(view.at, scaled(towards_eye, discernible(fit.distance(), view.at)));
   view.up = up;
   view.fov = zoomed(fov, options.zoom);
   view.width_px = options.width_px;
@@ -278,8 +286,7 @@ model::View view_through(const model::Camera& camera, const model::Scene& scene,
   if (!(distance > least * radius)) distance = radius;
   model::View view{};
   view.from = camera.from;
-  view.at = sum(camera.from, scaled(ahead, distance));
-  if (view.at == view.from) view.at = sum(view.from, ahead);
+  view.at = sum(camera.from, scaled(ahead, discernible(distance, camera.from)));
   view.up = camera.up;
   const double width =
       2 * std::atan(std::tan(camera.fov / 2) * options.width_px / options.height_px);

@@ -123,11 +123,26 @@ TEST_F(Animate, what_is_there_is_not_rendered_again) {
   ASSERT_EQ(animate({file, "--frames", "all", "-o", target}).status, 0);
   const std::string second = read_file(folder_ / "f-1.png");
   std::filesystem::remove(folder_ / "f-1.png");
-  static_cast<void>(folder_.write("f-2.png", "kept"));
+  const std::string other = read_file(folder_ / "f-0.png");
+  static_cast<void>(folder_.write("f-2.png", other));
   const Outcome again = animate({file, "--frames", "all", "-o", target, "--resume"});
   EXPECT_NE(again.err.find("1 frame written"), std::string::npos) << again.err;
   EXPECT_EQ(read_file(folder_ / "f-1.png"), second);
-  EXPECT_EQ(read_file(folder_ / "f-2.png"), "kept");
+  EXPECT_EQ(read_file(folder_ / "f-2.png"), other);
+}
+
+TEST_F(Animate, what_was_cut_is_rendered_again) {
+  const std::string file = folder_.write("atoms.xyz", three_frames);
+  for (const std::string ending : {".png", ".ppm", ".pfm"}) {
+    const std::string target = folder_ / ("f-%d" + ending);
+    ASSERT_EQ(animate({file, "--frames", "all", "-o", target}).status, 0);
+    const std::string first = read_file(folder_ / ("f-0" + ending));
+    static_cast<void>(folder_.write("f-0" + ending, first.substr(0, first.size() - 1)));
+    static_cast<void>(folder_.write("f-1" + ending, ""));
+    const Outcome again = animate({file, "--frames", "all", "-o", target, "--resume"});
+    EXPECT_NE(again.err.find("2 frames written"), std::string::npos) << again.err;
+    EXPECT_EQ(read_file(folder_ / ("f-0" + ending)), first);
+  }
 }
 
 TEST_F(Animate, frames_of_another_size_are_not_resumed) {
@@ -170,7 +185,8 @@ TEST_F(Animate, animated_png_goes_on_where_it_broke_off) {
   EXPECT_EQ(count(read_file(target), pixels(read_file(folder_ / "f-1.png"))), 1);
   EXPECT_FALSE(std::filesystem::exists(frames));
   std::filesystem::create_directory(frames);
-  static_cast<void>(folder_.write("m.apng.frames/2.png", "broken"));
+  const std::string last = read_file(folder_ / "f-2.png");
+  static_cast<void>(folder_.write("m.apng.frames/2.png", last.substr(0, 40) + last.substr(50)));
   expect_input_error(animate({file, "--frames", "all", "-o", target, "--resume"}),
                      "m.apng.frames: remove the folder");
 }

@@ -64,6 +64,12 @@ TEST(ClusterCommand, says_why_a_server_is_none) {
 
 TEST(ClusterCommand, asks_for_a_server) { expect_input_error(run_client({"cluster"}), "--server"); }
 
+TEST(ClusterCommand, asks_the_server_that_the_environment_names) {
+  const Stub stub(404, R"({"status": 404, "detail": "asked"})", "application/problem+json");
+  const Outcome outcome = run_client({"cluster"}, "", {{"RAYTRACER_SERVER", stub.url()}});
+  EXPECT_NE(outcome.err.find("asked"), std::string::npos) << outcome.err;
+}
+
 TEST(ClusterCommand, answer_of_something_else_is_status_2) {
   for (const char* const body :
        {R"({"workers": []})", R"({"workers": 3, "tasks": {}, "redelivered": 0})",

@@ -35,6 +35,10 @@ TEST_F(SceneSource, file_of_no_known_kind_is_told_what_is_read) {
     expect_input_error(run_client({command, path}), "its ending is none of .nff, .pdb");
 }
 
+TEST_F(SceneSource, standard_input_of_another_format_is_told_to_be_a_file) {
+  expect_input_error(run_client({"render", "-"}, "ATOM      1  N   MET A   1"), "name a file");
+}
+
 TEST_F(SceneSource, shipped_scene_is_found_by_name) {
   const Outcome outcome = run_with_server(
       {"render", "first-sphere", "--width", "30", "--height", "20", "--samples", "1"});

@@ -119,6 +119,16 @@ TEST(Arrange, view_is_where_the_eye_stands_with_z_upward) {
   EXPECT_EQ(camera.at("up"), json({0, 0, 1}));
 }
 
+/// Farther away than its size is from one number to the next.
+TEST(Arrange, eye_is_apart_from_what_is_very_far_away) {
+  const json scene = document(".csv", "x,y,z,radius\n1e17,0,0,1\n");
+  const json& camera = scene.at("camera");
+  EXPECT_NE(camera.at("origin"), camera.at("look_at"));
+  for (const json& light : scene.at("lights"))
+    for (const json& component : light.value("direction", json::array()))
+      EXPECT_TRUE(std::isfinite(component.get<double>())) << light;
+}
+
 TEST(Arrange, background_may_be_transparent) {
   client::ImportOptions options;
   options.background = std::nullopt;

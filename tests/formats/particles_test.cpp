@@ -204,6 +204,7 @@ TEST(Particles, each_error_has_its_line_and_says_what_is_wrong) {
        "'0 x' is no edge of the box"},
       {".csv", "1,2,3\n", 1, "a number stands in the first line"},
       {".csv", "x,y\n1,2\n", 1, "no column is called z"},
+      {".csv", "x y z\n1 2 3\n", 1, "commas are between them in a .csv"},
       {".csv", "x,y,z\n", 1, "the table has a header and no points"},
       {".csv", "x,y,z\n1,2,\n", 2, "nothing stands where a number is to be, in column 'z'"},
       {".csv", "x,y,z\n1,2,3,4\n", 2, "more fields than the header"},

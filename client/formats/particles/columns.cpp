@@ -41,8 +41,12 @@ Columns::Columns(std::vector<std::string> names, const ImportOptions& options, i
     const auto column = find({axes[i]});
     if (!column)
       throw LineError{line, fmt::format("no column is called {}; the places are to be in columns "
-                                        "that are called x, y and z",
-                                        axes[i])};
+                                        "that are called x, y and z{}",
+                                        axes[i],
+                                        names_.size() > 1 ? ""
+                                                          : "; and there is only one: commas are "
+                                                            "between them in a .csv, tabs in a "
+                                                            ".tsv")};
     place_[i] = *column;
   }
   element_ = find({"element", "species", "symbol"});
