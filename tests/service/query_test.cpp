@@ -117,7 +117,7 @@ TEST_F(Query, wrong_values_are_refused_with_the_parameters_name) {
       {"?width=4&width=5", 400, "\"width\""},
       {"?width=4&width=4", 400, "\"width\" is given more than once"},
       {"?width=2=4", 400, "\"width=2=4\" has more than one"},
-      {"?width=2;height=9", 400, "\"width=2;height=9\" has more than one"},
+      {"?width=2;height=9", 400, "has more than one"},
       {"?widht=4", 400, "\"width\""},
       {"?width=%4", 400, "%"},
       {"?width=%zz", 400, "%"},
