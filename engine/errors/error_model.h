@@ -33,7 +33,7 @@ struct SampleErrorModel {
 
   // The error multiplier corrects that: halves complete each other, refinements show how far.
   /// Calibrated: refinements of 19 scenes showed 0.4 to 2, those under lights of a size 0.1. Of
-  /// random scenes (29 of seed 24900, 25 each of 24103, 24201 and 24950, but the slowest) 305 of
+  /// random scenes (29 of seed 24900, 25 each of 24103, 24201 and 24950, but the slowest) 295 of
   /// 316 estimates are true within a factor of 2, and all targets kept. It was 0.4 before, and
   /// pixels that a refinement left were taken at 1: 281 and 313.
   static constexpr double least_multiplier = 0.1;

@@ -10,7 +10,7 @@ ErrorMultiplier choose_error_multiplier(const SceneStatistics& statistics) {
   const auto initial = [](double fall) { return 1 / (std::exp2(fall) - 1); };
   if (statistics.all.subpixel > 0)
     return {initial(Model::random_fall), Model::least_subpixel_multiplier};
-  return {initial(Model::edge_fall), Model::least_multiplier};
+  return {initial((Model::random_fall + Model::edge_fall) / 2), Model::least_multiplier};
 }
 
 double sum_of(std::span<const double> errors2) {

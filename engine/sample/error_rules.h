@@ -19,7 +19,7 @@ struct ErrorMultiplier {
 
 /// If squared errors fall as n^-e, half buffers overstate them by 2^e - 1, as halves complete each
 /// other: their errors' covariance is what all samples err less. Where objects are smaller than
-/// pixels, e is that of random samples; otherwise that of where edges cross.
+/// pixels, e is that of random samples; otherwise it is taken between that and where edges cross.
 ErrorMultiplier choose_error_multiplier(const SceneStatistics& statistics);
 
 /// The sum of these squared errors: what is told of an image.
