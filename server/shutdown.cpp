@@ -52,10 +52,13 @@ void Shutdown::drain() {
   constexpr std::chrono::milliseconds no_time{0};
   constexpr std::chrono::seconds to_answer{10};
 
-  services_.admission.announce_close();
-  const auto closing = Clock::now() + std::chrono::milliseconds(services_.config.drain_delay_ms);
-  while (Clock::now() < closing && !another_signal_came())
-    std::this_thread::sleep_for(between_looks);
+  // Without a delay readiness ends with the refusal: who is told "draining" is not told "full".
+  if (const std::chrono::milliseconds delay{services_.config.drain_delay_ms}; delay > no_time) {
+    services_.admission.announce_close();
+    const auto closing = Clock::now() + delay;
+    while (Clock::now() < closing && !another_signal_came())
+      std::this_thread::sleep_for(between_looks);
+  }
   services_.log.note("shutting down: no new work, waiting for what runs");
   services_.admission.close();
   const auto end = Clock::now() + time_to_finish;
