@@ -218,7 +218,7 @@ TEST(MeshErrors, ply_that_is_legal_is_read) {
       reading_of(".ply", "ply\nformat ascii 1.0\nobj_info i\n" + other + "end_header\n" + body);
   ASSERT_TRUE(reading.errors.empty()) << reading.errors[0].what;
   EXPECT_EQ(triangles_of(reading), 1U);
-  EXPECT_TRUE(reading.omissions.empty());
+  expect_told(reading, {{"property of the vertices left out", 1, 11}});
 }
 
 TEST(MeshErrors, what_a_ply_has_besides_triangles_is_told) {
@@ -231,6 +231,17 @@ TEST(MeshErrors, what_a_ply_has_besides_triangles_is_told) {
   expect_told(reading, {{"colour of a face left out", 2, 10},
                         {"edge left out", 1, 13},
                         {"face with fewer than three corners left out", 1, 21}});
+  EXPECT_EQ(triangles_of(reading), 1U);
+}
+
+TEST(MeshErrors, properties_of_vertices_that_nothing_is_made_of_are_told) {
+  const client::Reading reading =
+      reading_of(".ply",
+                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                 "property float z\nproperty float radius\nproperty uchar alpha\n"
+                 "property float quality\nelement face 1\nproperty list uchar int vertex_indices\n"
+                 "end_header\n0 0 0 1 9 7\n1 0 0 1 9 7\n0 1 0 1 9 7\n3 0 1 2\n");
+  expect_told(reading, {{"property of the vertices left out", 2, 7}});
   EXPECT_EQ(triangles_of(reading), 1U);
 }
 

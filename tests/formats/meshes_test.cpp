@@ -75,6 +75,25 @@ TEST(Meshes, materials_of_an_obj_shine_as_their_file_says_and_what_is_lost_is_to
   EXPECT_NE(missing.omissions[0].one.find("not found"), std::string::npos);
 }
 
+TEST(Meshes, glass_of_an_obj_bends_light_if_its_model_of_illumination_does) {
+  const TemporaryFolder folder;
+  const auto ior_of = [&](const std::string& statements) {
+    folder.write("glass.mtl", "newmtl a\nKd 1 1 1\nNi 1.5\n" + statements);
+    const std::string path =
+        folder.write("one.obj", "mtllib glass.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const client::Reading reading = client::format_of(path)
+                                        ->open({client::source_of_file(path), path}, {})
+                                        ->next_frame()
+                                        .value();
+    return reading.scene.materials.at(reading.scene.objects.at(0).material.value()).ior;
+  };
+  EXPECT_EQ(ior_of("d 0.25\nillum 6\n"), 1.5);
+  EXPECT_EQ(ior_of("d 0.25\nillum 7\n"), 1.5);
+  EXPECT_EQ(ior_of("d 0.25\nillum 4\n"), 1) << "glass without refraction";
+  EXPECT_EQ(ior_of("d 0.25\n"), 1);
+  EXPECT_EQ(ior_of("illum 7\n"), 1) << "nothing passes it";
+}
+
 /// As a compressed file has it.
 std::string packed(const std::string& text) {
   std::string bytes(ZSTD_compressBound(text.size()), '\0');
@@ -229,13 +248,6 @@ TEST(Meshes, gltf_whose_camera_or_lights_make_no_sense_is_seen_without) {
         staged(fmt::format(R"({{"camera": 0, "translation": {}}})", place), "[0, 1]").at("camera");
     EXPECT_LT(camera.at("look_at")[2].get<double>() + 0.1, camera.at("origin")[2].get<double>());
   }
-}
-
-TEST(Meshes, ply_without_faces_is_points) {
-  const json points = document_of_file("cloud.ply").at("objects")[0];
-  EXPECT_EQ(points.at("type"), "spheres");
-  EXPECT_EQ(points.at("centers").size(), 96U);
-  EXPECT_EQ(points.at("colors").size(), 96U);
 }
 
 TEST(Meshes, what_assimp_refuses_is_said) {

@@ -35,6 +35,25 @@ void add(Reading& reading, Omission more) {
   reading.omissions.push_back(std::move(more));
 }
 
+/// Whether something is made of a property of vertices; an alpha is one without a word, as nearly
+/// all are opaque.
+bool is_shown(const PlyProperty& property) {
+  static constexpr std::array<std::string_view, 10> shown{"x",  "y",   "z",     "nx",   "ny",
+                                                          "nz", "red", "green", "blue", "alpha"};
+  constexpr std::string_view prefix = "diffuse_";
+  std::string_view name = property.name;
+  if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+  return std::find(shown.begin(), shown.end(), name) != shown.end();
+}
+
+void tell_of_properties(const PlyElement& vertex, bool are_points, Reading& reading) {
+  const PlyProperty* const radius = are_points ? vertex.radius() : nullptr;
+  for (const PlyProperty& property : vertex.properties)
+    if (!is_shown(property) && &property != radius)
+      reading.omit(property.line, "property of the vertices left out",
+                   "properties of the vertices left out");
+}
+
 void tell_of(const PlyElement& element, std::optional<PlyBody> body, Reading& reading) {
   if (element.count == 0) return;
   const int count = static_cast<int>(std::min<std::size_t>(element.count, 1U << 30));
@@ -75,6 +94,8 @@ void check_ply(std::string_view bytes, Reading& reading) {
     const PlyHeader header = read_ply_header(words);
     require_what_assimp_reads(header);
     for (const PlyElement& element : header.elements) tell_of(element, header.body, reading);
+    if (header.vertex_count() > 0)
+      tell_of_properties(*header.vertex(), header.face_count() == 0, reading);
     if (header.body == PlyBody::text)
       check_ply_text(header, words, reading);
     else if (header.body)

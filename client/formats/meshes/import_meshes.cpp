@@ -17,6 +17,7 @@
 #include "client/formats/meshes/mesh_material.h"
 #include "client/formats/meshes/obj_text.h"
 #include "client/formats/meshes/ply_as_assimp_knows_it.h"
+#include "client/formats/meshes/ply_radii.h"
 #include "client/formats/numbers.h"
 #include "client/formats/printable.h"
 #include "client/formats/spacing.h"
@@ -61,6 +62,9 @@ class MeshImport {
     return std::any_of(scene_.mMeshes, scene_.mMeshes + scene_.mNumMeshes,
                        [](const aiMesh* mesh) { return mesh->HasFaces(); });
   }
+
+  /// Of the file's points; none: as is typical of their distances.
+  void set_radii(std::vector<double> radii) { radii_ = std::move(radii); }
 
   void read() {
     std::vector<bool> is_used(scene_.mNumMaterials);
@@ -204,16 +208,19 @@ class MeshImport {
 
   void add_points(const aiMesh& file, std::size_t material) {
     model::Spheres points;
+    const bool has_radii = radii_.size() == file.mNumVertices;
     for (unsigned i = 0; i < file.mNumVertices; ++i) {
       if (!is_place(file.mVertices[i])) {
         omit(1, "point without a place left out", "points without a place left out");
         continue;
       }
       if (file.HasVertexColors(0)) points.colors.push_back(vertex_color(file, i, material));
+      if (has_radii) points.radii.push_back(radii_[i]);
       points.centers.push_back(triple(file.mVertices[i]));
     }
     if (points.centers.empty()) return;
-    points.radii.assign(points.centers.size(), typical_spacing(points.centers, 1) / 2);
+    if (!has_radii)
+      points.radii.assign(points.centers.size(), typical_spacing(points.centers, 1) / 2);
     reading_.scene.objects.push_back({std::move(points), material});
   }
 
@@ -221,7 +228,8 @@ class MeshImport {
   const aiScene& scene_;
   Reading& reading_;
   std::vector<bool> is_seen_;  ///< of the file's materials
-  bool has_flat_ = false;      ///< triangles without area
+  std::vector<double> radii_;
+  bool has_flat_ = false;  ///< triangles without area
 };
 
 }  // namespace
@@ -251,8 +259,11 @@ void raytracer_import_meshes(MeshFormat format, const std::string& path, std::st
   if (!scene) throw refuse();
   MeshImport import(format, *scene, reading);
   import.count_omissions(missing_files > 0);
-  if (import.has_faces() && !importer.ApplyPostProcessing(aiProcess_PreTransformVertices))
+  if (!import.has_faces()) {
+    if (format == MeshFormat::ply) import.set_radii(read_ply_radii(bytes, reading));
+  } else if (!importer.ApplyPostProcessing(aiProcess_PreTransformVertices)) {
     throw refuse();
+  }
   import.read();
 }
 

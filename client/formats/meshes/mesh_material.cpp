@@ -1,6 +1,7 @@
 #include "client/formats/meshes/mesh_material.h"
 
 #include <assimp/GltfMaterial.h>
+#include <assimp/ObjMaterial.h>
 
 #include <algorithm>
 
@@ -9,6 +10,23 @@
 
 namespace raytracer::client {
 namespace {
+
+/// Beyond germanium's there is none that is worth a picture; nothing below 1 is sent.
+void set_ior(float index, model::Material& material) {
+  constexpr float most = 4;
+  if (index >= 1) material.ior = static_cast<double>(std::min(index, most));
+}
+
+/// An OBJ's dissolve lets light through, which its illumination models 6 and 7 bend by Ni.
+void set_refraction(const aiMaterial& file, model::Material& material) {
+  int illumination = 0;
+  float index = 1;
+  if (material.transparency > 0 &&
+      file.Get(AI_MATKEY_OBJ_ILLUM, illumination) == aiReturn_SUCCESS &&
+      (illumination == 6 || illumination == 7) &&
+      file.Get(AI_MATKEY_REFRACTI, index) == aiReturn_SUCCESS)
+    set_ior(index, material);
+}
 
 /// What lets light through (KHR_materials_transmission) is thin, and bends nothing, unless it has
 /// a volume (KHR_materials_volume, KHR_materials_ior).
@@ -24,8 +42,7 @@ void set_transmission(const aiMaterial& file, double opacity, model::Material& m
     return;
   float index = 1.5F;
   file.Get(AI_MATKEY_REFRACTI, index);
-  constexpr float most = 4;  // germanium's
-  if (index >= 1) material.ior = static_cast<double>(std::min(index, most));
+  set_ior(index, material);
 }
 
 /// In [0, 1]. A glTF's material says whether its colour's alpha counts (section 3.9.4).
@@ -88,6 +105,7 @@ MeshMaterial material_of(MeshFormat format, const aiMaterial& file) {
   }
   const double opacity = opacity_of(format, file);
   material.transparency = 1 - opacity;
+  if (format == MeshFormat::obj) set_refraction(file, material);
   if (is_gltf(format)) set_transmission(file, opacity, material);
   set_highlight(format, file, material);
   return {material, opacity > 0};

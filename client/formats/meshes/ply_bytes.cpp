@@ -11,15 +11,6 @@
 namespace raytracer::client {
 namespace {
 
-std::size_t integer_of(std::string_view bytes, PlyBody body) {
-  std::size_t value = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const std::size_t place = body == PlyBody::little_endian ? i : bytes.size() - 1 - i;
-    value |= static_cast<std::size_t>(static_cast<unsigned char>(bytes[i])) << (8 * place);
-  }
-  return value;
-}
-
 class PlyBytesCheck {
  public:
   PlyBytesCheck(PlyBody body, std::string_view bytes, Reading& reading)
@@ -46,7 +37,7 @@ class PlyBytesCheck {
     if (!property.count) return take(1, property.type.bytes);
     const std::string_view before = bytes_;
     if (!take(1, property.count->bytes)) return false;
-    const std::size_t count = integer_of(before.substr(0, property.count->bytes), body_);
+    const std::size_t count = ply_integer(before.substr(0, property.count->bytes), body_);
     if (names_vertices(element, property)) {
       if (count == 0) throw InputError("a face without corners cannot be read: leave it out");
       if (count < 3) omit_face_of_few_corners(reading_, 0);
@@ -60,6 +51,15 @@ class PlyBytesCheck {
 };
 
 }  // namespace
+
+std::uint64_t ply_integer(std::string_view bytes, PlyBody body) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const std::size_t place = body == PlyBody::little_endian ? i : bytes.size() - 1 - i;
+    value |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * place);
+  }
+  return value;
+}
 
 void check_ply_bytes(const PlyHeader& header, std::string_view bytes, Reading& reading) {
   for (const PlyElement& element : header.elements)

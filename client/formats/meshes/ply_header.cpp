@@ -85,11 +85,24 @@ const PlyProperty* PlyElement::red() const {
   return plain ? plain : find("diffuse_red");
 }
 
+const PlyProperty* PlyElement::radius() const {
+  const bool has_list = std::any_of(properties.begin(), properties.end(),
+                                    [](const PlyProperty& property) { return property.count; });
+  return has_list ? nullptr : find("radius");
+}
+
 const PlyElement* PlyHeader::vertex() const {
   const auto found = std::find_if(elements.begin(), elements.end(), [](const PlyElement& element) {
     return element.name == "vertex";
   });
   return found == elements.end() ? nullptr : &*found;
+}
+
+std::size_t PlyHeader::face_count() const {
+  std::size_t count = 0;
+  for (const PlyElement& element : elements)
+    if (element.is_face()) count += element.count;
+  return count;
 }
 
 bool names_vertices(const PlyElement& element, const PlyProperty& property) {

@@ -41,6 +41,8 @@ struct PlyElement {
   const PlyProperty* find(std::string_view property) const;
   /// That tells how red each is, under either of its names; null if none does.
   const PlyProperty* red() const;
+  /// Of points, if each property is one number; null if there is none.
+  const PlyProperty* radius() const;
 };
 
 enum class PlyBody { text, little_endian, big_endian };
@@ -51,6 +53,7 @@ struct PlyHeader {
 
   /// Null if there are none.
   const PlyElement* vertex() const;
+  std::size_t face_count() const;
   std::size_t vertex_count() const { return vertex() ? vertex()->count : 0; }
 };
 
