@@ -133,14 +133,18 @@ std::optional<SceneText> read_scene_file(const SceneChoice& choice, const Overri
   return document;
 }
 
-NextFrame read_frames(const SceneChoice& choice, const Overrides& overrides) {
+bool has_frames(const SceneChoice& choice) {
   const Format* const format = format_of(choice.name);
-  if (!format || format->openness != Openness::atoms)
+  return format && format->openness == Openness::atoms;
+}
+
+NextFrame read_frames(const SceneChoice& choice, const Overrides& overrides) {
+  if (!has_frames(choice))
     throw InputError(
         fmt::format("{}: has no frames; --turntable N goes round any scene", choice.name));
   const std::string& label = choice.name;
   const std::shared_ptr<SceneFile> file =
-      naming(label, [&] { return open(*format, choice, overrides); });
+      naming(label, [&] { return open(*format_of(label), choice, overrides); });
   return [file, label]() -> std::optional<SceneText> {
     const std::optional<Reading> reading = naming(label, [&] { return file->next_frame(); });
     if (!reading) return std::nullopt;

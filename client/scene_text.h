@@ -37,11 +37,14 @@ struct SceneChoice {
 std::optional<SceneText> read_scene_file(const SceneChoice& choice,
                                          const Overrides& overrides = {});
 
+/// Whether the choice is a file of a format that has frames, if only one.
+bool has_frames(const SceneChoice& choice);
+
 /// Frame for frame what a file of another format means; the next one is read while it is called.
 /// Returns nothing behind the last one. Throws as above.
 using NextFrame = std::function<std::optional<SceneText>()>;
 
-/// Throws InputError if it is no file of another format.
+/// Throws InputError if the choice has no frames.
 NextFrame read_frames(const SceneChoice& choice, const Overrides& overrides);
 
 }  // namespace raytracer::client

@@ -22,6 +22,16 @@ TEST_F(Validate, valid_scene_is_said_to_be) {
   EXPECT_EQ(run_with_server({"validate", "demo"}).out, "demo: valid\n");
 }
 
+TEST_F(Validate, all_frames_of_a_file_are_checked) {
+  const std::string one = "1\n\nC 0 0 0\n";
+  const std::string file = folder_.write("atoms.xyz", one + one);
+  EXPECT_EQ(run_with_server({"validate", file}).out, file + ": valid, 2 frames\n");
+  folder_.write("atoms.xyz", one);
+  EXPECT_EQ(run_with_server({"validate", file}).out, file + ": valid\n");
+  folder_.write("atoms.xyz", one + "1\n\nC 0 zero 0\n");
+  expect_input_error(run_with_server({"validate", file}), file + ":6:");
+}
+
 TEST_F(Validate, renders_nothing) {
   EXPECT_EQ(run_with_server({"validate", "-"}, endless_scene()).status, 0);
 }
