@@ -88,10 +88,10 @@ void add_animate(CLI::App& app, const ServerChoice& server) {
   CLI::Option* const turntable =
       command.add_option("--turntable", arguments->turntable, "A turn round the scene in N frames")
           ->option_text("N")
-          ->check(CLI::Range(1, 100'000));
+          ->check(refuse_unless_whole(1, 100'000));
   command.add_option("--frames", arguments->frames, "The file's models or time steps")
       ->option_text("all")
-      ->check(CLI::IsMember({"all"}))
+      ->check(refuse_unless_among({"all"}))
       ->excludes(turntable);
   command
       .add_option("-o,--output", arguments->target.output,
@@ -103,7 +103,7 @@ void add_animate(CLI::App& app, const ServerChoice& server) {
           "--format", [arguments](const std::string&) { arguments->target.is_y4m = true; },
           "Raw video for a pipe: ... -o - | ffmpeg -i - MOTION.mp4")
       ->option_text("y4m")
-      ->check(CLI::IsMember({"y4m"}));
+      ->check(refuse_unless_among({"y4m"}));
   command
       .add_option_function<double>(
           "--fps", [arguments](double rate) { arguments->target.rate = rate_of(rate); },

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "client/failure.h"
 
@@ -26,17 +27,24 @@ CLI::Option* add_override(CLI::App& command, Overrides& overrides, const std::st
   return command.add_option_function<Value>(flag, store, help)->option_text(value_name);
 }
 
-/// Refuses what is no whole number from `least` up.
-auto refuse_unless_whole(int least) {
-  return [least](const std::string& text) {
+}  // namespace
+
+RefuseValue refuse_unless_whole(int least, int most) {
+  return [least, most](const std::string& text) {
     int value = 0;
-    const bool is_whole = CLI::detail::lexical_cast(text, value) && value >= least;
+    const bool is_whole = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
     return is_whole ? ""
                     : fmt::format("'{}' is not a whole number from {} to {}", text, least, most);
   };
 }
 
-}  // namespace
+RefuseValue refuse_unless_among(std::vector<std::string> words) {
+  return [words = std::move(words)](const std::string& text) {
+    const bool is_one = std::find(words.begin(), words.end(), text) != words.end();
+    const char* const are_not = words.size() == 1 ? "not" : "none of";
+    return is_one ? "" : fmt::format("'{}' is {} {}", text, are_not, fmt::join(words, ", "));
+  };
+}
 
 std::string refuse_unless_positive(const std::string& text) {
   double value = 0;
@@ -78,7 +86,7 @@ CLI::App& add_scene_command(CLI::App& app, const std::string& name, const std::s
 void add_accuracy_options(CLI::App& command, Overrides& overrides) {
   CLI::Option* const samples =
       add_override<int>(command, overrides, "--samples", "N", "Samples per pixel")
-          ->check(refuse_unless_whole(1));
+          ->check(refuse_unless_whole(1, most));
   CLI::Option* const target = add_override<double>(command, overrides, "--target-rmse", "X",
                                                    "Refine until the RMSE is most likely at most X")
                                   ->check(refuse_unless_positive);
@@ -88,20 +96,20 @@ void add_accuracy_options(CLI::App& command, Overrides& overrides) {
   samples->excludes(target)->excludes(budget);
   add_override<std::string>(command, overrides, "--precision", "auto|single|double",
                             "Floating-point precision of the kernel")
-      ->check(CLI::IsMember({"auto", "single", "double"}));
+      ->check(refuse_unless_among({"auto", "single", "double"}));
 }
 
 void add_picture_options(CLI::App& command, Overrides& overrides) {
   add_override<int>(command, overrides, "--width", "W", "Image width in pixels")
-      ->check(refuse_unless_whole(1));
+      ->check(refuse_unless_whole(1, most));
   add_override<int>(command, overrides, "--height", "H", "Image height in pixels")
-      ->check(refuse_unless_whole(1));
+      ->check(refuse_unless_whole(1, most));
   add_override<int>(command, overrides, "--max-depth", "N",
                     "Maximum number of reflections and refractions of a ray")
-      ->check(refuse_unless_whole(0));
+      ->check(refuse_unless_whole(0, most));
   add_override<std::string>(command, overrides, "--transfer", "linear|srgb",
                             "Transfer function of the image")
-      ->check(CLI::IsMember({"linear", "srgb"}));
+      ->check(refuse_unless_among({"linear", "srgb"}));
 }
 
 void add_output_option(CLI::App& command, std::optional<OutputFile>& output,

@@ -1,6 +1,7 @@
 // What commands have in common on the command line.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,8 +29,15 @@ CLI::App& add_scene_command(CLI::App& app, const std::string& name, const std::s
 /// These options alone.
 void add_import_flags(CLI::App& command, SceneChoice& scene);
 
-/// For CLI11: a number that is finite and greater than 0.
+/// For CLI11, which asks for words about what is wrong with a value, or none: a number that is
+/// finite and greater than 0.
 std::string refuse_unless_positive(const std::string& text);
+
+using RefuseValue = std::function<std::string(const std::string&)>;
+/// Likewise: a whole number from `least` to `most`.
+RefuseValue refuse_unless_whole(int least, int most);
+/// Likewise: one of these.
+RefuseValue refuse_unless_among(std::vector<std::string> words);
 
 /// Options that say how accurate a picture is to be.
 void add_accuracy_options(CLI::App& command, Overrides& overrides);

@@ -69,12 +69,12 @@ void add_import_flags(CLI::App& command, SceneChoice& scene) {
   };
   add("--style", "spacefill|ball-and-stick|sticks", "How atoms are drawn [spacefill]",
       [](ImportOptions& options, const std::string& name) { options.style = style_of(name); })
-      ->check(CLI::IsMember({"spacefill", "ball-and-stick", "sticks"}));
+      ->check(refuse_unless_among({"spacefill", "ball-and-stick", "sticks"}));
   add("--color", "COLUMN", "What gives the colours: element, chain, residue or a column",
       [](ImportOptions& options, const std::string& name) { options.color = name; });
   add("--colormap", "viridis|magma|coolwarm", "Colours of a column of numbers [viridis]",
       [](ImportOptions& options, const std::string& name) { options.color_map = name; })
-      ->check(CLI::IsMember(std::vector<std::string>(color_maps.begin(), color_maps.end())));
+      ->check(refuse_unless_among({color_maps.begin(), color_maps.end()}));
   add("--view", "X,Y,Z", "Seen from this direction [the file's camera, or where most is seen]",
       [](ImportOptions& options, const std::string& text) { options.view = direction_of(text); });
   add("--zoom", "Z", "Enlargement; 1 shows everything, or what the file's camera does [1]",

@@ -10,6 +10,7 @@
 #include <exception>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "client/command_line.h"
 #include "client/commands.h"
@@ -67,6 +68,10 @@ void run(int argc, char** argv) {
   } catch (const CLI::ExtrasError&) {  // its own words name them in the reverse order
     throw InputError(fmt::format("'{}' is no command and no option here; {}",
                                  app.remaining(true).front(), help_of(app)));
+  } catch (const CLI::ArgumentMismatch& error) {  // "--samples: 1 required INT missing"
+    const std::string_view words = error.what();
+    throw InputError(fmt::format("{}: its value is missing; {}", words.substr(0, words.find(':')),
+                                 help_of(app)));
   } catch (const CLI::ParseError& error) {
     throw InputError(fmt::format("{}; {}", error.what(), help_of(app)));
   }

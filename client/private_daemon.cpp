@@ -104,6 +104,8 @@ void PrivateDaemon::start() {
   // Limits are against others, of which it has none; whoever sets them means it.
   ::setenv("RAYTRACER_MAX_BODY", "2147483648", 0);
   ::setenv("RAYTRACER_MAX_OBJECTS", "100000000", 0);
+  ::setenv("RAYTRACER_MAX_PIXELS", "268435456", 0);
+  ::setenv("RAYTRACER_MAX_WORK", "9007199254740992", 0);
   const std::string beside_client = path_beside_client();
   const pid_t parent = ::getpid();
   pid_ = ::fork();

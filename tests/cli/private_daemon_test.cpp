@@ -42,6 +42,16 @@ TEST(PrivateDaemon, renders_without_any_server) {
   EXPECT_EQ(decode_png(outcome.out).width, 16);
 }
 
+TEST(PrivateDaemon, takes_work_that_would_keep_others_waiting) {
+  const std::string large =
+      R"({"objects": [{"type": "sphere", "center": [0, 0, 0], "radius": 1}],
+          "camera": {"origin": [0, 0, 5], "look_at": [0, 0, 0], "fov": 1, "width": 10000,
+                     "height": 8000}, "render": {"samples": 65536}})";
+  EXPECT_EQ(run_client({"validate", "-"}, large).out, "standard input: valid\n");
+  expect_input_error(run_client({"validate", "-"}, large, {{"RAYTRACER_MAX_WORK", "1000000"}}),
+                     "(--max-work)");
+}
+
 /// They are meant for a daemon of one's own, but for its limits: with most the private one would
 /// end, or be none that the client reaches.
 TEST(PrivateDaemon, heeds_no_variable_of_a_server_for_others) {
