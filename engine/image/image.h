@@ -32,6 +32,13 @@ struct Raster {
         height(height_px),
         channels(channel_count),
         values(length_of(width_px) * static_cast<std::size_t>(height_px)) {}
+  Raster(const Raster&) = default;
+  Raster(Raster&&) noexcept = default;
+  Raster& operator=(const Raster&) = default;
+  Raster& operator=(Raster&&) noexcept = default;
+  /// Compiled with the engine: below -O2 g++ has a vector with an allocator walk over its elements
+  /// to destroy nothing of each.
+  ~Raster();
 
   /// The first of the values of pixel (x, y), y = 0 on top.
   Channel* pixel(int x, int y) { return values.data() + index(x, y); }
@@ -47,6 +54,9 @@ struct Raster {
     return static_cast<std::size_t>(y) * length_of(width) + length_of(x);
   }
 };
+
+extern template struct Raster<float>;
+extern template struct Raster<unsigned char>;
 
 /// Channels in [0, 1].
 using Image = Raster<float>;
