@@ -15,7 +15,7 @@ namespace {
 
 template <typename T>
 PacketMaterials<T> make_materials(const PackedScene& scene, const Features& features) {
-  PacketMaterials<T> materials{{}, {}, features.has_specular, features.uniform_shininess};
+  PacketMaterials<T> materials{{}, {}, features.has_specular, features.integer_shininess};
   materials.rows.reserve(scene.materials.size());
   for (const Material& material : scene.materials)
     materials.rows.push_back(MaterialRow<T>::of(material, scene.ambient));

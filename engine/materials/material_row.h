@@ -1,8 +1,7 @@
 // Materials as packets of points read them, in their own precision.
 #pragma once
 
-#include <cstdint>
-
+#include "engine/materials/blinn_phong/integer_exponents.h"
 #include "engine/materials/materials.h"
 #include "engine/math/triple.h"
 #include "engine/memory/page_allocator.h"
@@ -48,7 +47,7 @@ struct PacketMaterials {
   LargeArray<MaterialRow<T>> rows;
   LargeArray<GlassRow<T>> glass;  ///< likewise, if any lets rays through
   bool has_specular = false;
-  std::int32_t uniform_shininess = -1;  ///< the one integer exponent of all specular ones, or -1
+  IntegerExponents integer_shininess{};  ///< of all specular ones
 };
 
 }  // namespace raytracer

@@ -61,7 +61,7 @@ Json features_json(const Scene& scene, const Features& features) {
             {"shading", shading}};
   if (features.has_specular) {
     json["shininess"] = {{"largest", features.shininess},
-                         {"same_integer_everywhere", features.uniform_shininess >= 0}};
+                         {"small_integers", features.integer_shininess.are_all}};
   }
   json["reflections"] = features.reflects ? features.max_depth : 0;
   json["refractions"] = features.transmits ? features.max_depth : 0;

@@ -100,17 +100,6 @@ void count_primitives(const Scene& scene, Features& features) {
   }
 }
 
-/// The exponent that all share, if it is an integer small enough for repeated squaring; else -1.
-std::int32_t uniform_shininess(const std::vector<double>& exponents) {
-  constexpr double most = 4096;
-  if (exponents.empty()) return -1;
-  const double first = exponents.front();
-  const bool is_small_integer = first == std::floor(first) && first <= most;
-  const bool is_uniform = std::all_of(exponents.begin(), exponents.end(),
-                                      [&](double exponent) { return exponent == first; });
-  return is_small_integer && is_uniform ? static_cast<std::int32_t>(first) : -1;
-}
-
 void find_followed_rays(const Scene& scene, const std::vector<Material>& used, Features& features) {
   for (const Material& material : used) {
     features.transparency = std::max(features.transparency, material.transparency);
@@ -173,7 +162,7 @@ Features find_features(const Scene& scene) {
   features.has_specular = !exponents.empty();
   for (const double exponent : exponents)
     features.shininess = std::max(features.shininess, exponent);
-  features.uniform_shininess = uniform_shininess(exponents);
+  features.integer_shininess = find_integer_exponents(exponents);
   find_followed_rays(scene, used, features);
   return features;
 }

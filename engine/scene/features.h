@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/lights/lights.h"
+#include "engine/materials/blinn_phong/integer_exponents.h"
 #include "engine/objects/objects.h"
 
 namespace raytracer {
@@ -25,14 +26,13 @@ struct Features {
   std::array<std::size_t, LightKinds::count> lights{};
   std::array<std::size_t, light_rays_count> lights_by_rays{};  ///< the same
   std::size_t soft_lights = 0;                                 ///< of them
-  std::size_t shared_lights = 0;  ///< soft ones, to which rays share directions
-  bool casts_shadows = false;     ///< a light's visibility has to be found out
-  bool has_ambient = false;       ///< some surface shows an ambient part
-  bool has_diffuse = false;       ///< some surface has kd > 0 under a light that emits
-  bool has_specular = false;      ///< some surface has ks > 0 under a light that emits
-  double shininess = 0;           ///< the largest in use; 0 if nothing is specular
-  /// The one integer exponent, at most 4096, of all specular materials in use; else -1.
-  std::int32_t uniform_shininess = -1;
+  std::size_t shared_lights = 0;       ///< soft ones, to which rays share directions
+  bool casts_shadows = false;          ///< a light's visibility has to be found out
+  bool has_ambient = false;            ///< some surface shows an ambient part
+  bool has_diffuse = false;            ///< some surface has kd > 0 under a light that emits
+  bool has_specular = false;           ///< some surface has ks > 0 under a light that emits
+  double shininess = 0;                ///< the largest in use; 0 if nothing is specular
+  IntegerExponents integer_shininess;  ///< of all specular materials in use
 
   bool has_corner_normals = false;  ///< interpolated between corners, for smooth shading
   bool has_corner_colors = false;   ///< likewise

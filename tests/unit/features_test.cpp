@@ -37,13 +37,25 @@ TEST(Features, count_primitives_by_kind) {
   EXPECT_EQ(features.primitives[kind_index<TriangleKind>], 2U);
 }
 
+/// Of a scene where all are the same.
+IntegerExponents only(std::uint32_t exponent) { return {true, exponent, exponent}; }
+
+TEST(Features, know_integers_that_are_small) {
+  EXPECT_EQ(find_integer_exponents({0}), only(0));
+  EXPECT_EQ(find_integer_exponents({4096}), only(4096));
+  EXPECT_EQ(find_integer_exponents({1, 6, 3}), (IntegerExponents{true, 7, 0}));
+  EXPECT_FALSE(find_integer_exponents({}).are_all);
+  EXPECT_FALSE(find_integer_exponents({2, 4097}).are_all);
+  EXPECT_FALSE(find_integer_exponents({2, 0.5}).are_all);
+}
+
 TEST(Features, leave_out_a_material_that_nothing_is_made_of) {
   const Features features = find_features(lit_sphere());
   EXPECT_EQ(features.materials, 1U);
   EXPECT_FALSE(features.reflects);
   EXPECT_EQ(features.max_depth, 0);
   EXPECT_EQ(features.reflectivity, 0);
-  EXPECT_EQ(features.uniform_shininess, 50) << "the mirror's 3.5 is nobody's";
+  EXPECT_EQ(features.integer_shininess, only(50)) << "the mirror's 3.5 is nobody's";
 }
 
 TEST(Features, leave_out_the_material_of_an_empty_set) {
@@ -73,7 +85,7 @@ TEST(Features, count_a_mirror_that_is_used) {
   EXPECT_TRUE(features.reflects);
   EXPECT_EQ(features.max_depth, 5);
   EXPECT_EQ(features.reflectivity, 0.9);
-  EXPECT_EQ(features.uniform_shininess, -1) << "3.5 is no integer";
+  EXPECT_FALSE(features.integer_shininess.are_all) << "3.5 is no integer";
 }
 
 TEST(Features, tell_glass_from_mirrors) {
@@ -114,12 +126,14 @@ TEST(Features, leave_out_highlights_where_nothing_shows_them) {
   EXPECT_FALSE(find_features(black).has_specular);
 }
 
-TEST(Features, ask_only_the_specular_for_one_exponent) {
+TEST(Features, ask_only_the_specular_for_integer_exponents) {
   Scene scene = lit_sphere();
   append(scene.objects, {Sphere{{3, 0, 0}, 1}, 1});
-  EXPECT_EQ(find_features(scene).uniform_shininess, -1);
+  EXPECT_FALSE(find_features(scene).integer_shininess.are_all);
+  edit(scene.materials, [](auto& materials) { materials[1].shininess = 48; });
+  EXPECT_EQ(find_features(scene).integer_shininess, (IntegerExponents{true, 50, 48}));
   edit(scene.materials, [](auto& materials) { materials[1].ks = 0; });
-  EXPECT_EQ(find_features(scene).uniform_shininess, 50);
+  EXPECT_EQ(find_features(scene).integer_shininess, only(50));
 }
 
 TEST(Features, leave_out_a_light_that_changes_no_colour) {

@@ -9,25 +9,42 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// x^exponent for x in [0, 1], by squaring from the exponent's highest bit; 0^0 = 1.
+/// x^exponent for x in [0, 1], by squaring from the exponents' highest bit; 0^0 = 1. Each lane's is
+/// what it would be by itself: squares of 1 are 1.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V integer_power(D d, V x, std::int32_t exponent) {
-  if (exponent == 0) return hn::Set(d, hn::TFromD<D>(1));
-  const auto bits = static_cast<std::uint32_t>(exponent);
-  V power = x;
-  std::uint32_t bit = std::uint32_t{1} << (31 - hwy::Num0BitsAboveMS1Bit_Nonzero32(bits));
-  while ((bit >>= 1U) != 0) {
+HWY_INLINE V integer_power(D d, V x, hn::Vec<hn::RebindToUnsigned<D>> exponent,
+                           const IntegerExponents& of_scene) {
+  const hn::RebindToUnsigned<D> bits;
+  const V one = hn::Set(d, hn::TFromD<D>(1));
+  // Of the lanes that have the bit, one of those of the scene's.
+  const auto or_one = [&](std::uint32_t bit) HWY_ATTR {
+    if ((of_scene.all & bit) != 0) return x;
+    const auto has_bit = hn::TestBit(exponent, hn::Set(bits, bit));
+    return hn::IfThenElse(hn::RebindMask(d, has_bit), x, one);
+  };
+  if (of_scene.any <= 1) return one;
+  std::uint32_t bit = std::uint32_t{1} << (31 - hwy::Num0BitsAboveMS1Bit_Nonzero32(of_scene.any));
+  V power = or_one(bit);
+  while ((bit >>= 1U) > 1) {
     power = hn::Mul(power, power);
-    if ((bits & bit) != 0) power = hn::Mul(power, x);
+    if ((of_scene.any & bit) != 0) power = hn::Mul(power, or_one(bit));
   }
   return power;
 }
 
-/// sqrt(square)^exponent, likewise; most exponents need no root.
+/// sqrt(square)^exponent, likewise: half of the exponent's bits are the square's, and most need no
+/// root.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V power_of_root(D d, V square, std::int32_t exponent) {
-  const V power = integer_power(d, square, exponent / 2);
-  return exponent % 2 == 0 ? power : hn::Mul(power, hn::Sqrt(square));
+HWY_INLINE V power_of_root(D d, V square, V shininess, const IntegerExponents& of_scene) {
+  using T = hn::TFromD<D>;
+  const hn::RebindToUnsigned<D> bits;
+  // An integer's bits are then the lowest of the number's.
+  const V raised = hn::Add(shininess, hn::Set(d, hwy::MantissaEnd<T>()));
+  const auto exponent = hn::BitCast(bits, raised);
+  const V power = integer_power(d, square, exponent, of_scene);
+  if ((of_scene.any & 1) == 0) return power;
+  const auto is_odd = hn::RebindMask(d, hn::TestBit(exponent, hn::Set(bits, 1)));
+  return hn::IfThenElse(is_odd, hn::Mul(power, hn::Sqrt(square)), power);
 }
 
 /// cosine^shininess with 1 - cosine given apart, which keeps its digits where the cosine has
@@ -77,15 +94,16 @@ class BlinnPhongPacket {
  private:
   HWY_INLINE V highlight(D d, const V3<V>& towards) const {
     const V3<V> halfway = add(towards, view_);
-    if (materials_.uniform_shininess < 0) return varied_highlight(d, halfway);
+    if (!materials_.integer_shininess.are_all) return highlight_of_any(d, halfway);
     // By the square of the cosine of the angle with the direction halfway to the eye: without a
     // root.
     const V along = hn::Max(dot(halfway, normal_), hn::Zero(d));
     const V square = hn::Mul(hn::Mul(along, along), inverse(d, dot(halfway, halfway)));
-    return power_of_root(d, hn::Min(square, hn::Set(d, T(1))), materials_.uniform_shininess);
+    return power_of_root(d, hn::Min(square, hn::Set(d, T(1))), rows_(d, &MaterialRow<T>::shininess),
+                         materials_.integer_shininess);
   }
 
-  HWY_NOINLINE V varied_highlight(D d, const V3<V>& halfway) const {
+  HWY_NOINLINE V highlight_of_any(D d, const V3<V>& halfway) const {
     const V3<V> chord = sub(unit(d, halfway), normal_);
     const V versine = hn::Mul(hn::Set(d, T(0.5)), dot(chord, chord));
     return power(d, versine, rows_(d, &MaterialRow<T>::shininess));
