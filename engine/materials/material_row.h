@@ -1,7 +1,7 @@
 // Materials as packets of points read them, in their own precision.
 #pragma once
 
-#include "engine/materials/blinn_phong/integer_exponents.h"
+#include "engine/materials/integer_exponents.h"
 #include "engine/materials/materials.h"
 #include "engine/math/triple.h"
 #include "engine/memory/page_allocator.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/lights/lights.h"
-#include "engine/materials/blinn_phong/integer_exponents.h"
+#include "engine/materials/integer_exponents.h"
 #include "engine/objects/objects.h"
 
 namespace raytracer {

@@ -42,7 +42,9 @@ std::string points_in_bytes(bool is_big_endian, const std::string& type, int siz
   return text;
 }
 
-json radii_of(const std::string& ply) { return document(".ply", ply).at("objects")[0].at("radius"); }
+json radii_of(const std::string& ply) {
+  return document(".ply", ply).at("objects")[0].at("radius");
+}
 
 TEST(Points, are_spheres_with_a_radius_by_their_distances) {
   const json points =

@@ -30,13 +30,12 @@ double value_of(std::string_view bytes, const PlyType& type, PlyBody body) {
 class PlyRadii {
  public:
   PlyRadii(const PlyElement& vertex, const PlyProperty& radius, Reading& reading)
-      : vertex_(vertex), radius_(radius), errors_(reading) {
-    radii_.reserve(vertex.count);
-  }
+      : vertex_(vertex), radius_(radius), errors_(reading) {}
 
   std::vector<double> from_text(LineWords& words) {
     while (needs_more()) {
-      while (words.has_no_more()) words.next_line();
+      while (words.has_no_more() && !words.at_end()) words.next_line();
+      if (words.at_end()) return {};
       const int line = words.line();
       for (const PlyProperty& property : vertex_.properties) {
         const std::string_view word = words.next();
@@ -51,6 +50,7 @@ class PlyRadii {
   std::vector<double> from_bytes(std::string_view bytes, PlyBody body) {
     while (needs_more())
       for (const PlyProperty& property : vertex_.properties) {
+        if (bytes.size() < property.type.bytes) return {};  // check_ply() may not have looked
         if (&property == &radius_)
           add(value_of(bytes.substr(0, property.type.bytes), property.type, body), 0);
         bytes.remove_prefix(property.type.bytes);

@@ -1,4 +1,4 @@
-#include "engine/materials/blinn_phong/integer_exponents.h"
+#include "engine/materials/integer_exponents.h"
 
 #include <algorithm>
 #include <cmath>
