@@ -79,7 +79,8 @@ class BlinnPhongPacket {
         normal_(normal),
         view_(view),
         kd_(rows(d, &MaterialRow<T>::kd)),
-        ks_(rows(d, &MaterialRow<T>::ks)) {}
+        ks_(rows(d, &MaterialRow<T>::ks)),
+        shines_(materials.has_specular && !hn::AllTrue(d, hn::Eq(ks_, hn::Zero(d)))) {}
 
   /// kd: what a sky makes shine.
   HWY_INLINE V diffuse() const { return kd_; }
@@ -87,7 +88,7 @@ class BlinnPhongPacket {
   /// kd (N.L) + ks max(0, H.N)^shininess, for N.L > 0.
   HWY_INLINE V share(D d, const V3<V>& towards, V incidence) const {
     const V diffuse = hn::Mul(kd_, incidence);
-    if (!materials_.has_specular) return diffuse;
+    if (!shines_) return diffuse;
     return hn::MulAdd(ks_, highlight(d, towards), diffuse);
   }
 
@@ -115,6 +116,7 @@ class BlinnPhongPacket {
   const V3<V> view_;
   V kd_;
   V ks_;
+  bool shines_;  ///< has a highlight in some lane
 };
 
 }  // namespace raytracer::HWY_NAMESPACE
