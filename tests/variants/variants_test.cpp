@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/image/encode.h"
@@ -59,6 +60,32 @@ TEST(Variants, single_is_near_the_reference_where_the_plan_chooses_it) {
 
 TEST(Variants, mixed_is_near_the_reference_where_the_plan_chooses_it) {
   EXPECT_GE(expect_near_the_reference_where_chosen(Precision::mixed), 4);
+}
+
+/// Which packets multiply by their bits, each lane by its own.
+TEST(Variants, integer_exponents_of_every_bit_are_the_references) {
+  std::string materials;
+  std::string objects;
+  const std::vector<int> exponents{0, 1, 2, 3, 5, 96, 1023, 4095, 4096};
+  for (std::size_t i = 0; i < exponents.size(); ++i) {
+    const std::string comma = i == 0 ? "" : ", ";
+    materials += fmt::format(R"({}"{}": {{"ks": 1, "shininess": {}}})", comma, i, exponents[i]);
+    objects += fmt::format(
+        R"({}{{"type": "sphere", "center": [{}, {}, 0], "radius": 0.4, "material": "{}"}})", comma,
+        0.5 * static_cast<double>(i % 3) - 0.5, 0.5 * static_cast<double>(i / 3) - 0.5, i);
+  }
+  const Scene scene = prepared(fmt::format(
+      R"({{"camera": {{"origin": [0.2, 0.3, -5], "look_at": [0, 0, 0], "fov": 0.4, "width": 160,
+                      "height": 120}},
+          "lights": [{{"type": "distant", "direction": [0.1, -0.2, 1]}}],
+          "materials": {{{}}}, "objects": [{}]}})",
+      materials, objects));
+  EXPECT_EQ(find_features(scene).integer_shininess, (IntegerExponents{true, 8191, 0}));
+  const Image expected = reference_image(scene);
+  for (const InstructionSet& set : supported_instruction_sets())
+    for (const auto& [precision, most] :
+         {std::pair{Precision::double_precision, 0}, {Precision::single_precision, 2}})
+      EXPECT_LE(count_wrong(image_on(set, precision, scene), expected), most) << set.name;
 }
 
 /// Many of a kind, close to each other, after some reflections or refractions of which nothing is

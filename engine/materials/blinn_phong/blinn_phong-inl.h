@@ -16,7 +16,7 @@ HWY_INLINE V integer_power(D d, V x, hn::Vec<hn::RebindToUnsigned<D>> exponent,
                            const IntegerExponents& of_scene) {
   const hn::RebindToUnsigned<D> bits;
   const V one = hn::Set(d, hn::TFromD<D>(1));
-  // Of the lanes that have the bit, one of those of the scene's.
+  // x in the lanes whose exponent has the bit, which some of the scene's have; in the others 1.
   const auto or_one = [&](std::uint32_t bit) HWY_ATTR {
     if ((of_scene.all & bit) != 0) return x;
     const auto has_bit = hn::TestBit(exponent, hn::Set(bits, bit));
