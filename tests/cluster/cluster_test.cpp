@@ -108,11 +108,15 @@ testing::AssertionResult ends_done(const ServerProcess& front, const std::string
 }
 
 bool is_half_way(const ServerProcess& front, const std::string& job) {
+  std::string status;
   return eventually([&] {
            const Answer answer = get(front, job);
-           return answer.status == 200 && json_of(answer).at("progress") > 0;
+           if (answer.status != 200) return false;
+           const nlohmann::json state = json_of(answer);
+           status = state.at("status");
+           return state.at("progress") > 0;
          }) &&
-         status_of(front, job) == "running";
+         status == "running";
 }
 
 std::string alone(const std::string& target, const std::string& document, std::string_view type) {
@@ -124,6 +128,6 @@ std::string alone(const std::string& target, const std::string& document, std::s
   return answer.body;
 }
 
-std::string long_scene(int work) { return square_scene(350, 4 * work); }
+std::string long_scene(int work) { return square_scene(350, 16 * work); }
 
 }  // namespace raytracer::test

@@ -71,7 +71,8 @@ bool is_half_way(const ServerProcess& front, const std::string& job);
 std::string alone(const std::string& target, const std::string& document = "",
                   std::string_view type = "image/png");
 
-/// A scene whose picture takes about as many tasks as `work`, of a fraction of a second each.
+/// A scene whose picture takes a thread about `work` hundredths of a second: long enough for what
+/// is to happen meanwhile, on machines several times as fast, too.
 std::string long_scene(int work);
 
 }  // namespace raytracer::test
