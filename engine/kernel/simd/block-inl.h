@@ -1,13 +1,10 @@
 // A block of pixels: how packets cover it, and its colours.
 
-#include <hwy/contrib/math/math-inl.h>
-
 #include <array>
 #include <cstdint>
 
 #include "engine/kernel/sample_point.h"
 #include "engine/math/block.h"
-#include "engine/math/transfer.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
@@ -154,23 +151,6 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE V3<V> clamped(D d, const V3<V>& colour) {
   const V one = hn::Set(d, hn::TFromD<D>(1));
   return {hn::Min(colour.x, one), hn::Min(colour.y, one), hn::Min(colour.z, one)};
-}
-
-/// As encode_channel() in engine/math/transfer.h.
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V encoded(D d, Transfer transfer, V linear) {
-  if (transfer == Transfer::linear) return linear;
-  using Curve = SrgbCurve;
-  const auto is_dark = hn::Le(linear, hn::Set(d, T(Curve::straight_end)));
-  const V straight = hn::Mul(hn::Set(d, T(Curve::slope)), linear);
-  if (hn::AllTrue(d, is_dark)) return straight;
-  // Any positive number will do in the lanes of the straight part: less than all of the others.
-  constexpr double has_logarithm = 0.003;
-  static_assert(has_logarithm < Curve::straight_end);
-  const V logarithm = hn::Log(d, hn::Max(linear, hn::Set(d, T(has_logarithm))));
-  const V power = hn::Exp(d, hn::Mul(logarithm, hn::Set(d, T(1 / Curve::exponent))));
-  const V curved = hn::MulSub(hn::Set(d, T(Curve::scale)), power, hn::Set(d, T(Curve::offset)));
-  return hn::IfThenElse(is_dark, straight, hn::Min(curved, hn::Set(d, T(1))));
 }
 
 }  // namespace raytracer::HWY_NAMESPACE

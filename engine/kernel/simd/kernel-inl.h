@@ -42,6 +42,7 @@
 #include "engine/kernel/simd/doubtful-inl.h"
 #include "engine/kernel/simd/eye-inl.h"
 #include "engine/kernel/simd/candidates-inl.h"
+#include "engine/kernel/simd/transfer-inl.h"
 #include "engine/kernel/simd/resolve-inl.h"
 #include "engine/kernel/simd/pixel_candidates-inl.h"
 #include "engine/kernel/simd/beyond_range-inl.h"
