@@ -33,29 +33,31 @@ Image render_many(const Scene& scene, int samples, WorkerPool& pool) {
   return render(with_overrides(scene, overrides), limits, pool, progress).image;
 }
 
-/// From the eye and from there to the lights.
-double rays_of_sample(const Scene& scene, int samples) {
+/// From the eye and from there to the lights, at most: of a point that is in the dark.
+double rays_of_picture(const Scene& scene, int samples) {
   Overrides overrides;
   overrides.samples = samples;
   const Scene many = with_overrides(scene, overrides);
   const LightSampling places = choose_light_sampling(many, find_features(many), samples).value;
+  const int of_soft = places.per_set * std::max(places.sets_to_be_sure, 1) + places.on_rim;
   double rays = 1;
-  for (const Light& light : many.lights) rays += is_soft(light) ? places.per_set : 1;
-  return rays;
+  for (const Light& light : many.lights) rays += is_soft(light) ? of_soft : 1;
+  return scene.camera.pixel_count() * samples * rays;
 }
 
 /// Errors fall at least as the root of the number of samples: the picture before has twice the
 /// error, and lies at least twice the later one's error from it.
 ExactPicture render_exactly(const Scene& scene, double wanted_error, double most_rays,
                             WorkerPool& pool) {
-  constexpr int first = 240;  // and multiples of five, which no contract has: else samples coincide
-  const double rays =
-      static_cast<double>(scene.camera.width) * scene.camera.height * rays_of_sample(scene, first);
+  // Multiples of five, which no contract has: else samples coincide.
+  constexpr int few = 60;
+  constexpr int usual = 240;
+  const int first = rays_of_picture(scene, usual) > most_rays ? few : usual;
   Image earlier = render_many(scene, first / 4, pool);
   for (int samples = first;; samples *= 4) {
     Image image = render_many(scene, samples, pool);
     const double error = difference(image, earlier).rmse / 2;
-    if (error <= wanted_error || 4 * samples * rays > most_rays)
+    if (error <= wanted_error || rays_of_picture(scene, 4 * samples) > most_rays)
       return {std::move(image), samples, error};
     earlier = std::move(image);
   }
