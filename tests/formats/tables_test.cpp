@@ -73,6 +73,22 @@ TEST(Table, missing_numbers_are_gray_and_told_wherever_they_stand) {
             3U);
 }
 
+TEST(Table, colour_of_fewer_than_three_columns_is_told) {
+  const auto frames = read_text(*client::format_of(".csv"), "# radii\nx,y,z,r\n0,0,0,2\n1,0,0,3\n");
+  ASSERT_EQ(frames.at(0).omissions.size(), 1U);
+  EXPECT_EQ(frames[0].omissions[0].first_line, 2);
+  EXPECT_NE(frames[0].omissions[0].one.find("a radius is called radius"), std::string::npos);
+}
+
+TEST(Table, atoms_of_no_known_element_are_told_if_it_is_drawn) {
+  const auto told = [](const std::string& text) {
+    const auto frames = read_text(*client::format_of(".csv"), text);
+    return frames.at(0).omissions.empty() ? 0 : frames[0].omissions[0].count;
+  };
+  EXPECT_EQ(told("x,y,z,element\n0,0,0,C\n1,0,0,Qq\n2,0,0,?\n"), 2);
+  EXPECT_EQ(told("x,y,z,element,radius,r,g,b\n0,0,0,C,1,1,1,1\n1,0,0,Qq,1,1,1,1\n"), 0);
+}
+
 TEST(Table, comment_that_names_the_places_is_the_header) {
   const std::vector<std::pair<std::string, std::string>> table{
       {".csv", "# made by hand\n# x,y,z,Heat\n1,2,3,4\n4,5,6,7\n"},

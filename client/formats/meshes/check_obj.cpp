@@ -36,6 +36,7 @@ class ObjCheck {
     }
     // Without faces they are what there is to show.
     if (has_faces_ && points_.count > 0) reading_.omissions.push_back(points_);
+    if (!has_library_ && materials_.count > 0) reading_.omissions.push_back(materials_);
   }
 
  private:
@@ -64,6 +65,12 @@ class ObjCheck {
       case ObjStatement::unknown:
         return reading_.omit(line, "statement left out that is not known",
                              "statements left out that are not known");
+      case ObjStatement::material:
+        if (materials_.count++ == 0) materials_.first_line = line;
+        return;
+      case ObjStatement::material_library:
+        has_library_ = true;
+        return;
       case ObjStatement::name:
       case ObjStatement::curve_part:
       case ObjStatement::display:
@@ -185,6 +192,9 @@ class ObjCheck {
   LineErrors errors_;
   bool has_faces_ = false;
   Omission points_{"point beside faces left out", "points beside faces left out", 0, 0};
+  bool has_library_ = false;
+  Omission materials_{"material left out that no mtllib says",
+                      "materials left out that no mtllib says", 0, 0};
   ObjCounts counts_{};               ///< so far
   std::optional<ObjCounts> totals_;  ///< of the file; known once they are asked for
 };

@@ -12,10 +12,12 @@ enum class ObjStatement {
   face,
   line,
   point,
-  name,        ///< of a group, an object or a material; its rest is a text
-  curve,       ///< or a surface by equations
-  curve_part,  ///< what a curve consists of
-  display,     ///< how a program shows it, which is no part of a shape
+  name,              ///< of a group or an object; its rest is a text
+  material,          ///< its name
+  material_library,  ///< a file's name
+  curve,             ///< or a surface by equations
+  curve_part,        ///< what a curve consists of
+  display,           ///< how a program shows it, which is no part of a shape
   unknown
 };
 

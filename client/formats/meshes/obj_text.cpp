@@ -77,6 +77,8 @@ std::string written(std::string_view obj, VertexColors& colors) {
         write_numbers(words, statement, text);
         break;
       case ObjStatement::name:
+      case ObjStatement::material:
+      case ObjStatement::material_library:
         text += keyword;
         text += ' ';
         text += words.rest();

@@ -58,7 +58,10 @@ Columns::Columns(std::vector<std::string> names, const ImportOptions& options, i
   const auto red = find({"r", "red"});
   const auto green = find({"g", "green"});
   const auto blue = find({"b", "blue"});
-  if (red && green && blue) rgb_ = {*red, *green, *blue};
+  if (red && green && blue)
+    rgb_ = {*red, *green, *blue};
+  else if (red || green || blue)
+    incomplete_color_line_ = line;
   choose_colors(options, line);
 }
 
@@ -172,6 +175,11 @@ void Columns::add_length(const std::vector<std::string_view>& fields, int line,
 
 void Columns::finish(Particles& particles) const {
   particles.group_names = groups_.names();
+  if (incomplete_color_line_)
+    add_omission(particles.omissions, *incomplete_color_line_,
+                 "colour left out that is not all of the columns r, g and b; a radius is called "
+                 "radius",
+                 "");
   // Bytes, if one of them is more than the whole share, and not by rounding.
   constexpr float more_than_rounded = 1.5F;
   const bool are_bytes =

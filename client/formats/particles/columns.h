@@ -42,6 +42,7 @@ class Columns {
   std::optional<std::size_t> radius_;
   bool is_diameter_ = false;
   std::optional<std::array<std::size_t, 3>> rgb_;
+  std::optional<int> incomplete_color_line_;  ///< of the names, if some of a colour's are missing
   std::vector<std::size_t> colors_;  ///< the one that gives them, or the components of a vector
   std::optional<bool> is_group_;     ///< the colours are by names; known from the first particle on
   GroupNames groups_;

@@ -16,6 +16,16 @@
 namespace raytracer::client {
 namespace {
 
+/// Their sizes and colours are made up then.
+void tell_of_elements(const Particles& particles, Reading& reading) {
+  const bool has_colors =
+      !particles.values.empty() || !particles.groups.empty() || !particles.colors.empty();
+  if (has_colors && !particles.radii.empty()) return;
+  for (const std::uint8_t element : particles.elements)
+    if (element == 0)
+      reading.omit(0, "atom is of no known element", "atoms are of no known element");
+}
+
 /// Frame for frame, seen from where the first one is seen best.
 class ParticleScenes : public SceneFile {
  public:
@@ -34,6 +44,7 @@ class ParticleScenes : public SceneFile {
       if (!particles && view_) return std::nullopt;
       if (!particles) throw LineError{1, "the file has no atoms: its frames are empty"};
       reading.omissions = std::move(particles->omissions);
+      tell_of_elements(*particles, reading);
       draw_particles(*std::move(particles), options_, scale_, reading.scene);
       if (!view_) view_ = view_of_all(reading.scene, options_, upright_);
       arrange(reading.scene, options_, *view_);
