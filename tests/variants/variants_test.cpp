@@ -66,13 +66,13 @@ TEST(Variants, mixed_is_near_the_reference_where_the_plan_chooses_it) {
 TEST(Variants, integer_exponents_of_every_bit_are_the_references) {
   std::string materials;
   std::string objects;
-  const std::vector<int> exponents{0, 1, 2, 3, 5, 96, 1023, 4095, 4096};
+  const std::vector<int> exponents{0, 1, 2, 3, 5, 8, 16, 96, 384, 1023, 4095, 4096};
   for (std::size_t i = 0; i < exponents.size(); ++i) {
     const std::string comma = i == 0 ? "" : ", ";
     materials += fmt::format(R"({}"{}": {{"ks": 1, "shininess": {}}})", comma, i, exponents[i]);
     objects += fmt::format(
         R"({}{{"type": "sphere", "center": [{}, {}, 0], "radius": 0.4, "material": "{}"}})", comma,
-        0.5 * static_cast<double>(i % 3) - 0.5, 0.5 * static_cast<double>(i / 3) - 0.5, i);
+        0.5 * static_cast<double>(i % 4) - 0.75, 0.5 * static_cast<double>(i / 4) - 0.5, i);
   }
   const Scene scene = prepared(fmt::format(
       R"({{"camera": {{"origin": [0.2, 0.3, -5], "look_at": [0, 0, 0], "fov": 0.4, "width": 160,

@@ -9,10 +9,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// x^exponent for x in [0, 1], by squaring from the exponents' highest bit; 0^0 = 1. Each lane's is
-/// what it would be by itself: squares of 1 are 1.
+/// x^floor(exponent / 2) for x in [0, 1], by squaring from the exponents' highest bit; 0^0 = 1. Each
+/// lane's is what it would be by itself: squares of 1 are 1.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V integer_power(D d, V x, hn::Vec<hn::RebindToUnsigned<D>> exponent,
+HWY_INLINE V power_of_half(D d, V x, hn::Vec<hn::RebindToUnsigned<D>> exponent,
                            const IntegerExponents& of_scene) {
   const hn::RebindToUnsigned<D> bits;
   const V one = hn::Set(d, hn::TFromD<D>(1));
@@ -32,8 +32,7 @@ HWY_INLINE V integer_power(D d, V x, hn::Vec<hn::RebindToUnsigned<D>> exponent,
   return power;
 }
 
-/// sqrt(square)^exponent, likewise: half of the exponent's bits are the square's, and most need no
-/// root.
+/// sqrt(square)^shininess, likewise: only odd exponents need the root.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V power_of_root(D d, V square, V shininess, const IntegerExponents& of_scene) {
   using T = hn::TFromD<D>;
@@ -41,8 +40,9 @@ HWY_INLINE V power_of_root(D d, V square, V shininess, const IntegerExponents& o
   // An integer's bits are then the lowest of the number's.
   const V raised = hn::Add(shininess, hn::Set(d, hwy::MantissaEnd<T>()));
   const auto exponent = hn::BitCast(bits, raised);
-  const V power = integer_power(d, square, exponent, of_scene);
+  const V power = power_of_half(d, square, exponent, of_scene);
   if ((of_scene.any & 1) == 0) return power;
+  if ((of_scene.all & 1) != 0) return hn::Mul(power, hn::Sqrt(square));
   const auto is_odd = hn::RebindMask(d, hn::TestBit(exponent, hn::Set(bits, 1)));
   return hn::IfThenElse(is_odd, hn::Mul(power, hn::Sqrt(square)), power);
 }
