@@ -140,7 +140,8 @@ TEST(MeshErrors, what_an_obj_has_besides_triangles_is_told) {
                         {"statement left out that is not known", 2, 14},
                         {"point beside faces left out", 3, 16}});
   EXPECT_EQ(triangles_of(reading), 1U);
-  expect_told(reading_of(".obj", obj_corners + "usemtl steel\nf 1 2 3\nusemtl oak\nf 1 2 3\n"),
+  const std::string steel = "usemtl steel\nf 1 2 3\n";
+  expect_told(reading_of(".obj", obj_corners + steel + "usemtl oak\nf 1 2 3\n" + steel),
               {{"material left out that no mtllib says", 2, 4}});
   const client::Reading points = reading_of(".obj", obj_corners + "p 1 2 3\n");
   EXPECT_TRUE(points.omissions.empty());

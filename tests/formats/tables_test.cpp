@@ -78,15 +78,32 @@ TEST(Table, colour_of_fewer_than_three_columns_is_told) {
   ASSERT_EQ(frames.at(0).omissions.size(), 1U);
   EXPECT_EQ(frames[0].omissions[0].first_line, 2);
   EXPECT_NE(frames[0].omissions[0].one.find("a radius is called radius"), std::string::npos);
+  EXPECT_TRUE(read_text(*client::format_of(".csv"), "x,y,z,r\n0,0,0,2\n1,0,0,3\n", options_for("r"))
+                  .at(0)
+                  .omissions.empty());
 }
 
 TEST(Table, atoms_of_no_known_element_are_told_if_it_is_drawn) {
-  const auto told = [](const std::string& text) {
-    const auto frames = read_text(*client::format_of(".csv"), text);
+  const auto told = [](const std::string& text, const client::ImportOptions& options = {}) {
+    const auto frames = read_text(*client::format_of(".csv"), text, options);
     return frames.at(0).omissions.empty() ? 0 : frames[0].omissions[0].count;
   };
   EXPECT_EQ(told("x,y,z,element\n0,0,0,C\n1,0,0,Qq\n2,0,0,?\n"), 2);
-  EXPECT_EQ(told("x,y,z,element,radius,r,g,b\n0,0,0,C,1,1,1,1\n1,0,0,Qq,1,1,1,1\n"), 0);
+  const std::string drawn_without =
+      "x,y,z,element,radius,r,g,b\n0,0,0,C,1,1,1,1\n1,0,0,Qq,1,1,1,1\n";
+  EXPECT_EQ(told(drawn_without), 0);
+  client::ImportOptions sticks;
+  sticks.style = client::AtomStyle::ball_and_stick;
+  EXPECT_EQ(told(drawn_without, sticks), 1);
+}
+
+TEST(Xyz, what_frames_leave_out_is_told_with_the_first_that_does) {
+  const std::string frame = "2\n\nC 0 0 0\nQq 1 0 0\n";
+  const auto frames = read_text(*client::format_of(".xyz"), "1\n\nC 0 0 0\n" + frame + frame);
+  ASSERT_EQ(frames.size(), 3U);
+  EXPECT_TRUE(frames[0].omissions.empty());
+  EXPECT_FALSE(frames[1].omissions.empty());
+  EXPECT_TRUE(frames[2].omissions.empty());
 }
 
 TEST(Table, comment_that_names_the_places_is_the_header) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "client/formats/meshes/line_errors.h"
 #include "client/formats/meshes/line_words.h"
@@ -66,8 +68,7 @@ class ObjCheck {
         return reading_.omit(line, "statement left out that is not known",
                              "statements left out that are not known");
       case ObjStatement::material:
-        if (materials_.count++ == 0) materials_.first_line = line;
-        return;
+        return note_material(line);
       case ObjStatement::material_library:
         has_library_ = true;
         return;
@@ -91,6 +92,11 @@ class ObjCheck {
       if (++found == 4 && fourth) *fourth = word;
     }
     return found;
+  }
+
+  void note_material(int line) {
+    if (material_names_.emplace(words_.rest()).second && materials_.count++ == 0)
+      materials_.first_line = line;
   }
 
   void check_vertex() {
@@ -193,6 +199,7 @@ class ObjCheck {
   bool has_faces_ = false;
   Omission points_{"point beside faces left out", "points beside faces left out", 0, 0};
   bool has_library_ = false;
+  std::set<std::string> material_names_;
   Omission materials_{"material left out that no mtllib says",
                       "materials left out that no mtllib says", 0, 0};
   ObjCounts counts_{};               ///< so far

@@ -58,11 +58,9 @@ Columns::Columns(std::vector<std::string> names, const ImportOptions& options, i
   const auto red = find({"r", "red"});
   const auto green = find({"g", "green"});
   const auto blue = find({"b", "blue"});
-  if (red && green && blue)
-    rgb_ = {*red, *green, *blue};
-  else if (red || green || blue)
-    incomplete_color_line_ = line;
+  if (red && green && blue) rgb_ = {*red, *green, *blue};
   choose_colors(options, line);
+  if (colors_.empty() && !rgb_ && (red || green || blue)) incomplete_color_line_ = line;
 }
 
 void Columns::choose_colors(const ImportOptions& options, int line) {
@@ -177,7 +175,7 @@ void Columns::finish(Particles& particles) const {
   particles.group_names = groups_.names();
   if (incomplete_color_line_)
     add_omission(particles.omissions, *incomplete_color_line_,
-                 "colour left out that is not all of the columns r, g and b; a radius is called "
+                 "colour left out that lacks some of the columns r, g and b; a radius is called "
                  "radius",
                  "");
   // Bytes, if one of them is more than the whole share, and not by rounding.

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "client/formats/arrange.h"
 #include "client/formats/particles/draw_particles.h"
@@ -16,11 +19,11 @@
 namespace raytracer::client {
 namespace {
 
-/// Their sizes and colours are made up then.
-void tell_of_elements(const Particles& particles, Reading& reading) {
+/// Whose sizes, colours or bonds are made up.
+void tell_of_unknown_elements(const Particles& particles, AtomStyle style, Reading& reading) {
   const bool has_colors =
       !particles.values.empty() || !particles.groups.empty() || !particles.colors.empty();
-  if (has_colors && !particles.radii.empty()) return;
+  if (has_colors && !particles.radii.empty() && style == AtomStyle::spacefill) return;
   for (const std::uint8_t element : particles.elements)
     if (element == 0)
       reading.omit(0, "atom is of no known element", "atoms are of no known element");
@@ -44,11 +47,12 @@ class ParticleScenes : public SceneFile {
       if (!particles && view_) return std::nullopt;
       if (!particles) throw LineError{1, "the file has no atoms: its frames are empty"};
       reading.omissions = std::move(particles->omissions);
-      tell_of_elements(*particles, reading);
+      tell_of_unknown_elements(*particles, options_.style, reading);
       draw_particles(*std::move(particles), options_, scale_, reading.scene);
       if (!view_) view_ = view_of_all(reading.scene, options_, upright_);
       arrange(reading.scene, options_, *view_);
       tell_of_first_frame(reading);
+      tell_once(reading.omissions);
     } catch (const LineError& error) {
       reading.errors.push_back(error);
       is_broken_ = true;
@@ -59,21 +63,22 @@ class ParticleScenes : public SceneFile {
   bool has_more() const override { return !is_broken_ && (!reader_ || reader_->has_more()); }
 
  private:
-  /// What does not suit a later frame is told once.
-  void tell_of_first_frame(Reading& reading) {
-    if (!was_beyond_view_ && options_.zoom <= 1 && !is_all_in_view(reading.scene)) {
-      was_beyond_view_ = true;
+  /// What does not suit a later frame.
+  void tell_of_first_frame(Reading& reading) const {
+    if (options_.zoom <= 1 && !is_all_in_view(reading.scene))
       reading.omit(0,
                    fmt::format("frame leaves the first one's picture, as others may; --zoom {:.3g} "
                                "shows twice as much",
                                options_.zoom / 2),
                    "");
-    }
-    if (!was_beyond_range_ && scale_.is_exceeded) {
-      was_beyond_range_ = true;
+    if (scale_.is_exceeded)
       reading.omit(0, "frame has numbers beyond the first one's range of colours, as others may",
                    "");
-    }
+  }
+
+  /// Each kind with the first frame that has it: thousands may have the same.
+  void tell_once(std::vector<Omission>& omissions) {
+    std::erase_if(omissions, [&](const Omission& kind) { return !told_.insert(kind.one).second; });
   }
 
   MakeReader make_reader_;
@@ -82,8 +87,7 @@ class ParticleScenes : public SceneFile {
   std::unique_ptr<ParticleReader> reader_;
   DrawingScale scale_;
   std::optional<model::View> view_;
-  bool was_beyond_view_ = false;
-  bool was_beyond_range_ = false;
+  std::set<std::string> told_;
   bool is_broken_ = false;
 };
 
