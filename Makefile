@@ -190,7 +190,7 @@ help:
 	@echo "make load      small pictures a second against /healthz, with wrk"
 	@echo "make soak      ten minutes of mixed traffic: no memory, thread or descriptor is lost"
 	@echo "make chaos     a cluster whose parts are killed (ROUNDS=$(ROUNDS) SEED=$(SEED)): is every job done, and right?"
-	@echo "make install   programs, library, man pages, completions to PREFIX ($(PREFIX)), below DESTDIR"
+	@echo "make install   programs, library, systemd unit, man pages, completions to PREFIX ($(PREFIX)), below DESTDIR"
 	@echo "make clean     remove what was built"
 
 comma := ,
