@@ -128,6 +128,8 @@ std::string alone(const std::string& target, const std::string& document, std::s
   return answer.body;
 }
 
-std::string long_scene(int work) { return square_scene(350, 16 * work); }
+int samples_of_long_scene(int work) { return 16 * work; }
+
+std::string long_scene(int work) { return square_scene(350, samples_of_long_scene(work)); }
 
 }  // namespace raytracer::test

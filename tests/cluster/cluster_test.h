@@ -74,5 +74,6 @@ std::string alone(const std::string& target, const std::string& document = "",
 /// A scene whose picture takes a thread about `work` hundredths of a second: long enough for what
 /// is to happen meanwhile, on machines several times as fast, too.
 std::string long_scene(int work);
+int samples_of_long_scene(int work);  ///< per pixel
 
 }  // namespace raytracer::test

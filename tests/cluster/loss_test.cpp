@@ -87,7 +87,7 @@ TEST_F(Loss, job_that_a_dead_front_had_not_cut_is_cut_by_another) {
   ASSERT_TRUE(has_workers(front, 1));
   Stored stored(nats().url());
   JobRecord record = stored.new_job("uncut", stored.renderer(), scene, 350, 0, 0);
-  record.samples = 240;  // as the scene has them
+  record.samples = samples_of_long_scene(60);
   ASSERT_TRUE(stored.store.put_job(record));
   expect_right_picture(front, "/jobs/uncut");
 }
@@ -100,7 +100,7 @@ TEST_F(Loss, job_whose_record_cannot_be_read_keeps_nobody_from_the_others) {
   for (const char* const id : {"a", "m", "z", "0", "9"})
     stored.connection.put(std::string("raytracer.job.record.") + id, "{}");
   JobRecord record = stored.new_job("uncut", stored.renderer(), scene, 350, 0, 0);
-  record.samples = 240;  // as the scene has them
+  record.samples = samples_of_long_scene(60);
   ASSERT_TRUE(stored.store.put_job(record));
   expect_right_picture(front, "/jobs/uncut");
 }

@@ -94,7 +94,7 @@ TEST_F(NatsAway, task_that_ends_meanwhile_is_kept_and_is_not_a_loss) {
   Stored stored(nats().url());
   const std::string scene = long_scene(100);
   JobRecord record = stored.new_job("one", stored.renderer(), scene, 350, 352, 1);
-  record.samples = 1600;  // as the scene has them
+  record.samples = samples_of_long_scene(100);
   stored.queue(record);
   // Then it has all that it needs.
   ASSERT_TRUE(

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "engine/image/image.h"
+#include "tests/process/patience.h"
 #include "tests/support/cpu_stopwatch.h"
 
 using namespace raytracer;
@@ -59,6 +60,7 @@ TEST(PageAllocator, takes_the_wish_for_huge_pages_back_with_the_memory) {
 // Below -O2 g++ has a vector of another allocator than its own walk over what there is nothing to
 // destroy of.
 TEST(PageAllocator, picture_is_given_back_without_a_look_at_its_values) {
+  if (!test::speed_counts) GTEST_SKIP() << "the engine is compiled with less optimisation here";
   auto picture = std::make_unique<ByteImage>(10'000, 5'000);
   const test::CpuStopwatch watch;
   picture.reset();

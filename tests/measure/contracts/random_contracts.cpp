@@ -59,7 +59,7 @@ std::optional<int> parse_arguments(int argc, char** argv, Options& options) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--exact-rays", options.exact_rays,
-                 "From the eye and to lights for an exact picture, at most")
+                 "For an exact picture, about; 60 samples it has in any case")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--threads", options.threads, "Threads")

@@ -33,17 +33,17 @@ Image render_many(const Scene& scene, int samples, WorkerPool& pool) {
   return render(with_overrides(scene, overrides), limits, pool, progress).image;
 }
 
-/// From the eye, from there to the lights, at most: of a point that is in the dark, and the same
+/// About, from the eye and from there to the lights, of points that are in the dark, and the same
 /// behind mirrors and in glass.
 double rays_of_picture(const Scene& scene, int samples) {
-  constexpr double by_glass = 8;  // about; where there may be mirrors, too
+  constexpr double by_glass = 8;  // where there may be mirrors, too
   constexpr double by_mirrors = 2;
   Overrides overrides;
   overrides.samples = samples;
   const Scene many = with_overrides(scene, overrides);
   const Features features = find_features(many);
   const LightSampling places = choose_light_sampling(many, features, samples).value;
-  const int of_soft = places.per_set * std::max(places.sets_to_be_sure, 1) + places.on_rim;
+  const int of_soft = places.per_set * places.sets_to_be_sure + places.on_rim;
   double rays = 1;
   for (const Light& light : many.lights) rays += is_soft(light) ? of_soft : 1;
   const double followed = features.transmits ? by_glass : features.reflects ? by_mirrors : 1;

@@ -28,9 +28,8 @@ struct MeasuredScene {
 };
 
 /// The exact picture is in double precision and has ever four times the samples of the one before,
-/// until its error is a sixth of the least target, or its samples would send more than `most_rays`
-/// from the eye and to lights; 60 it has in any case. Targets of less than three times its error
-/// are not rendered.
+/// until its error is a sixth of the least target, or its samples would send more than about
+/// `most_rays`; 60 it has in any case. Targets of less than three times its error are not rendered.
 MeasuredScene measure_random_scene(std::uint64_t seed, const std::vector<double>& targets,
                                    double most_rays, WorkerPool& pool);
 
