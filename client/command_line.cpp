@@ -56,7 +56,7 @@ std::string refuse_unless_positive(const std::string& text) {
 void add_server_options(CLI::App& app, ServerChoice& server) {
   app.add_option_function<std::string>(
          "--server", [&server](const std::string& url) { server.url = read_server_url(url); },
-         "http://HOST:PORT of a server (or RAYTRACER_SERVER)")
+         "http[s]://HOST[:PORT] of a server (or RAYTRACER_SERVER)")
       ->option_text("URL");
   app.add_option_function<std::string>(
          "--token", [&server](const std::string& token) { server.token = token; },

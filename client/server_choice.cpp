@@ -29,7 +29,7 @@ ServerUrl read_server_url(const std::string& text) {
   }
   if (!matches || url.port < 1 || url.port > 65535)
     throw InputError(fmt::format(
-        "--server or RAYTRACER_SERVER: '{}' is not the address of a server: http://HOST:PORT",
+        "--server or RAYTRACER_SERVER: '{}' is not the address of a server: http[s]://HOST[:PORT]",
         text));
   return url;
 }

@@ -1,9 +1,13 @@
-// server/README.md: its Python works, and its table has every flag with its default.
+// server/README.md: its Python works, and its tables have every request and every flag with its
+// default; engine/scene/README.md has every key of a scene.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <regex>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "tests/golden/picture.h"
 #include "tests/process/program.h"
@@ -41,6 +45,39 @@ TEST(ServerReadme, python_posts_a_scene) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.starts_with("samples per pixel: ")) << outcome.out;
   EXPECT_EQ(decode_png(read_file(folder.path() / "picture.png")).width, 700);
+}
+
+TEST(ServerReadme, table_has_every_request) {
+  const ServerProcess server;
+  const std::string text = readme();
+  const nlohmann::json description = json_of(get(server, "/openapi.json"));
+  std::size_t count = 0;
+  for (const auto& [path, methods] : description.at("paths").items())
+    for (const auto& [method, word] :
+         {std::pair("get", "GET"), {"post", "POST"}, {"delete", "DELETE"}}) {
+      if (path == "/" || !methods.contains(method)) continue;
+      ++count;
+      EXPECT_NE(text.find(fmt::format("`{} {}", word, path)), std::string::npos) << word << path;
+    }
+  EXPECT_GT(count, 15U);
+}
+
+/// The names under "properties", wherever they stand.
+void add_keys(const nlohmann::json& schema, std::set<std::string>& keys) {
+  if (!schema.is_structured()) return;
+  if (schema.is_object() && schema.contains("properties"))
+    for (const auto& [key, value] : schema.at("properties").items()) keys.insert(key);
+  for (const nlohmann::json& part : schema) add_keys(part, keys);
+}
+
+TEST(SceneReadme, tables_have_every_key) {
+  const ServerProcess server;
+  const std::string text = read_file(server_dir.parent_path() / "engine/scene/README.md");
+  std::set<std::string> keys;
+  add_keys(json_of(get(server, "/schema/scene.json")), keys);
+  EXPECT_GT(keys.size(), 50U);
+  for (const std::string& key : keys)
+    EXPECT_NE(text.find("`" + key + "`"), std::string::npos) << key;
 }
 
 TEST(ServerReadme, table_has_every_flag) {

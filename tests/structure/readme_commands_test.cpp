@@ -166,9 +166,17 @@ TEST(Readme, every_command_of_several_machines_works) {
   for (const std::string& command : commands) reader.obey(command);
 }
 
+TEST(Readme, every_command_of_the_server_works) {
+  const std::vector<std::string> commands = commands_of("server/README.md");
+  EXPECT_GE(commands.size(), 2U);
+  Reader reader;
+  for (const std::string& command : commands) reader.obey(command);
+}
+
 TEST(Readme, every_file_that_it_links_to_is_there) {
   static const std::regex link(R"(\]\(([^)#:\s]+)(#[^)]*)?\))");
-  for (const char* const file : {"README.md", "server/deploy/README.md"}) {
+  for (const char* const file : {"README.md", "server/README.md", "engine/scene/README.md",
+                                 "server/deploy/README.md", "client/README.md"}) {
     const std::string readme = read_file(source_dir / file);
     const fs::path folder = (source_dir / file).parent_path();
     for (std::sregex_iterator match(readme.begin(), readme.end(), link), end; match != end; ++match)
