@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <new>
+#include <optional>
 
 #include "engine/memory/aligned_array.h"
 
@@ -79,7 +80,7 @@ TracedTile render_blocks(const PacketScene<T>& scene, const SamplePattern& patte
                             resolved_background(d, scene, pattern.points.size(), output.transfer));
   TileTask<T> task{scene, pattern, output, ledger};
   if (!pattern.has_half_buffers()) task.output.errors = {};
-  BlockGroup<T> group(task);
+  std::optional<BlockGroup<T>> group;  // of tiles that show something
   for (int y = tile.y_begin; y < tile.y_end; y += tile.block_step)
     for (int x = tile.x_begin; x < tile.x_end; x += tile.block_step) {
       const Block whole{x, y, std::min(block_side, tile.x_end - x),
@@ -89,9 +90,11 @@ TracedTile render_blocks(const PacketScene<T>& scene, const SamplePattern& patte
       block.subtiles &= candidates.subtiles;
       if (block.subtiles != whole.subtiles)
         fill_subtiles(background, whole, whole.subtiles & ~candidates.subtiles, output.canvas);
-      if (block.subtiles != 0) group.add(block, candidates, traced.beyond);
+      if (block.subtiles == 0) continue;
+      if (!group) group.emplace(task);
+      group->add(block, candidates, traced.beyond);
     }
-  group.trace(traced.beyond);
+  if (group) group->trace(traced.beyond);
   return traced;
 }
 

@@ -144,12 +144,14 @@ struct SolidRow {
     in_floats.set(d, colour);
     PackedBytes<D> in_bytes;
     in_bytes.set(d, colour);
-    for (int i = 0; i < 3 * block_side; ++i) {
-      floats[i] = in_floats.channels[i % 3];
-      bytes[i] = in_bytes.channels[i % 3];
+    for (int pixel = 0; pixel < block_side; ++pixel) {
+      for (int channel = 0; channel < 3; ++channel) {
+        floats[3 * pixel + channel] = in_floats.channels[channel];
+        bytes[3 * pixel + channel] = in_bytes.channels[channel];
+        covered[4 * pixel + channel] = in_floats.channels[channel];
+      }
+      covered[4 * pixel + 3] = 0;
     }
-    for (int i = 0; i < 4 * block_side; ++i)
-      covered[i] = i % 4 == 3 ? 0 : in_floats.channels[i % 4];
   }
 };
 
