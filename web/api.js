@@ -113,6 +113,7 @@ export function cancelJob(id) {
 }
 
 async function rendering(answer) {
+  if (!answer.headers.get("Content-Type")?.startsWith("image/")) throw new Error("no image");
   const timing = answer.headers.get("Server-Timing") ?? "";
   return {
     blob: await answer.blob(),
@@ -167,6 +168,7 @@ async function ask(address, { headers, ...request }, read, signal = request.sign
 
 // The document hears of it as "busy": {detail: seconds}, and 0 when it is over.
 async function waitFor(seconds, signal) {
+  signal?.throwIfAborted();
   const tell = (detail) => document.dispatchEvent(new CustomEvent("busy", { detail }));
   tell(seconds);
   try {
@@ -180,15 +182,21 @@ async function waitFor(seconds, signal) {
 }
 
 async function askOnce(address, request, read) {
-  try {
-    const answer = await fetch(address, request);
-    if (!answer.ok) throw await problemOf(answer);
-    return await read(answer);
-  } catch (error) {
-    if (error instanceof Problem || error.name === "AbortError") throw error;
-    throw new Problem({
+  const unlessKnown = (error, problem) => (error instanceof Problem || error.name === "AbortError" ? error : new Problem(problem));
+  const answer = await fetch(address, request).catch((error) => {
+    throw unlessKnown(error, {
       title: "The server does not answer",
       detail: `Is raytracer-server still running at ${location.host}? (${error.message})`,
+    });
+  });
+  if (!answer.ok) throw await problemOf(answer);
+  try {
+    return await read(answer);
+  } catch (error) {
+    throw unlessKnown(error, {
+      status: answer.status,
+      title: "The answer cannot be read",
+      detail: `It broke off, or something else than raytracer-server at ${location.host} answered. (${error.message})`,
     });
   }
 }

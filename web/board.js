@@ -8,6 +8,7 @@ import { createSphereMover } from "./move_sphere.js";
 /// then `onDrag(text)` follow a sphere that is moved, `onLook(camera)` a view.
 export function createBoard(board, moveTool, hint, { camera, text, onGrab, onDrag, onLook }) {
   const mover = createSphereMover(board.querySelector("#outline"));
+  let isFresh = false;  // grabbed, and not dragged yet: a mere click edits nothing
   const means = (event) => camera() !== null && (moveTool.checked || event.shiftKey);
   const look = (change) => {
     if (camera() === null) return;
@@ -26,11 +27,15 @@ export function createBoard(board, moveTool, hint, { camera, text, onGrab, onDra
   watchGestures(board, {
     grab(x, y, event) {
       if (!means(event) || !mover.grab(camera(), text(), x, y)) return false;
-      onGrab();
+      isFresh = true;
       return true;
     },
-    drag: (dx, dy, x, y) => onDrag(mover.drag(camera(), x, y)),
-    drop: () => mover.hide(),
+    drag(dx, dy, x, y) {
+      if (isFresh) onGrab();
+      isFresh = false;
+      onDrag(mover.drag(camera(), x, y));
+    },
+    drop: () => mover.drop(),
     orbit: (sideways, over) => look((now) => orbited(now, sideways, over)),
     dolly: (factor) => look((now) => dollied(now, factor)),
     hover(x, y, event) {

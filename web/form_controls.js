@@ -54,7 +54,10 @@ export function createControls(edit) {
       const up = { ArrowUp: 1, ArrowDown: -1 }[event.key];
       if (!up || input.value === "") return;
       event.preventDefault();
-      input.value = Number((input.valueAsNumber + up * step * (event.shiftKey ? 10 : 1)).toFixed(6));
+      const value = input.valueAsNumber;
+      // Of what is smaller than a step its second digit.
+      const by = value === 0 ? step : Math.min(step, 10 ** (Math.floor(Math.log10(Math.abs(value))) - 1));
+      input.value = Number((value + up * by * (event.shiftKey ? 10 : 1)).toPrecision(15));
       input.dispatchEvent(new Event("input"));
     });
     fields.push({ pointer, read(value) {

@@ -43,12 +43,14 @@ const waiting = createWaiting({ elapsed: at("elapsed"), cancel: at("cancel"), ne
 const source = createSource();
 const read = createReader();
 let own = null;         // the document's camera; null: it has none that can be read
+let lastOwn = null;     // the last one that could be read: the view is of it
 let placed = [];        // the document's objects and lights
 let shown = { blob: null, words: "" };  // the picture in sight
 let running = null;     // the AbortController of what is under way
 let reading = 0;        // the timer until typed text is read
 
 const camera = () => ({ ...own, ...hand.view });
+const view = () => own && hand.view;  // which nothing can be written into that cannot be read
 
 const editor = createEditor(at("editor-box"), {
   onInput(former, isUndone) {
@@ -85,8 +87,9 @@ const history = createHistory({ undoer: at("undo"), redoer: at("redo") }, {
 const accuracy = createAccuracy(at("accuracy-box"), again);
 const hand = createViewTools(at("view-tools"), at("board"), {
   onReset: again,
-  async onKeep(view) {
-    const text = withView(editor.text, shortView(view, own));
+  async onKeep(kept) {
+    if (!own) return instead(rest);  // says what is wrong with the text
+    const text = withView(editor.text, shortView(kept, own));
     history.keep(editor.text, Symbol("the view"));
     editor.revise(text);
     hand.view = null;
@@ -107,8 +110,8 @@ const live = createLive(at("motion"), {
   size: camera,
   ask(settings, signal) {
     const { text } = editor;
-    if (source.knows(text) || text.length >= long_text) return source.with(text, hand.view, settings, signal, (what) => renderFrame(what, signal));
-    return renderFrame({ query: settings, body: withView(text, hand.view) }, signal);
+    if (source.knows(text) || text.length >= long_text) return source.with(text, view(), settings, signal, (what) => renderFrame(what, signal));
+    return renderFrame({ query: settings, body: withView(text, view()) }, signal);
   },
   onFrame(perSecond) {
     at("elapsed").textContent = `${Math.round(perSecond)} frames a second`;
@@ -157,7 +160,7 @@ async function rest(signal) {
   const wait = waiting.begin(() => problemPanel.forget());
   try {
     const rendering = await refine({
-      source, text, view: hand.view, settings: accuracy.settings, size: camera(),
+      source, text, view: view(), settings: accuracy.settings, size: camera(),
       onPlan(planned) {
         accuracy.predict(planned.prediction);
         wait.expect(planned.prediction.trace_ms);
@@ -203,10 +206,12 @@ async function takeText() {
   for (const id of ["share", "curl", "measure"]) at(id).disabled = text === "";
   const outline = await read(text);
   if (outline === undefined) return;  // another text has come
-  const former = own;
   own = outline && outline.camera;
   placed = outline ? [...Object.values(outline.scene.objects), ...outline.scene.lights] : [];
-  if (!own || !former || !sameCamera(own, former)) hand.view = null;
+  if (own) {
+    if (!lastOwn || !sameCamera(own, lastOwn)) hand.view = null;
+    lastOwn = own;
+  }
   form.show(outline);
   if (editor.text !== text) form.fallBehind();
 }
@@ -252,14 +257,14 @@ createBoard(at("board"), at("tool-move"), at("board-keys"), {
   onLook: look,
 });
 const curve = createCurvePanel(at("panel-curve"), {
-  state: () => ({ text: editor.text, view: hand.view }),
+  state: () => ({ text: editor.text, view: view() }),
   onSettings: (settings) => accuracy.choose(settings),
   onFail: (error) => fail(problemFrom(error)),
 });
 createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") }, {
   state: () => ({
     name: opening.isEdited ? "" : opening.name, title: opening.name || "scene", text: editor.text,
-    view: hand.view, written: () => withView(editor.text, hand.view), choice: accuracy.choice, settings: accuracy.settings,
+    view: view(), written: () => withView(editor.text, view()), choice: accuracy.choice, settings: accuracy.settings,
   }),
   moveTo: opening.moveTo, say: status.say,
 });

@@ -43,8 +43,12 @@ export function createSphereMover(outline) {
     },
 
     hide() {
-      held = null;
       outline.setAttribute("points", "");
+    },
+
+    drop() {
+      held = null;
+      this.hide();
     },
   };
 }

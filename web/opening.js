@@ -58,7 +58,7 @@ export function createOpening({ restore, ...elements }, { editor, source, accura
     const asked = await readFragment(location.hash || location.search);  // /?scene=glass, typed by hand, counts too
     const back = left?.hash === location.hash ? left : null;
     const isOwn = asked.text !== null || Boolean(back?.text && back.name === "");  // a link's, or of a file that was dropped here
-    const name = isOwn ? "" : asked.name ?? first_scene;
+    const name = isOwn ? "" : asked.name || first_scene;
     onLoading(name || "your scene");
     scenes.choose(name);
     const text = asked.text ?? (isOwn ? "" : await sceneText(name, signal));

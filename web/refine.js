@@ -5,7 +5,7 @@ import { jobFrame, jobImage, plan, render, renderFrame } from "./api.js";
 import { withJob } from "./job.js";
 
 const previews_ms = [150, 1000];  // of tracing
-const widest_px = 1000;           // of a preview
+const most_pixels = 700_000;      // of a preview
 const worth = 4;                  // times as long the picture has to take, for a preview
 const rest = 3;                   // times as long as a look at the unfinished picture took, until the next
 
@@ -17,7 +17,7 @@ export async function refine({ source, text, view, settings, size, onPlan, onPre
     const planned = await plan(what, signal);
     onPlan(planned);
     const { samples, target_rmse, ...others } = what.query;
-    const part = Math.min(1, widest_px / size.width);
+    const part = Math.min(1, Math.sqrt(most_pixels / (size.width * size.height)));
     const [width, height] = [size.width, size.height].map((length) => Math.max(1, Math.round(length * part)));
     const worthwhile = previews_ms.filter((budget_ms) => planned.prediction.trace_ms >= worth * budget_ms);
     if (worthwhile.length === 0) return render(what, signal);

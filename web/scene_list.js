@@ -23,9 +23,12 @@ export function createSceneList({ select, about, gallery, opener }, { current, o
       about.textContent = "";
       return;
     }
-    let option = options.find(({ value }) => value === name) ?? options.find(({ value }) => value === "");
-    if (!option) {
-      option = optionOf("", "A scene of your own", "A scene from a link or a file.");
+    const own = options.find(({ value }) => value === "");
+    let option = name && options.find(({ value }) => value === name);
+    if (option) {
+      own?.remove();  // no address has what it stood for
+    } else {
+      option = own ?? optionOf("", "A scene of your own", "A scene from a link or a file.");
       select.prepend(option);
     }
     option.selected = true;

@@ -11,5 +11,9 @@ export function keepEdits(state) {
     if (edits !== null) event.preventDefault();  // of beforeunload: the browser asks whether to leave
   };
   for (const leaving of ["beforeunload", "pagehide"]) window.addEventListener(leaving, keep);
+  // A phone may end a page that is out of sight without a further word.
+  document.addEventListener("visibilitychange", (event) => {
+    if (document.hidden) keep(event);
+  });
   return JSON.parse(keptInTab("edits"));
 }

@@ -46,6 +46,20 @@ TEST_F(Drop, scene_document_is_opened) {
   keep_screenshot("dropped");
 }
 
+TEST_F(Drop, list_offers_nothing_that_it_cannot_open) {
+  std::string former = picture();
+  drop("mine.json", page_scene);
+  await("done", former);
+  former = picture();
+  browser().run(
+      "const list = document.getElementById('scene-select'); list.value = 'demo';"
+      "list.dispatchEvent(new Event('change'))");
+  await("done", former);
+  EXPECT_EQ(value("[...document.getElementById('scene-select').options].filter("
+                  "({ value }) => value === '').length"),
+            0);
+}
+
 TEST_F(Drop, scene_survives_a_reload_and_back_leads_to_the_one_before) {
   std::string former = picture();
   drop("mine.json", page_scene);

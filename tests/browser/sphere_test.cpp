@@ -61,6 +61,54 @@ TEST_F(Spheres, drag_in_the_picture_moves_one_and_nothing_else) {
   EXPECT_EQ(value("document.getElementById('view-tools').hidden"), true);
 }
 
+/// Events of a pointer on the board, at a place in parts of the picture.
+std::string pointer(const std::string& type, double x, double y) {
+  return "{ const box = document.getElementById('board').getBoundingClientRect();"
+         "document.getElementById('board').dispatchEvent(new PointerEvent('" +
+         type + "', { pointerId: 9, button: 0, bubbles: true, clientX: box.left + " +
+         std::to_string(x) + " * box.width, clientY: box.top + " + std::to_string(y) +
+         " * box.height })); }";
+}
+
+TEST_F(Spheres, click_on_one_edits_nothing) {
+  std::string former = picture();
+  browser().run(set_value("red, colour", "#00ff00"));
+  await("done", former);
+  former = picture();
+  browser().click("#undo");
+  await("done", former);
+  browser().click("label:has(#tool-move)");
+  browser().run(pointer("pointerdown", 0.36, 0.33) + pointer("pointerup", 0.36, 0.33));
+  EXPECT_EQ(value("document.getElementById('redo').disabled"), false);
+  EXPECT_EQ(value("document.getElementById('undo').disabled"), true);
+}
+
+TEST_F(Spheres, wheel_while_one_is_dragged_lets_go_of_nothing) {
+  const std::string before = text();
+  browser().click("label:has(#tool-move)");
+  browser().run(pointer("pointerdown", 0.36, 0.33) + pointer("pointermove", 0.4, 0.3) +
+                "document.getElementById('board').dispatchEvent(new WheelEvent('wheel', { deltaY: "
+                "20, bubbles: true, cancelable: true }));" +
+                pointer("pointermove", 0.46, 0.2) + pointer("pointerup", 0.46, 0.2));
+  EXPECT_TRUE(comes_true("document.getElementById('status').innerText.includes('Rendered')"));
+  EXPECT_EQ(value("document.getElementById('problem').hidden"), true);
+  EXPECT_NE(text(), before);
+}
+
+TEST_F(Spheres, arrows_keep_the_digits_of_a_number) {
+  const std::string field = "document.querySelector('[aria-label=\"Sphere 1, x\"]')";
+  browser().run(set_value("Sphere 1, x", "1.23456789"));
+  const auto press = [&](const std::string& key) {
+    browser().run(field + ".dispatchEvent(new KeyboardEvent('keydown', { key: '" + key +
+                  "', bubbles: true, cancelable: true }))");
+  };
+  press("ArrowUp");
+  EXPECT_EQ(value(field + ".value"), "1.33456789");
+  browser().run(set_value("Sphere 1, x", "3e-8"));
+  press("ArrowDown");
+  EXPECT_EQ(value(field + ".valueAsNumber").get<double>(), 2.9e-8);
+}
+
 TEST_F(Spheres, undo_brings_the_text_back) {
   const std::string before = text();
   std::string former = picture();
