@@ -9,8 +9,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// x^floor(exponent / 2) for x in [0, 1], by squaring from the exponents' highest bit; 0^0 = 1. Each
-/// lane's is what it would be by itself: squares of 1 are 1.
+/// x^floor(exponent / 2) for x in [0, 1], by squaring from the exponents' highest bit; 0^0 = 1.
+/// Each lane's is what it would be by itself: squares of 1 are 1.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V power_of_half(D d, V x, hn::Vec<hn::RebindToUnsigned<D>> exponent,
                            const IntegerExponents& of_scene) {
