@@ -28,9 +28,11 @@ ServerUrl read_server_url(const std::string& text) {
     url.port = parts.length(4) > 0 ? std::stoi(parts.str(4)) : url.tls ? 443 : 80;
   }
   if (!matches || url.port < 1 || url.port > 65535)
-    throw InputError(fmt::format(
-        "--server or RAYTRACER_SERVER: '{}' is not the address of a server: http[s]://HOST[:PORT]",
-        text));
+    throw InputError(
+        fmt::format("--server or RAYTRACER_SERVER: '{}' is not the address of a server: write "
+                    "http://HOST:PORT or "
+                    "https://HOST",
+                    text));
   return url;
 }
 
