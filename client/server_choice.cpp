@@ -30,8 +30,7 @@ ServerUrl read_server_url(const std::string& text) {
   if (!matches || url.port < 1 || url.port > 65535)
     throw InputError(
         fmt::format("--server or RAYTRACER_SERVER: '{}' is not the address of a server: write "
-                    "http://HOST:PORT or "
-                    "https://HOST",
+                    "http://HOST:PORT or https://HOST",
                     text));
   return url;
 }

@@ -60,7 +60,8 @@ TEST(PageAllocator, takes_the_wish_for_huge_pages_back_with_the_memory) {
 // Below -O2 g++ has a vector of another allocator than its own walk over what there is nothing to
 // destroy of.
 TEST(PageAllocator, picture_is_given_back_without_a_look_at_its_values) {
-  if (!test::speed_counts) GTEST_SKIP() << "the engine is compiled with less optimisation here";
+  // As sanitizers' and debugging builds are: there the walk takes 95 to 870 ms, and nobody minds.
+  if (!test::speed_counts) GTEST_SKIP() << "the engine is compiled below -O2 here";
   auto picture = std::make_unique<ByteImage>(10'000, 5'000);
   const test::CpuStopwatch watch;
   picture.reset();
