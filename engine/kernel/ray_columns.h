@@ -35,11 +35,12 @@ struct RayColumn {
   static constexpr std::size_t direction_rest = direction + rests;
   static constexpr std::size_t point_rest = point + rests;
   static constexpr std::size_t turn = 22;         ///< a Turn, only where rays branch
-  static constexpr std::size_t t = 23;            ///< from `point` to where it turns, about
-  static constexpr std::size_t left_id = 24;      ///< of the surface that was left in `point`
-  static constexpr std::size_t left_normal = 25;  ///< its normal there
+  static constexpr std::size_t side = 23;         ///< on which it turns, likewise: inside 1
+  static constexpr std::size_t t = 24;            ///< from `point` to where it turns, about
+  static constexpr std::size_t left_id = 25;      ///< of the surface that was left in `point`
+  static constexpr std::size_t left_normal = 26;  ///< its normal there
 
-  static constexpr std::size_t count = 28;
+  static constexpr std::size_t count = 29;
 };
 
 /// How a ray goes on from where it has met a surface.

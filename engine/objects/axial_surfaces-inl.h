@@ -44,9 +44,9 @@ HWY_NOINLINE void own_distances(D d, const PrimitiveRows<T>& rows, const Geometr
 template <class D, AxialKind Kind, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_NOINLINE void own_sides(D d, const PrimitiveRows<T>& rows, const Geometry<Kind, T>& solids,
-                            const V3<V>& direction, M own, M within, RayOrigin<V>& at) {
+                            const V3<V>& direction, M own, M within, RayOrigin<V>& at, V& side) {
   for_each_item(d, rows, solids.items, own, at.id, [&](const auto& item, M here) HWY_ATTR {
-    at.u = hn::IfThenElse(here, hn::Set(d, T(item.has_caps - 1)), at.u);
+    side = hn::IfThenElse(here, hn::Set(d, T(item.has_caps - 1)), side);
     if (!(item.has_caps > 0)) return;
     const M leaves =
         hn::And(hn::And(here, within), is_met_from_within(d, item, at.point, direction));
@@ -54,7 +54,7 @@ HWY_NOINLINE void own_sides(D d, const PrimitiveRows<T>& rows, const Geometry<Ki
     // As it would be met by a ray that goes back.
     const V3<V> outwards = normals_at(d, item, at.point, negate(direction));
     at.normal = select(leaves, negate(outwards), at.normal);
-    at.u = hn::IfThenElse(leaves, hn::Set(d, T(1)), at.u);
+    side = hn::IfThenElse(leaves, hn::Set(d, T(1)), side);
   });
 }
 

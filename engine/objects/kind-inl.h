@@ -107,12 +107,13 @@ concept HasOwnDistances = requires(FloatPacket::D d, const PrimitiveRows<float>&
   own_distances(d, rows, geometry, packet.origin, packet.direction, packet.active, hit);
 };
 
-/// Tells of what has an inside only if it has caps, on which side a ray has hit it.
+/// Tells of what its rows do not tell all of, on which side a ray has hit it.
 template <class Kind>
 concept HasOwnSides = requires(const PrimitiveRows<float>& rows,
                                const Geometry<Kind, float>& geometry, const FloatPacket& packet,
-                               RayOrigin<FloatPacket::V>& at) {
-  own_sides(FloatPacket::D(), rows, geometry, packet.direction, packet.active, packet.active, at);
+                               RayOrigin<FloatPacket::V>& at, FloatPacket::V& side) {
+  own_sides(FloatPacket::D(), rows, geometry, packet.direction, packet.active, packet.active, at,
+            side);
 };
 
 }  // namespace raytracer::HWY_NAMESPACE

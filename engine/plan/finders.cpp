@@ -70,16 +70,7 @@ FinderRow with_each(Finder finder) {
 
 }  // namespace
 
-Choice<Kernel> choose_kernel(const Features& features, const SceneStatistics& statistics) {
-  bool finds_ways_out = true;
-  for_each_kind([&]<class Kind>(std::type_identity<Kind>) {
-    if (Kind::search == Search::own && features.transmitting[kind_index<Kind>])
-      finds_ways_out = false;
-  });
-  if (!finds_ways_out)
-    return {Kernel::single_rays,
-            because("light comes through spheres of a square, inside of which only the reference "
-                    "follows rays: one at a time, in double, several times slower")};
+Choice<Kernel> choose_kernel(const SceneStatistics& statistics) {
   if (statistics.nearest > 0)
     return {Kernel::packets,
             because("the eye is outside of everything, so neighbouring rays go together")};

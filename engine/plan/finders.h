@@ -26,7 +26,7 @@ enum class Kernel : std::uint8_t {
 /// A row for each kind of object.
 using FinderTable = std::array<FinderRow, ObjectKinds::count>;
 
-Choice<Kernel> choose_kernel(const Features& features, const SceneStatistics& statistics);
+Choice<Kernel> choose_kernel(const SceneStatistics& statistics);
 
 /// How points look for what hides the directions of soft lights from them.
 struct SoftLightSearch {

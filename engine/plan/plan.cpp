@@ -20,7 +20,7 @@ Plan make_plan(const Scene& scene, const PackedScene& packed, const Machine& mac
   plan.features = find_features(scene);
   plan.frame = packed.frame;
   plan.statistics = gather_statistics(scene, packed, plan.features, pool);
-  plan.kernel = choose_kernel(plan.features, plan.statistics);
+  plan.kernel = choose_kernel(plan.statistics);
   plan.precision = precision_for(scene, plan);
   plan.arithmetic_error =
       predict_arithmetic_error(plan.precision.value, plan.features, plan.statistics);

@@ -165,7 +165,7 @@ TEST(Plan, computes_in_single_though_a_round_mesh_has_slivers_at_its_pole) {
   EXPECT_EQ(precision_with(1e-4), Precision::double_precision) << "rays meet what is so thin";
 }
 
-TEST(Plan, follows_rays_through_glass_but_that_of_squares) {
+TEST(Plan, follows_rays_through_glass) {
   Scene scene = scene_with({{many_spheres(5), 1}});
   EXPECT_EQ(explained(scene)["kernel"]["choice"], "packets of rays");
   EXPECT_EQ(explained(scene)["features"]["refractions"], 0);
@@ -179,9 +179,8 @@ TEST(Plan, follows_rays_through_glass_but_that_of_squares) {
   EXPECT_EQ(explained(scene)["features"]["refractions"], 0) << "it is nowhere used";
   Scene square = scene_with({{SphereSquare{{}, 1, 10}, 1}});
   square.materials = scene.materials;
-  EXPECT_EQ(explained(square)["kernel"]["choice"], "one ray at a time");
-  edit(square.objects, [](auto& objects) { objects[0].material = 0; });
   EXPECT_EQ(explained(square)["kernel"]["choice"], "packets of rays");
+  EXPECT_EQ(explained(square)["features"]["refractions"], 5);
 }
 
 TEST(Plan, walks_a_square_whatever_its_size) {

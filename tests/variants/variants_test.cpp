@@ -160,6 +160,8 @@ std::vector<MagnifyingScene> magnifying_scenes() {
           {"dense cones", false, close_together(dense, solid("cone", narrowing))},
           {"dense smooth triangles", false, close_together(dense, smooth)},
           {"mirroring squares of spheres", true, close_together(mirror, square)},
+          {"glass squares of spheres", false, close_together(glass, square)},
+          {"dense squares of spheres", false, close_together(dense, square)},
           {"mirroring cylinders", true, close_together(mirror, solid("cylinder", closed))},
           {"mirroring pipes", true, close_together(mirror, solid("cylinder", open))},
           {"glass cylinders", false, close_together(glass, solid("cylinder", closed))},

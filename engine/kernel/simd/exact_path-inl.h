@@ -29,6 +29,7 @@ template <class V>
 struct WayTo {
   RayRest<V> rest;
   V t;                ///< to the surface
+  V side;             ///< on which it meets that, as tell_sides() has it, where rays branch
   V left_id;          ///< of the surface where the way begins
   V3<V> left_normal;  ///< its normal there
 };

@@ -82,7 +82,10 @@ class RayBatch {
     if (way != nullptr) {
       keep_all(Column::direction_rest, way->rest.direction);
       keep_all(Column::point_rest, way->rest.point);
-      if constexpr (branch) keep(Column::turn, turn);
+      if constexpr (branch) {
+        keep(Column::turn, turn);
+        keep(Column::side, way->side);
+      }
       keep(Column::t, way->t);
       keep(Column::left_id, way->left_id);
       keep_all(Column::left_normal, way->left_normal);

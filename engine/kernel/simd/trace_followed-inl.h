@@ -48,19 +48,19 @@ struct Refraction {
   V reflectivity;   ///< what is turned back where it would bend
 };
 
-/// Of the lanes of `goes_on`, at least one.
+/// Of the lanes of `goes_on`, at least one, which have met surfaces on that `side`.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_NOINLINE Refraction<V, M> refraction_at(D d, const PacketScene<T>& scene,
-                                            const Surface<D>& surface, const V3<V>& direction,
-                                            M goes_on) {
+                                            const Surface<D>& surface, V side,
+                                            const V3<V>& direction, M goes_on) {
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, T(1));
   const Rows<D, GlassRow<T>> glass = glass_of(d, scene, surface.at.id, goes_on);
   const V ior = glass(d, &GlassRow<T>::ior);
   const V transparency = glass(d, &GlassRow<T>::transparency);
   const M clear = hn::And(goes_on, hn::Gt(transparency, zero));
-  const M bends = hn::Ge(surface.at.u, zero);
-  const V index = hn::IfThenElse(hn::Gt(surface.at.u, zero), ior, hn::Div(one, ior));
+  const M bends = hn::Ge(side, zero);
+  const V index = hn::IfThenElse(hn::Gt(side, zero), ior, hn::Div(one, ior));
   if (hn::AllFalse(d, clear)) return {clear, bends, direction, zero, zero};
   const auto bent = refracted_at(d, scene, index, surface.meeting(), direction);
   const M by_angle = hn::Or(bent.is_total, hn::Gt(glass(d, &GlassRow<T>::fresnel), zero));
@@ -74,7 +74,7 @@ HWY_NOINLINE Refraction<V, M> refraction_at(D d, const PacketScene<T>& scene,
 /// RayBatch::add() has it.
 template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
-HWY_NOINLINE void add_refracted(D d, const PacketScene<T>& scene, const Surface<D>& surface,
+HWY_NOINLINE void add_refracted(D d, const PacketScene<T>& scene, const Surface<D>& surface, V side,
                                 const Packet<V>& packet, const Refraction<V, M>& refraction,
                                 const V3<V>& point, const V3<V>& direction, const WayTo<V>* way,
                                 Followed& followed) {
@@ -88,7 +88,7 @@ HWY_NOINLINE void add_refracted(D d, const PacketScene<T>& scene, const Surface<
   on.from.normal = negate(surface.at.normal);
   on.direction = direction;
   on.weight = weight;
-  on.solids = depth_beyond(d, scene, surface, clear, packet.solids);
+  on.solids = depth_beyond(d, scene, surface.at.id, side, clear, packet.solids);
   on.followers = hn::Sub(packet.followers, hn::Set(d, T(1)));
   followed.add_refracted(d, on, way, refraction.bends, counts);
 }
@@ -119,16 +119,16 @@ HWY_INLINE void add_mirrored(D d, const Surface<D>& surface, const Packet<V>& pa
 template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE void add_followers(D d, const PacketScene<T>& scene, const Packet<V>& packet,
-                              const Surface<D>& surface, M goes_on, V reflectivity,
+                              const Surface<D>& surface, V side, M goes_on, V reflectivity,
                               const WayTo<V>* way, Followed& followed) {
   const V3<V>& point = way ? packet.from.point : surface.at.point;
   V3<V> mirrored = packet.direction;
   if (!way) mirrored = unit(d, reflected_at(d, scene, surface.meeting(), packet.direction));
   if constexpr (Followed::branches) {
-    const auto refraction = refraction_at(d, scene, surface, packet.direction, goes_on);
+    const auto refraction = refraction_at(d, scene, surface, side, packet.direction, goes_on);
     const V3<V>& direction = way ? packet.direction : refraction.direction;
     reflectivity = hn::Add(reflectivity, refraction.reflectivity);
-    add_refracted(d, scene, surface, packet, refraction, point, direction, way, followed);
+    add_refracted(d, scene, surface, side, packet, refraction, point, direction, way, followed);
   }
   add_mirrored(d, surface, packet, goes_on, reflectivity, point, mirrored, way, followed);
 }
@@ -138,10 +138,10 @@ HWY_INLINE void add_followers(D d, const PacketScene<T>& scene, const Packet<V>&
 template <class D, class Followed, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_NOINLINE void add_carried_followers(D d, const PacketScene<float>& scene,
                                         const Packet<V>& packet, const RayRest<V>& rest, V t,
-                                        const Surface<D>& surface, M goes_on, V reflectivity,
-                                        Followed& followed) {
-  const WayTo<V> way{rest, t, packet.from.id, packet.from.normal};
-  add_followers(d, scene, packet, surface, goes_on, reflectivity, &way, followed);
+                                        const Surface<D>& surface, V side, M goes_on,
+                                        V reflectivity, Followed& followed) {
+  const WayTo<V> way{rest, t, side, packet.from.id, packet.from.normal};
+  add_followers(d, scene, packet, surface, side, goes_on, reflectivity, &way, followed);
 }
 
 /// What a packet's rays meet.
@@ -177,8 +177,9 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
   const V3<V> background = broadcast(d, scene.background);
   if (hn::AllFalse(d, is_hit)) return background;
   Surface<D> surface = surface_at(d, scene, packet.from, packet.direction, hit, is_hit);
+  V side = zero;
   if constexpr (Followed::branches)
-    tell_sides(d, scene, packet.direction, is_hit, hn::Gt(packet.solids, zero), surface);
+    side = tell_sides(d, scene, packet.direction, is_hit, hn::Gt(packet.solids, zero), surface);
   const V3<V> colour = select(is_hit,
                               shade(d, scene, surface, negate(packet.direction), is_hit,
                                     packet.light_set, between_lights<Followed>(d, packet)),
@@ -198,12 +199,12 @@ HWY_INLINE V3<V> shade_packet(D d, const PacketScene<T>& scene, const Packet<V>&
 
   if constexpr (may_be_inexact<T>)
     if (scene.exact.carries_paths) {
-      add_carried_followers(d, scene, packet, rest(), hit.t, surface, goes_on, reflectivity,
+      add_carried_followers(d, scene, packet, rest(), hit.t, surface, side, goes_on, reflectivity,
                             followed);
       return colour;
     }
   const WayTo<V>* const none = nullptr;
-  add_followers(d, scene, packet, surface, goes_on, reflectivity, none, followed);
+  add_followers(d, scene, packet, surface, side, goes_on, reflectivity, none, followed);
   return colour;
 }
 

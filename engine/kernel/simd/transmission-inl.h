@@ -5,12 +5,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
-/// Tells in `at.u` on which side a ray of direction `direction` has hit each surface: 1 inside, 0
-/// outside, -1 of what has none; of lattices, which let nothing through, it is left. Normals are
-/// turned to that side. Only the lanes of `within` may come from inside of a solid.
+/// On which side a ray of direction `direction` has hit each surface: 1 inside, 0 outside, -1 of
+/// what has none. Normals are turned to that side. Only the lanes of `within` may come from inside
+/// of a solid.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void tell_sides(D d, const PacketScene<T>& scene, const V3<V>& direction, M is_hit,
-                           M within, Surface<D>& surface) {
+HWY_INLINE V tell_sides(D d, const PacketScene<T>& scene, const V3<V>& direction, M is_hit,
+                        M within, Surface<D>& surface) {
   using Row = PrimitiveRow<T>;
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, T(1));
@@ -19,21 +19,22 @@ HWY_INLINE void tell_sides(D d, const PacketScene<T>& scene, const V3<V>& direct
   const V curvature = primitive(d, &Row::curvature);
   const M is_round = hn::And(is_hit, hn::Gt(curvature, zero));
   const M leaves = hn::And(hn::And(is_round, within), hn::Gt(dot(at.normal, direction), zero));
-  at.u = hn::IfThenElse(is_round, hn::IfThenElseZero(leaves, one), at.u);
+  V side = hn::IfThenElseZero(leaves, one);
   at.normal = select(leaves, negate(at.normal), at.normal);
   surface.normal = select(leaves, at.normal, surface.normal);
   const M is_flat = hn::And(is_hit, hn::Eq(curvature, zero));
   // `place` is the opposite of the normal.
   const M is_back = hn::Lt(dot(primitive(d, &Row::place), direction), zero);
-  at.u = hn::IfThenElse(is_flat, hn::IfThenElseZero(is_back, one), at.u);
+  side = hn::IfThenElse(is_flat, hn::IfThenElseZero(is_back, one), side);
   const M own = hn::And(is_hit, hn::Lt(curvature, zero));
-  if (!scene.has_own_normals || hn::AllFalse(d, own)) return;
+  if (!scene.has_own_normals || hn::AllFalse(d, own)) return side;
   for_each_geometry(scene,
                     [&]<class Kind>(const Geometry<Kind, T>& geometry) RAYTRACER_INLINE_ATTR {
                       if constexpr (HasOwnSides<Kind>)
-                        own_sides(d, scene.primitives, geometry, direction, own, within, at);
+                        own_sides(d, scene.primitives, geometry, direction, own, within, at, side);
                     });
   surface.normal = select(own, at.normal, surface.normal);
+  return side;
 }
 
 /// The glass of what has been hit.
@@ -44,17 +45,16 @@ HWY_INLINE Rows<D, GlassRow<T>> glass_of(D d, const PacketScene<T>& scene, V id,
   return primitive.followed(d, &Row::material, scene.materials.glass.data(), is_hit);
 }
 
-/// Of how many solids rays that have hit surfaces are inside once they have passed them.
+/// Of how many solids rays that have hit surfaces, on that `side`, are inside once they have passed
+/// them.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V depth_beyond(D d, const PacketScene<T>& scene, const Surface<D>& surface, M is_hit,
-                          V depth) {
+HWY_INLINE V depth_beyond(D d, const PacketScene<T>& scene, V id, V side, M is_hit, V depth) {
   using Row = PrimitiveRow<T>;
   const V zero = hn::Zero(d);
   const V one = hn::Set(d, T(1));
-  const Rows<D, Row> primitive(d, scene.primitives.data(), surface.at.id, is_hit);
-  const M is_solid =
-      hn::And(hn::Ne(primitive(d, &Row::curvature), zero), hn::Ge(surface.at.u, zero));
-  const V step = hn::IfThenElse(hn::Gt(surface.at.u, zero), hn::Neg(one), one);
+  const Rows<D, Row> primitive(d, scene.primitives.data(), id, is_hit);
+  const M is_solid = hn::And(hn::Ne(primitive(d, &Row::curvature), zero), hn::Ge(side, zero));
+  const V step = hn::IfThenElse(hn::Gt(side, zero), hn::Neg(one), one);
   return hn::Max(hn::Add(depth, hn::IfThenElseZero(is_solid, step)), zero);
 }
 
@@ -101,7 +101,7 @@ HWY_NOINLINE V transmitted_share(D d, const PacketScene<T>& scene, const ShadowR
     active = hn::And(active, hn::Ge(hit.id, zero));
     if (hn::AllFalse(d, active)) return share;
     Surface<D> surface = surface_at(d, scene, from, rays.towards, hit, active);
-    tell_sides(d, scene, rays.towards, active, hn::Gt(depth, zero), surface);
+    const V side = tell_sides(d, scene, rays.towards, active, hn::Gt(depth, zero), surface);
     const V transparency = glass_of(d, scene, surface.at.id, active)(d, &GlassRow<T>::transparency);
     share = hn::IfThenElse(active, hn::Mul(share, transparency), share);
     const V3<V>& point = surface.at.point;
@@ -112,7 +112,7 @@ HWY_NOINLINE V transmitted_share(D d, const PacketScene<T>& scene, const ShadowR
     active = hn::And(active, hn::Lt(met, hn::Set(d, T(most_in_one_place))));
     if (hn::AllFalse(d, active)) return share;
     left = hn::Sub(left, hit.t);
-    depth = depth_beyond(d, scene, surface, active, depth);
+    depth = depth_beyond(d, scene, surface.at.id, side, active, depth);
     from = surface.at;
     from.normal = negate(from.normal);
   }

@@ -87,14 +87,15 @@ HWY_NOINLINE void meet_own(D d, const PacketScene<T>& scene, const RayOrigin<V>&
   });
   at.point = select(own, mul_add(direction, hit.t, from.point), at.point);
   at.normal = select(own, hit.normal, at.normal);
-  for_each_geometry(scene,
-                    [&]<class Kind>(const Geometry<Kind, T>& geometry) RAYTRACER_INLINE_ATTR {
-                      if constexpr (HasOwnNormals<Kind>)
-                        own_normals(d, scene.primitives, geometry, direction, own, at);
-                      if constexpr (HasOwnSides<Kind>)
-                        if (geometry.transmits)
-                          own_sides(d, scene.primitives, geometry, direction, own, within, at);
-                    });
+  for_each_geometry(
+      scene, [&]<class Kind>(const Geometry<Kind, T>& geometry) RAYTRACER_INLINE_ATTR {
+        if constexpr (HasOwnNormals<Kind>)
+          own_normals(d, scene.primitives, geometry, direction, own, at);
+        V side = hn::Zero(d);  // is known
+        if constexpr (HasOwnSides<Kind>)
+          if (geometry.transmits)
+            own_sides(d, scene.primitives, geometry, direction, own, within, at, side);
+      });
 }
 
 /// Where rays meet what they turn at, `active` lanes. A scene `is_plain` of which rows tell
@@ -125,7 +126,8 @@ HWY_INLINE Meeting<V> meet_again(D d, const PacketScene<T>& scene, const Turning
                             lanes.get(Column::left_id), id, id};
     const Hit<V> hit{t, id, lanes.get(Column::u), lanes.get(Column::v)};
     RayOrigin<V> at{point, normal, id, hit.u, hit.v};
-    meet_own(d, scene, left, direction, hit, own, hn::Gt(hit.u, zero), at);
+    const V side = scene.transmits ? lanes.get(Column::side) : zero;
+    meet_own(d, scene, left, direction, hit, own, hn::Gt(side, zero), at);
     met = {at.point, at.normal, at.normal};
   }
   if (!scene.corners.empty()) {
@@ -157,7 +159,7 @@ HWY_INLINE V3<V> turned_at_glass(D d, const PacketScene<T>& scene, const Turning
   if (!hn::AllFalse(d, mirrored)) on = select(mirrored, reflected_at(d, scene, met, direction), on);
   if (!hn::AllFalse(d, refracted)) {
     const V ior = glass_of(d, scene, id, refracted)(d, &GlassRow<T>::ior);
-    const M from_within = hn::Gt(lanes.get(RayColumn::u), zero);
+    const M from_within = hn::Gt(lanes.get(RayColumn::side), zero);
     const V index = hn::IfThenElse(from_within, ior, hn::Div(hn::Set(d, T(1)), ior));
     on = select(refracted, refracted_at(d, scene, index, met, direction).direction, on);
   }

@@ -61,12 +61,56 @@ HWY_INLINE M shadowed_by_neighbours(D d, const LatticeItem<T>& lattice,
   return hn::And(shadowed, active);
 }
 
-/// The packet against the lattices. Rays that begin on one of their spheres `leaves_cell`.
-template <bool leaves_cell, class D, class V = hn::Vec<D>, class M = hn::Mask<D>,
+/// Rays of `active` that are inside of a sphere, and where they leave it. `origin` and `slope` are
+/// in the lattice's axes and cells; the lanes of `leaves` begin on the sphere in cell (own_first,
+/// own_second).
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE CellHit<V, M> way_out(D d, const LatticeItem<T>& lattice, const InnerOrigin<V>& from,
+                                 const V3<V>& origin, const V3<V>& slope, M leaves, M active) {
+  const auto cell = [&](V own, V place, T low, T high) HWY_ATTR {
+    const V nearest = hn::Min(hn::Max(hn::Round(place), hn::Set(d, low)), hn::Set(d, high));
+    return hn::IfThenElse(leaves, own, nearest);
+  };
+  const V zero = hn::Zero(d);
+  const V first = cell(from.u, origin.x, lattice.low_first, lattice.high_first);
+  const V second = cell(from.v, origin.z, lattice.low_second, lattice.high_second);
+  CellHit<V, M> out{active, zero, first, second, slope};
+  measure_way_out(d, origin, slope, leaves, out);
+  // What begins on a sphere is inside of it if it leaves it inwards; what does not, if it is so by
+  // more than what rounds its place.
+  const V3<V> f = from_cell(origin, first, second);
+  const V noise = hn::Mul(place_noise(d, from.point, hn::Set(d, T(0.5) * lattice.unit_per_cell)),
+                          hn::Set(d, lattice.cells_per_unit));
+  const V enter = hn::Sub(hn::Mul(hn::Set(d, T(-2)), dot(f, slope)), out.t);
+  const M amid = hn::And(hn::Lt(enter, hn::Neg(noise)), hn::Gt(out.t, noise));
+  const M is_met = hn::Lt(dot(f, f), hn::Set(d, T(0.25)));
+  const M inwards = hn::And(hn::Lt(dot(along_lattice(lattice, from.normal), f), zero),
+                            hn::Lt(dot(f, slope), zero));
+  out.hit =
+      hn::And(active, hn::Or(hn::And(leaves, inwards), hn::AndNot(leaves, hn::And(is_met, amid))));
+  return out;
+}
+
+/// What rays that may begin inside of spheres meet; `walk(lanes)` finds it for those that do not.
+template <class D, class Walk, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
-HWY_INLINE void intersect_own(D d, const Geometry<LatticeKind, T>& lattices,
-                              const RayOrigin<V>& from, const V3<V>& direction, M active,
-                              Hit<V>& hit) {
+HWY_INLINE CellHit<V, M> way_out_or(D d, const LatticeItem<T>& lattice, const InnerOrigin<V>& from,
+                                    const V3<V>& origin, const V3<V>& slope, M leaves, M active,
+                                    const Walk& walk) {
+  const CellHit<V, M> out = way_out(d, lattice, from, origin, slope, leaves, active);
+  const M rest = hn::AndNot(out.hit, active);
+  if (hn::AllFalse(d, rest)) return out;
+  const CellHit<V, M> met = walk(rest);
+  return {hn::Or(out.hit, met.hit), hn::IfThenElse(out.hit, out.t, met.t),
+          hn::IfThenElse(out.hit, out.first, met.first),
+          hn::IfThenElse(out.hit, out.second, met.second), select(out.hit, out.normal, met.normal)};
+}
+
+/// The packet against the lattices. Rays that begin on one of their spheres `leaves_cell`.
+template <bool leaves_cell, class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
+HWY_INLINE void intersect_own(D d, const Geometry<LatticeKind, T>& lattices, const Origin& from,
+                              const V3<V>& direction, M active, Hit<V>& hit) {
   // In registers: what a function out of line is told of stays in memory.
   V hit_t = hit.t;
   V hit_id = hit.id;
@@ -90,9 +134,15 @@ HWY_INLINE void intersect_own(D d, const Geometry<LatticeKind, T>& lattices,
           leaves_cell ? mul_add(along_lattice(lattice, from.point), to_cells, eye) : eye;
       const M leaves = hn::Eq(from.id, id);
       const V nowhere = hn::Set(d, std::numeric_limits<T>::max());
-      found = walk_lattice<leaves_cell>(d, lattice, origin, slope, t_max, active,
-                                        hn::IfThenElse(leaves, from.u, nowhere),
-                                        hn::IfThenElse(leaves, from.v, nowhere));
+      const auto walk = [&](M lanes) HWY_ATTR {
+        return walk_lattice<leaves_cell>(d, lattice, origin, slope, t_max, lanes,
+                                         hn::IfThenElse(leaves, from.u, nowhere),
+                                         hn::IfThenElse(leaves, from.v, nowhere));
+      };
+      if constexpr (may_be_inside<Origin>)
+        found = way_out_or(d, lattice, from, origin, slope, leaves, active, walk);
+      else
+        found = walk(active);
     }
     const V t = hn::Mul(found.t, hn::Set(d, lattice.unit_per_cell));
     const M nearer = is_nearer(hit_t, hit_id, t, id, found.hit);
@@ -174,23 +224,41 @@ HWY_INLINE M occluded_by(D d, const Geometry<LatticeKind, T>& lattices, const Pa
 }
 
 /// Sets where the rays of the lanes of `own` meet the spheres of lattices that they are known to
-/// hit, and the normals there.
-template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+/// hit, and the normals there; an InnerOrigin is inside of those spheres.
+template <class D, class Origin, class V = hn::Vec<D>, class M = hn::Mask<D>,
+          typename T = hn::TFromD<D>>
 HWY_INLINE void own_distances(D d, const PrimitiveRows<T>&,
-                              const Geometry<LatticeKind, T>& lattices, const RayOrigin<V>& from,
+                              const Geometry<LatticeKind, T>& lattices, const Origin& from,
                               const V3<V>& direction, M own, Hit<V>& hit) {
   for (const LatticeItem<T>& lattice : lattices.items) {
     const V3<V> origin = mul_add(along_lattice(lattice, from.point),
                                  hn::Set(d, lattice.cells_per_unit), broadcast(d, lattice.eye));
+    const V3<V> slope = along_lattice(lattice, direction);
     const M met = hn::And(own, hn::Eq(hit.id, hn::Set(d, lattice.id)));
     CellHit<V, M> found{met, hit.t, hit.u, hit.v, hit.normal};
-    measure(d, origin, along_lattice(lattice, direction), found);
+    if constexpr (may_be_inside<Origin>)
+      measure_way_out(d, origin, slope, hn::Eq(from.id, hit.id), found);
+    else
+      measure(d, origin, slope, found);
     // Where spheres touch what is left may be no number.
     const M is_ahead = hn::And(hn::Ge(found.t, hn::Zero(d)),
                                hn::Lt(found.t, hn::Set(d, std::numeric_limits<T>::max())));
     const M here = hn::And(met, is_ahead);
     hit.t = hn::IfThenElse(here, hn::Mul(found.t, hn::Set(d, lattice.unit_per_cell)), hit.t);
     hit.normal = select(here, from_lattice(lattice, found.normal), hit.normal);
+  }
+}
+
+/// Tells of the lanes of `own` that hit one of their spheres on which side, as tell_sides() has it;
+/// those of `within` may have come from inside of something.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void own_sides(D d, const PrimitiveRows<T>&, const Geometry<LatticeKind, T>& lattices,
+                          const V3<V>& direction, M own, M within, RayOrigin<V>& at, V& side) {
+  for (const LatticeItem<T>& lattice : lattices.items) {
+    const M here = hn::And(own, hn::Eq(at.id, hn::Set(d, lattice.id)));
+    const M leaves = hn::And(hn::And(here, within), hn::Gt(dot(at.normal, direction), hn::Zero(d)));
+    side = hn::IfThenElse(here, hn::IfThenElseZero(leaves, hn::Set(d, T(1))), side);
+    at.normal = select(leaves, negate(at.normal), at.normal);
   }
 }
 

@@ -45,22 +45,46 @@ struct CellHit {
   V3<V> normal;
 };
 
+/// From the centre of the sphere in that cell.
+template <class V>
+HWY_INLINE V3<V> from_cell(const V3<V>& place, V first, V second) {
+  return {hn::Sub(place.x, first), place.y, hn::Sub(place.z, second)};
+}
+
+/// Of a sphere's `radius`, to a length of 1, which a highlight's power demands, by a step of
+/// Newton's method from 1/2.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V3<V> normal_along(D d, const V3<V>& radius) {
+  return scale(radius, hn::NegMulAdd(hn::Set(d, T(4)), dot(radius, radius), hn::Set(d, T(3))));
+}
+
 /// Notes the distance to the sphere that was found, in the residual form of sphere_terms(), so
 /// that it is as far as the same one that is in no lattice, and its normal.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE void measure(D d, const V3<V>& origin, const V3<V>& direction, CellHit<V, M>& found) {
   const V zero = hn::Zero(d);
   const V quarter = hn::Set(d, T(0.25));
-  const V3<V> f{hn::Sub(origin.x, found.first), origin.y, hn::Sub(origin.z, found.second)};
+  const V3<V> f = from_cell(origin, found.first, found.second);
   const V b = hn::Neg(dot(f, direction));
   const V3<V> l = mul_add(direction, b, f);
   const V root = hn::Sqrt(hn::Max(hn::Sub(quarter, dot(l, l)), zero));
   const V c = hn::Max(hn::Sub(dot(f, f), quarter), zero);
   found.t = hn::Div(c, hn::Add(b, root));
-  const V3<V> radius = mul_add(direction, hn::Neg(root), l);
-  // To a length of 1, which a highlight's power demands, by a step of Newton's method from 1/2.
-  const V lengthen = hn::NegMulAdd(hn::Set(d, T(4)), dot(radius, radius), hn::Set(d, T(3)));
-  found.normal = scale(radius, lengthen);
+  found.normal = normal_along(d, mul_add(direction, hn::Neg(root), l));
+}
+
+/// The same of rays inside of that sphere: where they leave it. Those of `is_left` begin on it, as
+/// far before the middle of their way as the end is behind it, however short that is.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void measure_way_out(D d, const V3<V>& origin, const V3<V>& direction, M is_left,
+                                CellHit<V, M>& found) {
+  const V3<V> f = from_cell(origin, found.first, found.second);
+  const V b = hn::Neg(dot(f, direction));
+  const V3<V> l = mul_add(direction, b, f);
+  const V root = hn::Sqrt(hn::Max(hn::Sub(hn::Set(d, T(0.25)), dot(l, l)), hn::Zero(d)));
+  const V half = hn::IfThenElse(is_left, b, root);
+  found.t = hn::Add(b, half);
+  found.normal = normal_along(d, mul_add(direction, half, l));
 }
 
 /// Steps before a walk is finished by the reference, far more than a ray takes that comes from
