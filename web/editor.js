@@ -7,14 +7,15 @@
 import { lineAndColumn } from "./json_pointer.js";
 import { concernsCaret, editorKeys } from "./editor_keys.js";
 import { moveMarks } from "./editor_marks.js";
+import { stepOf } from "./history.js";
 import { messagesByLine, numberRow, textRow } from "./editor_rows.js";
 import { createHeldText } from "./held_text.js";
 
 const spare_lines = 8;  // painted above and below what is in sight
 
-/// `box` holds #editor, #gutter and #paint. `onInput(former, isUndone)` follows a change by the person,
-/// before one that the textarea cannot undo goes `onReplace()`; `onUndo(isRedo)` follows the keys for it where
-/// the textarea has nothing to undo; `onMarksMoved()` follows a change of the lines of the marks.
+/// `box` holds #editor, #gutter and #paint. `onInput(former, line)` follows a change by the person, of the text
+/// `former` and in that line; before one that replaces what is selected goes `onReplace()`; `onUndo(isRedo)`
+/// is to undo, of all changes the last; `onMarksMoved()` follows a change of the lines of the marks.
 export function createEditor(box, { onInput, onReplace, onUndo, onMarksMoved }) {
   const area = box.querySelector("textarea");
   const held = createHeldText(area);
@@ -22,28 +23,39 @@ export function createEditor(box, { onInput, onReplace, onUndo, onMarksMoved }) 
   let marks = [];  // {start, end, line, message}
   let caretLine = 1;
 
-  const repaint = () => painter(marks, caretLine);
+  function repaint() {
+    painter(marks, caretLine);
+    document.querySelector("#with-lines").hidden = !held.hasLongLine();
+  }
 
-  function changed(former, isUndone = false) {
+  // Not by the textarea, which knows of its own keys alone.
+  function undo(isRedo) {
+    const former = held.text;
+    onUndo(isRedo);
+    held.showChange(former);
+  }
+
+  function changed(former) {
     if (marks.length > 0) {
       moveMarks(marks, former, held.text);
       onMarksMoved();
     }
     repaint();
-    onInput(former, isUndone);
+    onInput(former, caretLine);
   }
 
-  area.addEventListener("input", ({ inputType }) => {
+  area.addEventListener("input", () => {
     const former = held.text;
     held.readTyped();
-    changed(former, inputType?.startsWith("history"));
+    changed(former);
   });
   area.addEventListener("keydown", (event) => {
-    const { key, ctrlKey, metaKey, shiftKey } = event;
+    const { key, ctrlKey, shiftKey } = event;
     const end = ctrlKey && !shiftKey && { Home: 0, End: held.text.length }[key];
-    if (key.toLowerCase() === "z" && (ctrlKey || metaKey) && !held.isTyped()) {
+    const step = stepOf(event);
+    if (step !== null) {
       event.preventDefault();
-      onUndo(shiftKey);
+      undo(step === "redo");
     } else if (held.isPart() && Number.isFinite(end)) {
       event.preventDefault();
       held.goTo({ start: end });
@@ -51,8 +63,12 @@ export function createEditor(box, { onInput, onReplace, onUndo, onMarksMoved }) 
       held.comeBack();
     }
   });
-  area.addEventListener("beforeinput", ({ inputType }) => {
-    if (inputType.startsWith("history")) return;
+  area.addEventListener("beforeinput", (event) => {
+    if (event.inputType.startsWith("history")) {  // by a menu
+      event.preventDefault();
+      undo(event.inputType === "historyRedo");
+      return;
+    }
     held.comeBack();
     if (!held.isAllSelected()) return;
     onReplace();

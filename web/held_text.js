@@ -1,6 +1,7 @@
 // A text of which a textarea holds a part, since browsers lay out all that is in a textarea, at each
 // key. Offsets and lines are the text's own, and so is what is selected: it need not be held.
 import { lineAndColumn } from "./json_pointer.js";
+import { longest_painted } from "./json_tokens.js";
 
 const most_held = 40_000;  // characters that the textarea is given; it may grow to twice as many
 
@@ -12,7 +13,6 @@ export function createHeldText(area) {
   let beforeLines = 0;  // the number of lines of that
   let afterLines = 0;
   let away = null;      // {start, end, shown}: of a selection in the text that is not held, and what stands for it
-  let isUntouched = true;  // nothing was typed since the textarea was given its part
 
   const lineHeight = () => parseFloat(getComputedStyle(area).lineHeight);
   const isPart = () => before !== "" || after !== "";
@@ -45,7 +45,6 @@ export function createHeldText(area) {
     beforeLines = linesIn(before);
     afterLines = linesIn(after);
     area.value = text.slice(start, end);
-    isUntouched = true;
     take(text);
   }
 
@@ -95,8 +94,8 @@ export function createHeldText(area) {
 
     lineHeight, isPart, isAllSelected, select, scrollTo, goTo,
 
-    /// Whether the textarea has anything to undo.
-    isTyped: () => !isUntouched,
+    /// Of those that are held.
+    hasLongLine: () => lines.some((line) => line.length > longest_painted),
 
     /// Another text, from its start.
     begin(next) {
@@ -112,10 +111,23 @@ export function createHeldText(area) {
       holdInSight(before.length + area.value.length / 2);
     },
 
+    /// After another state of the text `former`: the caret is behind what differs, in sight.
+    showChange(former) {
+      if (former === text) return;
+      const shorter = Math.min(former.length, text.length);
+      let start = 0;
+      while (start < shorter && former[start] === text[start]) start += 1;
+      let same = 0;
+      while (same < shorter - start && former[former.length - 1 - same] === text[text.length - 1 - same]) same += 1;
+      const end = text.length - same;
+      const isHeld = end >= before.length && end <= text.length - after.length;
+      if (isHeld && this.isInSight(lineAndColumn(text, end))) select({ start: end, end });
+      else goTo({ start: end });
+    },
+
     /// After a change by the person in the textarea.
     readTyped() {
       away = null;
-      isUntouched = false;
       take(before + area.value + after);
       if (area.value.length > 2 * most_held) holdInSight(before.length + area.selectionStart);
     },

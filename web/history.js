@@ -1,10 +1,19 @@
-// Former texts, of all edits: the textarea's own undo knows only keys, and forgets them when the form
-// or the hand edits too.
+// Former texts, of all edits: a textarea's own undo knows only keys, and forgets them when the form or the
+// hand edits too.
 import { passFocus } from "./focus.js";
 
 const most_kept = 100;
 const most_characters = 50_000_000;  // of all that are kept, but for the last
 const together_ms = 800;  // edits of one value that follow each other sooner are one
+
+export const isMac = /Mac|iPhone|iPad/.test(navigator.platform);
+
+/// "undo", "redo" or null: what a key asks for.
+export function stepOf({ key, ctrlKey, metaKey, shiftKey, altKey }) {
+  if (!(ctrlKey || metaKey) || altKey) return null;
+  if (key.toLowerCase() === "z") return shiftKey ? "redo" : "undo";
+  return key.toLowerCase() === "y" && !isMac ? "redo" : null;
+}
 
 /// `undoer` and `redoer` are buttons: `restore(text)` follows with the text before an edit, or after one
 /// that was undone. `current()` is the text.
@@ -37,9 +46,10 @@ export function createHistory({ undoer, redoer }, { current, restore }) {
   undoer.addEventListener("click", undo);
   redoer.addEventListener("click", redo);
   document.addEventListener("keydown", (event) => {
-    if (event.key.toLowerCase() !== "z" || !(event.ctrlKey || event.metaKey) || event.target.matches("textarea, input[type=number]")) return;
+    const step = stepOf(event);
+    if (step === null || event.target.closest("textarea, input[type=number], dialog")) return;
     event.preventDefault();
-    if (event.shiftKey) redo();
+    if (step === "redo") redo();
     else undo();
   });
 

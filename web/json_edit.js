@@ -32,6 +32,7 @@ export function withoutElement(text, pointer, index) {
 
 // Before the closing bracket of `container`, as its other members stand: each on its line, or all on one.
 function withMember(text, container, member) {
+  if (!/[}\]]/.test(text[container.end - 1])) return text;  // it is not closed: where it ends is not known
   const inside = text.slice(container.start + 1, container.end - 1);
   const end = container.start + 1 + inside.trimEnd().length;
   const isEmpty = inside.trim() === "";

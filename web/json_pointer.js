@@ -1,10 +1,9 @@
 // Where in a JSON text the value of a JSON Pointer (RFC 6901) stands.
 //
-// JSON.parse forgets positions, so the text is scanned once into a tree of them. The scanner
-// checks nothing: it is for text that the server has read, and on any other it ends early, with
-// the places found so far. It keeps its own stack, so deep nesting is harmless.
-
-const token = /[\s,:]*(?:("[^"\\]*(?:\\.[^"\\]*)*")|([{}[\]])|([^\s{}[\],:"]+))/gy;
+// JSON.parse forgets positions, so the text is scanned for them: only what a pointer leads through
+// is looked into, since most of a long text is beside it. The scanner checks nothing: it is for text
+// that the server has read, and on any other it ends early, with the places found so far. It counts
+// brackets, so deep nesting is harmless.
 
 /// A function from pointers into `text` to places in it:
 ///   value: {start, end}, offsets of the value, or, if it is missing, of the object or array
@@ -13,15 +12,16 @@ const token = /[\s,:]*(?:("[^"\\]*(?:\\.[^"\\]*)*")|([{}[\]])|([^\s{}[\],:"]+))/
 ///   whole: {start, end} of the value with all that is in it, or null if it is missing.
 /// Of duplicate keys, the last one counts.
 export function locator(text) {
-  const root = positionsIn(text);
+  const root = valueFrom(text, pastSeparators(text, 0), null);
   return (pointer) => {
     let node = root;
     for (const name of partsOfPointer(pointer)) {
-      const child = node.children?.get(name);
+      node.inside ??= text[node.start] === "{" ? membersOf(text, node) : elementsOf(text, node);
+      const child = node.inside(name);
       if (!child) return { value: placeOf(node), key: null, whole: null };
       node = child;
     }
-    return { value: placeOf(node), key: node.key, whole: { start: node.start, end: node.close ?? node.end } };
+    return { value: placeOf(node), key: node.key, whole: { start: node.start, end: node.wholeEnd } };
   };
 }
 
@@ -57,35 +57,80 @@ function placeOf({ start, end }) {
   return { start, end };
 }
 
-// A node is {start, end, key, children: Map of name to node, or undefined for a scalar}.
-function positionsIn(text) {
-  let root = { start: 0, end: 0, key: null };
-  const open = [];  // the containers around the scanner's place
-  let key = null;   // a name whose value is still to come
-  token.lastIndex = 0;
-  for (let match = token.exec(text); match; match = token.exec(text)) {
-    const [, string, bracket] = match;
-    const end = token.lastIndex;
-    const start = end - (string ?? bracket ?? match[3]).length;
-    const parent = open.at(-1);
-    if (bracket === "}" || bracket === "]") {
-      const closed = open.pop();
-      if (closed) closed.close = end;
-      if (open.length === 0) break;
-    } else if (string && parent?.isObject && !key) {
-      key = { start, end, name: nameOf(string) };
-    } else {
-      const node = { start, end, key: key && { start: key.start, end: key.end } };
-      if (parent) parent.children.set(key ? key.name : String(parent.children.size), node);
-      else root = node;
-      key = null;
-      if (!bracket) continue;
-      node.children = new Map();
-      node.isObject = bracket === "{";
-      open.push(node);
-    }
+// A node is {start, end, wholeEnd, key, inside}: the last a function from names to nodes, once it was asked for.
+function valueFrom(text, start, key) {
+  const wholeEnd = valueEnd(text, start);
+  return { start, end: isOpening(text.charCodeAt(start)) ? start + 1 : wholeEnd, wholeEnd, key, inside: null };
+}
+
+function membersOf(text, { start, wholeEnd }) {
+  const members = new Map();
+  const isOver = (at) => at >= wholeEnd || isClosing(text.charCodeAt(at));
+  for (let at = pastSeparators(text, start + 1); !isOver(at);) {
+    const key = { start: at, end: valueEnd(text, at) };
+    at = pastSeparators(text, key.end);
+    if (isOver(at)) break;
+    const member = valueFrom(text, at, key);
+    members.set(nameOf(text.slice(key.start, key.end)), member);
+    at = pastSeparators(text, member.wholeEnd);
   }
-  return root;
+  return (name) => members.get(name);
+}
+
+// A scalar has none.
+function elementsOf(text, { start, wholeEnd }) {
+  const elements = [];
+  if (text[start] !== "[") return () => undefined;
+  for (let at = pastSeparators(text, start + 1); at < wholeEnd && !isClosing(text.charCodeAt(at));) {
+    const element = valueFrom(text, at, null);
+    elements.push(element);
+    at = pastSeparators(text, element.wholeEnd);
+  }
+  return (name) => (/^\d+$/.test(name) ? elements[name] : undefined);
+}
+
+const [quote, backslash, comma, colon, openBracket, closeBracket, openBrace, closeBrace] = [...'"\\,:[]{}'].map((each) => each.charCodeAt(0));
+const isOpening = (code) => code === openBracket || code === openBrace;
+const isClosing = (code) => code === closeBracket || code === closeBrace;
+const isSeparator = (code) => code <= 32 || code === comma || code === colon || code === 0xfeff;  // a byte order mark
+
+function pastSeparators(text, at) {
+  while (at < text.length && isSeparator(text.charCodeAt(at))) at += 1;
+  return at;
+}
+
+// Where the value that starts at `at` ends: a container behind its bracket, or with the text. Whatever
+// stands there, it has a character.
+function valueEnd(text, at) {
+  let depth = 0;
+  do {
+    const code = text.charCodeAt(at);
+    if (code === quote) at = stringEnd(text, at);
+    else if (isOpening(code) || isClosing(code)) {
+      depth += isOpening(code) ? 1 : -1;
+      at += 1;
+    } else if (depth > 0) at += 1;
+    else at = scalarEnd(text, at);
+  } while (depth > 0 && at < text.length);
+  return Math.min(at, text.length);
+}
+
+function stringEnd(text, start) {
+  for (let at = start + 1; at < text.length; at += 1) {
+    const code = text.charCodeAt(at);
+    if (code === backslash) at += 1;
+    else if (code === quote) return at + 1;
+  }
+  return text.length;
+}
+
+function scalarEnd(text, start) {
+  let at = start + 1;
+  for (; at < text.length; at += 1) {
+    const code = text.charCodeAt(at);
+    if (isSeparator(code) || isOpening(code) || isClosing(code) || code === quote) break;
+  }
+  return at;
 }
 
 function nameOf(string) {

@@ -5,12 +5,12 @@ const pattern =
   /("(?:[^"\\]|\\.)*"?)(\s*:)?|(-?\d[\d.eE+-]*)|\b(true|false|null)\b|([{}[\],:]+)|[^"\d{}[\],:tfn-]+|./g;
 
 /// Longer lines stay plain: their pieces would cost more than their colours are worth.
-const longest = 2000;
+export const longest_painted = 2000;
 
 /// [{kind, text}], whose texts add up to `line`; kind is "key", "string", "number", "literal",
 /// "mark" or "plain".
 export function tokensOf(line) {
-  if (line.length > longest) return [{ kind: "plain", text: line }];
+  if (line.length > longest_painted) return [{ kind: "plain", text: line }];
   const tokens = [];
   for (const [text, string, colon, number, literal, mark] of line.matchAll(pattern)) {
     if (colon) tokens.push({ kind: "key", text: string }, { kind: "mark", text: colon });

@@ -7,10 +7,11 @@ import { Problem, renderFrame } from "./api.js";
 import { createBoard } from "./board.js";
 import { createCompare } from "./compare.js";
 import { createCurvePanel } from "./curve_panel.js";
-import { acceptDrops } from "./drop.js";
 import { createEditor } from "./editor.js";
-import { createHistory } from "./history.js";
+import { acceptFiles } from "./files.js";
+import { createHistory, isMac } from "./history.js";
 import { withElement, withoutElement, withValue } from "./json_edit.js";
+import { withLines } from "./json_lines.js";
 import { createLive } from "./live.js";
 import { newElement } from "./new_element.js";
 import { createOpening } from "./opening.js";
@@ -53,8 +54,8 @@ const camera = () => ({ ...own, ...hand.view });
 const view = () => own && hand.view;  // which nothing can be written into that cannot be read
 
 const editor = createEditor(at("editor-box"), {
-  onInput(former, isUndone) {
-    if (!isUndone) history.keep(former, "typing");
+  onInput(former, line) {
+    history.keep(former, `typing in line ${line}`);
     if (status.state === "done") status.say(edited);
     form.fallBehind();
     clearTimeout(reading);
@@ -269,6 +270,10 @@ createSharing({ share: at("share"), curl: at("curl"), dialog: at("copy-dialog") 
   moveTo: opening.moveTo, say: status.say,
 });
 
+at("with-lines").addEventListener("click", () => {
+  revise(withLines(editor.text), Symbol("lines"));
+  at("editor").focus();
+});
 at("settings").addEventListener("submit", async (event) => {
   event.preventDefault();
   await takeText();
@@ -279,7 +284,7 @@ document.addEventListener("keydown", (event) => {
   event.preventDefault();
   at("settings").requestSubmit();
 });
-acceptDrops({
+acceptFiles({ gallery: at("gallery"), opener: at("open-file"), chooser: at("file") }, {
   onScene: (text, file) => instead((signal) => opening.take(text, file, signal)),
   onProblem: (error) => status.say(problemPanel.say(problemFrom(error))),
 });
@@ -291,6 +296,6 @@ at("cancel").addEventListener("click", () => {
   status.enter("done", "Cancelled");
 });
 
-if (/Mac|iPhone|iPad/.test(navigator.platform)) at("shortcut").textContent = "⌘ ↵";
+if (isMac) at("shortcut").textContent = "⌘ ↵";
 chooseTab("tab-form");
 instead(load);

@@ -16,7 +16,9 @@ export function createOpening({ restore, ...elements }, { editor, source, accura
   let isBegun = false;                           // there is a text to render
   let address = "";                              // of what is open
   let latest = null;                             // the load that began last
-  let left = keepEdits(() => left ?? edits());   // what is to be brought back
+  let askedChoice = {};                          // of the accuracy, by the address
+  let left = keepEdits(() => left ?? edits(), ({ text, aside }) => text !== null || [aside ?? []].flat().length > 0);  // what is to be brought back
+  if (left?.choice && left.hash === location.hash) accuracy.choice = left.choice;
 
   const scenes = createSceneList(elements, {
     current: () => loaded.name,
@@ -42,13 +44,21 @@ export function createOpening({ restore, ...elements }, { editor, source, accura
 
   function edits() {
     const text = unsaved()?.text ?? null;
-    if (text === null && view() === null && aside.edits.length === 0) return null;
-    return { hash: address, name: loaded.name, text, view: view(), aside: aside.edits };
+    const { choice } = accuracy;
+    const isAsAsked = JSON.stringify(choice) === JSON.stringify(askedChoice);
+    if (text === null && view() === null && aside.edits.length === 0 && isAsAsked) return null;
+    return { hash: address, name: loaded.name, text, view: view(), choice, aside: aside.edits };
   }
 
-  function moveTo(fragment) {
+  function replaceAddress(fragment) {
     history.replaceState(null, "", fragment || location.pathname + location.search);
     address = location.hash;
+  }
+
+  // To a fragment with what is chosen.
+  function moveTo(fragment) {
+    replaceAddress(fragment);
+    askedChoice = accuracy.choice;
   }
 
   // What the address says: {asked, name, text}, and what goes {back} to it.
@@ -57,7 +67,7 @@ export function createOpening({ restore, ...elements }, { editor, source, accura
     signal.throwIfAborted();
     const asked = await readFragment(location.hash || location.search);  // /?scene=glass, typed by hand, counts too
     const back = left?.hash === location.hash ? left : null;
-    const isOwn = asked.text !== null || Boolean(back?.text && back.name === "");  // a link's, or of a file that was dropped here
+    const isOwn = asked.text !== null || Boolean(back?.text && back.name === "");  // a link's, or of a file that was opened here
     const name = isOwn ? "" : asked.name || first_scene;
     onLoading(name || "your scene");
     scenes.choose(name);
@@ -100,14 +110,15 @@ export function createOpening({ restore, ...elements }, { editor, source, accura
       const { asked, back, name, text } = await find(signal).catch((error) => {
         if (latest === mine) {  // what is open stays so
           scenes.choose(isBegun ? loaded.name : null);
-          if (isBegun) moveTo(address);
+          if (isBegun) replaceAddress(address);
         }
         throw error;
       });
       layAside(back !== null);
       loaded = { name, text };
       if (name) source.know(name, text);
-      if (Object.keys(asked.choice).length > 0) accuracy.choice = asked.choice;
+      askedChoice = asked.choice;
+      if (!back?.choice && Object.keys(asked.choice).length > 0) accuracy.choice = asked.choice;
       const areBack = Boolean(text && back?.text && back.text !== text);
       isBegun = true;
       address = location.hash;
@@ -115,11 +126,12 @@ export function createOpening({ restore, ...elements }, { editor, source, accura
       return { areBack, isDamaged: asked.isDamaged };
     },
 
-    /// Opens a dropped file, whose text no address has: for the tab it is an edit, which it keeps.
+    /// Opens a file that was chosen or dropped, whose text no address has: for the tab it is an edit, which it keeps.
     async take(text, file, signal) {
       onLoading(file);
       layAside(false);
       latest = null;
+      askedChoice = {};
       loaded = { name: "", text: "" };
       if (location.hash) history.pushState(null, "", location.pathname + location.search);  // Back leads to the scene before
       address = location.hash;

@@ -4,10 +4,12 @@ import { cameraIn } from "./camera.js";
 
 /// In characters: from here on, the page does nothing with a text at each movement of a hand.
 export const long_text = 200_000;
+const most_of_a_list = 16;     // of what an object has; the form needs points
 const most_of_a_kind = 50;     // with a row each in the form; nobody moves more by hand
 
 /// {camera, scene} of a document's text: the camera is null if the text has none, the scene has its
-/// objects by their indices, and counts of all there are by their types. null: the text cannot be read.
+/// objects by their indices, without long lists, and counts of all there are by their types.
+/// null: the text cannot be read.
 export function outlineOf(text) {
   let scene;
   try {
@@ -19,7 +21,8 @@ export function outlineOf(text) {
   const { materials, lights, background, ambient } = scene;
   const counts = { light: listIn(lights).length, material: Object.keys(materials ?? {}).length };
   const objects = listIn(scene.objects).map((object, index) => [index, object])
-    .filter(([, object]) => object && (counts[object.type] = (counts[object.type] ?? 0) + 1) <= most_of_a_kind);
+    .filter(([, object]) => object && (counts[object.type] = (counts[object.type] ?? 0) + 1) <= most_of_a_kind)
+    .map(([index, object]) => [index, withoutLists(object)]);
   return {
     camera: cameraIn(scene),
     scene: {
@@ -49,5 +52,8 @@ export function createReader() {
     });
   };
 }
+
+// A mesh may be all of a long text, and its way from the worker to the page would take as long as the reading.
+const withoutLists = (object) => Object.fromEntries(Object.entries(object).filter(([, value]) => !(Array.isArray(value) && value.length > most_of_a_list)));
 
 const listIn = (value) => (Array.isArray(value) ? value : []);

@@ -2,13 +2,14 @@
 // it brings them back, as it does when a closed tab is opened again.
 import { keepInTab, keptInTab } from "./tab_memory.js";
 
-/// `state()` gives what to keep, of what JSON can say, or null. Returns what was kept before.
-export function keepEdits(state) {
+/// `state()` gives what to keep, of what JSON can say, or null; `isWork(state)`: whether a person should be asked
+/// before it is lost. Returns what was kept before.
+export function keepEdits(state, isWork) {
   const keep = (event) => {
     const edits = state();
     if (edits !== null && keepInTab("edits", JSON.stringify(edits))) return;
     keepInTab("edits", null);  // an older state would come as a surprise
-    if (edits !== null) event.preventDefault();  // of beforeunload: the browser asks whether to leave
+    if (edits !== null && isWork(edits)) event.preventDefault();  // of beforeunload: the browser asks whether to leave
   };
   for (const leaving of ["beforeunload", "pagehide"]) window.addEventListener(leaving, keep);
   // A phone may end a page that is out of sight without a further word.

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
+#include <thread>
 
 #include "tests/browser/browser_page.h"
 
@@ -63,6 +65,33 @@ TEST_F(Editing, undo_knows_keys_as_well_as_the_form) {
   browser().type("#editor", std::string(key_control) + key_shift + "z" + key_release);
   EXPECT_EQ(text(), by_form + "typed");
   EXPECT_EQ(value("document.getElementById('redo').disabled"), true);
+}
+
+TEST_F(Editing, key_that_undoes_goes_on_where_typing_began) {
+  const std::string original = text();
+  browser().run(
+      "const ambient = document.querySelector('[aria-label=\"Ambient light\"]');"
+      "ambient.value = 0.9; ambient.dispatchEvent(new Event('input'));");
+  const std::string by_form = text();
+  const auto press_with_control = [](const char* key) {
+    browser().type("#editor", std::string(key_control) + key + key_release);
+  };
+  const auto becomes = [](const std::string& expected) {
+    return comes_true("document.getElementById('editor').value === " +
+                      nlohmann::json(expected).dump());
+  };
+  browser().type("#editor", "abc");
+  std::this_thread::sleep_for(std::chrono::seconds(1));  // what comes later is another step
+  browser().type("#editor", "def");
+  for (const std::string& former : {by_form + "abc", by_form, original}) {
+    press_with_control("z");
+    EXPECT_TRUE(becomes(former)) << text();
+  }
+  for (const std::string& next : {by_form, by_form + "abc", by_form + "abcdef"}) {
+    press_with_control("y");
+    EXPECT_TRUE(becomes(next)) << text();
+  }
+  EXPECT_EQ(value("document.getElementById('editor').selectionStart"), by_form.size() + 6);
 }
 
 TEST_F(Editing, keys_go_to_the_caret_however_far_one_has_scrolled) {

@@ -24,7 +24,8 @@ class Unsaved : public BrowserPage {
   }
 
   static void reload() {
-    browser().run("location.reload()");
+    browser().run("window.isOld = true; location.reload()");
+    EXPECT_TRUE(comes_true("!window.isOld"));
     await("done");
   }
 };
@@ -50,6 +51,25 @@ TEST_F(Unsaved, view_is_there_after_a_reload) {
   await("done", former);
   reload();
   EXPECT_EQ(value("document.getElementById('view-tools').hidden"), false);
+}
+
+TEST_F(Unsaved, accuracy_is_there_after_a_reload) {
+  const std::string says = "document.getElementById('accuracy-says').textContent";
+  for (const char* const address : {"/#scene=first-sphere", "/#scene=first-sphere&accuracy=5"}) {
+    open(address);
+    std::string former = picture();
+    browser().type("#accuracy", "\xee\x80\x94");  // arrow right
+    await("done", former);
+    const std::string chosen = value(says);
+    EXPECT_NE(chosen, "As the scene says") << address;
+    reload();
+    EXPECT_EQ(value(says), chosen) << address;
+    former = picture();
+    browser().click("#as-written");
+    await("done", former);
+    reload();
+    EXPECT_EQ(value(says), "As the scene says") << address;
+  }
 }
 
 TEST_F(Unsaved, edits_of_another_address_can_be_brought_back) {

@@ -1,15 +1,25 @@
-// Files dropped onto the page. It reads scene documents alone; of any other file it says which
-// command shows it, since the readers of all formats are the client's.
+// Files that a person opens or drops onto the page. It reads scene documents alone; of any other file it
+// says which command shows it, since the readers of all formats are the client's.
 import { Problem } from "./api.js";
 
 // What `raytracer convert --help` lists, packed or not, and LAMMPS's dump.NAME.
 const read_by_client = /(\.(nff|pdb|ent|cif|mmcif|xyz|extxyz|dump|lammpstrj|csv|tsv|ply|obj|stl|gltf|glb)|^dump\..+?)(\.(gz|zst))?$/i;
 
-/// Takes what is dropped anywhere: `onScene(text, name)` gets a document and its file's name,
-/// `onProblem(problem)` why there is none.
-export function acceptDrops({ onScene, onProblem }) {
+/// Takes what is dropped anywhere, and what `chooser`, an input of files that `opener` opens, is given; it
+/// closes the `gallery`, which would hide what comes of it. `onScene(text, name)` gets a document and its
+/// file's name, `onProblem(problem)` why there is none.
+export function acceptFiles({ gallery, opener, chooser }, { onScene, onProblem }) {
   const root = document.documentElement;
   const holdsFiles = ({ dataTransfer }) => dataTransfer.types.includes("Files");
+
+  async function take(files) {
+    gallery.close();
+    try {
+      onScene(await documentOf(files), files[0].name);
+    } catch (error) {
+      onProblem(error);
+    }
+  }
 
   document.addEventListener("dragover", (event) => {
     if (!holdsFiles(event)) return;  // text, which the editor takes
@@ -20,17 +30,16 @@ export function acceptDrops({ onScene, onProblem }) {
   document.addEventListener("dragleave", ({ relatedTarget }) => {
     if (relatedTarget === null) root.classList.remove("receiving");
   });
-  document.addEventListener("drop", async (event) => {
+  document.addEventListener("drop", (event) => {
     root.classList.remove("receiving");
     if (!holdsFiles(event)) return;
     event.preventDefault();  // or the browser would leave the page for the file
-    document.querySelector(".gallery[open]")?.close();  // it says that files may be dropped, and would hide what comes of it
-    const { files } = event.dataTransfer;
-    try {
-      onScene(await documentOf([...files]), files[0].name);
-    } catch (error) {
-      onProblem(error);
-    }
+    take([...event.dataTransfer.files]);
+  });
+  opener.addEventListener("click", () => chooser.click());
+  chooser.addEventListener("change", () => {
+    take([...chooser.files]);
+    chooser.value = "";  // the same file may be chosen again
   });
 }
 

@@ -1,7 +1,9 @@
-// Files dropped onto the page: a scene document is opened, of any other it is said which command
-// shows it.
+// Files dropped onto the page or opened in it: a scene document is shown, of any other it is said
+// which command shows it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "tests/browser/browser_page.h"
@@ -10,13 +12,17 @@
 namespace raytracer::test {
 namespace {
 
-class Drop : public BrowserPage {
+class Files : public BrowserPage {
  protected:
   void SetUp() override { open("/#scene=first-sphere"); }
 
-  /// Drops a file of this name.
+  /// The path of a file of this name.
+  std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+    return folder_.write(name, bytes);
+  }
+
   void drop(const std::string& name, const std::string& bytes) const {
-    browser().drop(folder_.write(name, bytes));
+    browser().drop(write(name, bytes));
   }
 
   static std::string says() { return value("document.getElementById('problem').innerText"); }
@@ -33,7 +39,7 @@ class Drop : public BrowserPage {
   const TemporaryFolder folder_;
 };
 
-TEST_F(Drop, scene_document_is_opened) {
+TEST_F(Files, scene_document_is_opened) {
   const std::string former = picture();
   browser().click("#open-gallery");
   drop("mine.json", page_scene);
@@ -46,7 +52,25 @@ TEST_F(Drop, scene_document_is_opened) {
   keep_screenshot("dropped");
 }
 
-TEST_F(Drop, list_offers_nothing_that_it_cannot_open) {
+TEST_F(Files, scene_document_is_opened_from_the_gallery) {
+  for (const char* const time : {"once", "again"}) {
+    std::string former = picture();
+    browser().click("#open-gallery");
+    browser().run(fmt::format(
+        "document.getElementById('file').click = () => {{ window.asked = '{}'; }}", time));
+    browser().click("#open-file");
+    EXPECT_EQ(value("window.asked"), time);
+    browser().type("#file", write("mine.json", page_scene).string());
+    await("done", former);
+    EXPECT_EQ(value("document.getElementById('gallery').open"), false) << time;
+    EXPECT_EQ(text(), page_scene) << time;
+    former = picture();
+    browser().run("location.hash = 'scene=first-sphere'");
+    await("done", former);
+  }
+}
+
+TEST_F(Files, list_offers_nothing_that_it_cannot_open) {
   std::string former = picture();
   drop("mine.json", page_scene);
   await("done", former);
@@ -60,7 +84,7 @@ TEST_F(Drop, list_offers_nothing_that_it_cannot_open) {
             0);
 }
 
-TEST_F(Drop, scene_survives_a_reload_and_back_leads_to_the_one_before) {
+TEST_F(Files, scene_survives_a_reload_and_back_leads_to_the_one_before) {
   std::string former = picture();
   drop("mine.json", page_scene);
   await("done", former);
@@ -76,13 +100,13 @@ TEST_F(Drop, scene_survives_a_reload_and_back_leads_to_the_one_before) {
   EXPECT_NE(text().find("\"First sphere\""), std::string::npos);
 }
 
-TEST_F(Drop, errors_of_a_document_are_marked) {
+TEST_F(Files, errors_of_a_document_are_marked) {
   drop("wrong.JSON", "{\n  \"camera\": {\n    \"fov\" 1\n  }\n}\n");
   await("error");
   EXPECT_EQ(value("document.querySelector('#errors li').dataset.line"), "3");
 }
 
-TEST_F(Drop, other_formats_name_the_command_that_opens_them) {
+TEST_F(Files, other_formats_name_the_command_that_opens_them) {
   drop("water.pdb", "HETATM    1  O   HOH A   1       0.000   0.000   0.000\n");
   expect_refusal("raytracer open water.pdb");
   keep_screenshot("drop_refused");
@@ -91,7 +115,7 @@ TEST_F(Drop, other_formats_name_the_command_that_opens_them) {
   expect_refusal(R"(raytracer open 'a b'\''s.gltf')");
 }
 
-TEST_F(Drop, what_nothing_here_reads_is_not_said_to_be_read) {
+TEST_F(Files, what_nothing_here_reads_is_not_said_to_be_read) {
   drop("holiday.png", "PNG");
   expect_refusal("holiday.png is none");
   EXPECT_EQ(says().find("raytracer open"), std::string::npos) << says();
@@ -100,7 +124,7 @@ TEST_F(Drop, what_nothing_here_reads_is_not_said_to_be_read) {
   expect_refusal("raytracer open melt.dump.gz");
 }
 
-TEST_F(Drop, edits_are_laid_aside_for_it) {
+TEST_F(Files, edits_are_laid_aside_for_it) {
   show_panel("json");
   edit(page_scene + "\n");
   std::string former = picture();
