@@ -47,7 +47,7 @@ struct RayColumn {
 enum class Turn { mirrored, refracted, straight };
 
 /// Rays of a batch that have yet to turn: `point` and `direction`, their rests, `t` and what was
-/// left are of the way to the surface; `normal`, `id`, `u` and `v` of the surface itself.
+/// left are of the way to the surface; `normal`, `id`, `u`, `v` and `side` of the surface itself.
 struct TurningRays {
   float* columns;  ///< at the beginning of a cache line, each of them
   std::size_t count;

@@ -107,7 +107,7 @@ concept HasOwnDistances = requires(FloatPacket::D d, const PrimitiveRows<float>&
   own_distances(d, rows, geometry, packet.origin, packet.direction, packet.active, hit);
 };
 
-/// Tells of what its rows do not tell all of, on which side a ray has hit it.
+/// Tells on which side rays have hit those of the kind, where rows do not.
 template <class Kind>
 concept HasOwnSides = requires(const PrimitiveRows<float>& rows,
                                const Geometry<Kind, float>& geometry, const FloatPacket& packet,

@@ -71,16 +71,23 @@ struct Chords {
   M enters_end;
 };
 
+/// Lanes that begin inside of their solids: on the surface of which they leave it inwards,
+/// `outward` being positive where a ray leaves it outwards; others by more than rounding.
+template <class D, class V, class M>
+HWY_INLINE M begins_inside(D d, const Chords<V, M>& chords, M is_left, V outward) {
+  const V latest = hn::IfThenElse(chords.enters_end, chords.noise, hn::Neg(chords.noise));
+  const M amid = hn::And(hn::Lt(chords.enter, latest), hn::Gt(chords.leave, chords.noise));
+  return hn::Or(hn::AndNot(is_left, amid), hn::And(is_left, hn::Lt(outward, hn::Zero(d))));
+}
+
 /// Lanes that meet their solids from outside or inside, and where. `id` is the solid's; `outward`
-/// is positive where the ray leaves it outwards.
+/// as above.
 template <class D, class V, class M>
 HWY_INLINE M meet_solid(D d, const Chords<V, M>& chords, const InnerOrigin<V>& from, V id,
                         V outward, V& t) {
   const V zero = hn::Zero(d);
   const M is_left = hn::Eq(from.id, id);
-  const V latest = hn::IfThenElse(chords.enters_end, chords.noise, hn::Neg(chords.noise));
-  const M amid = hn::And(hn::Lt(chords.enter, latest), hn::Gt(chords.leave, chords.noise));
-  const M inside = hn::Or(hn::AndNot(is_left, amid), hn::And(is_left, hn::Lt(outward, zero)));
+  const M inside = begins_inside(d, chords, is_left, outward);
   const M outside = hn::AndNot(is_left, hn::Gt(hn::Add(chords.enter, chords.leave), zero));
   t = hn::Max(hn::IfThenElse(inside, chords.leave, chords.enter), zero);
   return hn::And(chords.is_there, hn::Or(inside, outside));

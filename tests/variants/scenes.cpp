@@ -177,15 +177,20 @@ std::vector<NamedScene> scenes() {
   // With spheres inside of its own and across them.
   for (const std::string& lights :
        {std::string(distant_lights) + "," + point_light, sky + "," + lamp})
-    scenes.push_back(
-        {"glass square under " + lights,
-         small(with_objects(square + "xz\", \"material\": " + glass + "}," + square +
-                                "xy\", \"material\": " + glass + "}," +
-                                R"({"type": "spheres", "radius": [0.12, 0.2, 0.4],
+    scenes.push_back({"glass square under " + lights,
+                      small(with_objects(square + "xz\", \"material\": " + glass + "}," + square +
+                                             "xy\", \"material\": " + glass + "}," +
+                                             R"({"type": "spheres", "radius": [0.12, 0.2, 0.4],
                                     "centers": [[0.3, -2, 0.3], [0.9, -1.95, -0.9], [-0.6, -2, -1]],
                                     "material": )" +
-                                glass + "}," + floor,
-                            lights))});
+                                             glass + "}," + floor,
+                                         lights))});
+  scenes.push_back(
+      {"endless glass square",
+       with_objects(R"({"type": "sphere_square", "center": [0.3, -2, 0.1], "radius": 0.3,
+                                     "n": 1000000000, "axes": "xz", "material": )" +
+                        glass + "}",
+                    distant_lights)});
   scenes.push_back({"sheet seen along its corners", straight_sheet()});
   scenes.push_back({"open cone", open_cone()});
   for (const std::string axes : {"xz", "xy", "yz"})

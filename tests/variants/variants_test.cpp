@@ -149,6 +149,23 @@ std::vector<MagnifyingScene> magnifying_scenes() {
                            [1, 2, 4], [1, 5, 2], [1, 3, 5], [1, 4, 3]]}})",
         at.x, at.y, at.z, at.y + 0.5, at.y - 0.5, at.x + 0.5, at.x - 0.5, at.z + 0.5, at.z - 0.5);
   };
+  // Squares of glass, mirrors and neither in a ball of glass.
+  const auto squares_in_a_ball = [&] {
+    std::string objects =
+        R"({"type": "sphere", "center": [0, 0, 0], "radius": 2.4, "material": {)" + glass + "}}";
+    for (const auto& [height, material] :
+         {std::pair("0.3", glass), {"-0.5", mirror}, {"0.9", R"("kd": 0.7)"}})
+      objects += fmt::format(
+          R"(, {{"type": "sphere_square", "center": [0, {}, 0], "radius": 0.25, "n": 2, "axes": "xz",
+               "material": {{{}}}}})",
+          height, material);
+    return prepared(fmt::format(
+        R"({{"camera": {{"origin": [3, 3.5, -7], "look_at": [0, 0, 0], "fov": 0.6, "width": 160,
+                        "height": 120}},
+            "lights": [{{"type": "distant", "direction": [-1, -2, 1.5]}}],
+            "background": [0.2, 0.4, 0.9], "render": {{"max_depth": 12}}, "objects": [{}]}})",
+        objects));
+  };
   const char* const closed = R"("radius": 0.5)";
   const char* const open = R"("radius": 0.5, "caps": false)";
   const char* const narrowing = R"("radius_from": 0.6, "radius_to": 0.2)";
@@ -162,6 +179,7 @@ std::vector<MagnifyingScene> magnifying_scenes() {
           {"mirroring squares of spheres", true, close_together(mirror, square)},
           {"glass squares of spheres", false, close_together(glass, square)},
           {"dense squares of spheres", false, close_together(dense, square)},
+          {"squares in a ball", false, squares_in_a_ball()},
           {"mirroring cylinders", true, close_together(mirror, solid("cylinder", closed))},
           {"mirroring pipes", true, close_together(mirror, solid("cylinder", open))},
           {"glass cylinders", false, close_together(glass, solid("cylinder", closed))},

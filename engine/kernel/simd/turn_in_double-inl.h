@@ -91,10 +91,9 @@ HWY_NOINLINE void meet_own(D d, const PacketScene<T>& scene, const RayOrigin<V>&
       scene, [&]<class Kind>(const Geometry<Kind, T>& geometry) RAYTRACER_INLINE_ATTR {
         if constexpr (HasOwnNormals<Kind>)
           own_normals(d, scene.primitives, geometry, direction, own, at);
-        V side = hn::Zero(d);  // is known
         if constexpr (HasOwnSides<Kind>)
-          if (geometry.transmits)
-            own_sides(d, scene.primitives, geometry, direction, own, within, at, side);
+          if (V known = hn::Zero(d); geometry.transmits)
+            own_sides(d, scene.primitives, geometry, direction, own, within, at, known);
       });
 }
 
@@ -124,7 +123,8 @@ HWY_INLINE Meeting<V> meet_again(D d, const PacketScene<T>& scene, const Turning
   if (scene.has_own_normals && !hn::AllFalse(d, own)) {
     const RayOrigin<V> left{from, lanes.get_vectors(Column::left_normal),
                             lanes.get(Column::left_id), id, id};
-    const Hit<V> hit{t, id, lanes.get(Column::u), lanes.get(Column::v)};
+    Hit<V> hit{t, id, lanes.get(Column::u), lanes.get(Column::v)};
+    hit.normal = lanes.get_vectors(Column::normal);
     RayOrigin<V> at{point, normal, id, hit.u, hit.v};
     const V side = scene.transmits ? lanes.get(Column::side) : zero;
     meet_own(d, scene, left, direction, hit, own, hn::Gt(side, zero), at);

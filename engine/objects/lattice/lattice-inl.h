@@ -62,32 +62,28 @@ HWY_INLINE M shadowed_by_neighbours(D d, const LatticeItem<T>& lattice,
 }
 
 /// Rays of `active` that are inside of a sphere, and where they leave it. `origin` and `slope` are
-/// in the lattice's axes and cells; the lanes of `leaves` begin on the sphere in cell (own_first,
-/// own_second).
+/// in the lattice's axes and cells; the lanes of `is_left` begin on one of its spheres.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE CellHit<V, M> way_out(D d, const LatticeItem<T>& lattice, const InnerOrigin<V>& from,
-                                 const V3<V>& origin, const V3<V>& slope, M leaves, M active) {
+                                 const V3<V>& origin, const V3<V>& slope, M is_left, M active) {
   const auto cell = [&](V own, V place, T low, T high) HWY_ATTR {
     const V nearest = hn::Min(hn::Max(hn::Round(place), hn::Set(d, low)), hn::Set(d, high));
-    return hn::IfThenElse(leaves, own, nearest);
+    return hn::IfThenElse(is_left, own, nearest);
   };
   const V zero = hn::Zero(d);
   const V first = cell(from.u, origin.x, lattice.low_first, lattice.high_first);
   const V second = cell(from.v, origin.z, lattice.low_second, lattice.high_second);
-  CellHit<V, M> out{active, zero, first, second, slope};
-  measure_way_out(d, origin, slope, leaves, out);
-  // What begins on a sphere is inside of it if it leaves it inwards; what does not, if it is so by
-  // more than what rounds its place.
-  const V3<V> f = from_cell(origin, first, second);
+  const CellPass<V> pass = pass_of(d, origin, slope, first, second);
+  // From one side of the surface to the other: twice to the middle, however short that is.
+  const V half = hn::IfThenElse(is_left, pass.middle, pass.half);
   const V noise = hn::Mul(place_noise(d, from.point, hn::Set(d, T(0.5) * lattice.unit_per_cell)),
                           hn::Set(d, lattice.cells_per_unit));
-  const V enter = hn::Sub(hn::Mul(hn::Set(d, T(-2)), dot(f, slope)), out.t);
-  const M amid = hn::And(hn::Lt(enter, hn::Neg(noise)), hn::Gt(out.t, noise));
-  const M is_met = hn::Lt(dot(f, f), hn::Set(d, T(0.25)));
-  const M inwards = hn::And(hn::Lt(dot(along_lattice(lattice, from.normal), f), zero),
-                            hn::Lt(dot(f, slope), zero));
-  out.hit =
-      hn::And(active, hn::Or(hn::And(leaves, inwards), hn::AndNot(leaves, hn::And(is_met, amid))));
+  const Chords<V, M> chords{hn::Gt(half, zero), hn::Sub(pass.middle, half),
+                            hn::Add(pass.middle, half), noise, hn::Lt(zero, zero)};
+  const V outward = dot(along_lattice(lattice, from.normal), pass.from_center);
+  const M inside = hn::And(chords.is_there, begins_inside(d, chords, is_left, outward));
+  CellHit<V, M> out{hn::And(active, inside), zero, first, second, slope};
+  meet_cell(d, pass, slope, chords.leave, half, out);
   return out;
 }
 
@@ -95,9 +91,9 @@ HWY_INLINE CellHit<V, M> way_out(D d, const LatticeItem<T>& lattice, const Inner
 template <class D, class Walk, class V = hn::Vec<D>, class M = hn::Mask<D>,
           typename T = hn::TFromD<D>>
 HWY_INLINE CellHit<V, M> way_out_or(D d, const LatticeItem<T>& lattice, const InnerOrigin<V>& from,
-                                    const V3<V>& origin, const V3<V>& slope, M leaves, M active,
+                                    const V3<V>& origin, const V3<V>& slope, M is_left, M active,
                                     const Walk& walk) {
-  const CellHit<V, M> out = way_out(d, lattice, from, origin, slope, leaves, active);
+  const CellHit<V, M> out = way_out(d, lattice, from, origin, slope, is_left, active);
   const M rest = hn::AndNot(out.hit, active);
   if (hn::AllFalse(d, rest)) return out;
   const CellHit<V, M> met = walk(rest);
@@ -237,7 +233,7 @@ HWY_INLINE void own_distances(D d, const PrimitiveRows<T>&,
     const M met = hn::And(own, hn::Eq(hit.id, hn::Set(d, lattice.id)));
     CellHit<V, M> found{met, hit.t, hit.u, hit.v, hit.normal};
     if constexpr (may_be_inside<Origin>)
-      measure_way_out(d, origin, slope, hn::Eq(from.id, hit.id), found);
+      measure_way_out(d, origin, slope, found);
     else
       measure(d, origin, slope, found);
     // Where spheres touch what is left may be no number.
@@ -256,9 +252,10 @@ HWY_INLINE void own_sides(D d, const PrimitiveRows<T>&, const Geometry<LatticeKi
                           const V3<V>& direction, M own, M within, RayOrigin<V>& at, V& side) {
   for (const LatticeItem<T>& lattice : lattices.items) {
     const M here = hn::And(own, hn::Eq(at.id, hn::Set(d, lattice.id)));
-    const M leaves = hn::And(hn::And(here, within), hn::Gt(dot(at.normal, direction), hn::Zero(d)));
-    side = hn::IfThenElse(here, hn::IfThenElseZero(leaves, hn::Set(d, T(1))), side);
-    at.normal = select(leaves, negate(at.normal), at.normal);
+    const M outwards =
+        hn::And(hn::And(here, within), hn::Gt(dot(at.normal, direction), hn::Zero(d)));
+    side = hn::IfThenElse(here, hn::IfThenElseZero(outwards, hn::Set(d, T(1))), side);
+    at.normal = select(outwards, negate(at.normal), at.normal);
   }
 }
 

@@ -36,20 +36,21 @@ Neighbours<T> neighbours_towards(const Vec3& towards, const PackedLattice& latti
 template <typename T>
 LatticeItem<T> PacketLayout<LatticeKind, T>::item(const PackedLattice& l, std::int32_t number) {
   const double cell = 2 * l.radius;
-  const auto half = static_cast<double>(l.side) / 2;
-  // In cells from the corner; cell i is centred on i + 1/2.
-  const double first = -component(l.center, l.first_axis) / cell + half;
-  const double second = -component(l.center, l.second_axis) / cell + half;
+  // In cells from the centre, from which a whole number of them leads to the corner; cell i from
+  // there is centred on i + 1/2.
+  const auto half = static_cast<double>(l.side / 2);
+  const double first = -component(l.center, l.first_axis) / cell;
+  const double second = -component(l.center, l.second_axis) / cell;
   const double first_cell = std::floor(first);
   const double second_cell = std::floor(second);
-  const auto last = static_cast<double>(l.side - 1);
+  const double last = half - 1;
   return {{l.first_axis, l.across, l.second_axis},
           {static_cast<T>(first - first_cell - 0.5),
            static_cast<T>(-component(l.center, l.across) / cell),
            static_cast<T>(second - second_cell - 0.5)},
-          static_cast<T>(-first_cell),
+          static_cast<T>(-half - first_cell),
           static_cast<T>(last - first_cell),
-          static_cast<T>(-second_cell),
+          static_cast<T>(-half - second_cell),
           static_cast<T>(last - second_cell),
           static_cast<T>(1 / cell),
           static_cast<T>(cell),

@@ -45,46 +45,53 @@ struct CellHit {
   V3<V> normal;
 };
 
-/// From the centre of the sphere in that cell.
+/// How rays pass the spheres in some cells.
 template <class V>
-HWY_INLINE V3<V> from_cell(const V3<V>& place, V first, V second) {
-  return {hn::Sub(place.x, first), place.y, hn::Sub(place.z, second)};
+struct CellPass {
+  V3<V> from_center;
+  V middle;      ///< the distance to the middle of the way through the sphere
+  V3<V> radius;  ///< from the sphere's centre to there
+  V half;        ///< of the way through it; 0 of rays that miss it
+};
+
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE CellPass<V> pass_of(D d, const V3<V>& origin, const V3<V>& direction, V first,
+                               V second) {
+  const V3<V> f{hn::Sub(origin.x, first), origin.y, hn::Sub(origin.z, second)};
+  const V middle = hn::Neg(dot(f, direction));
+  const V3<V> radius = mul_add(direction, middle, f);
+  const V room = hn::Sub(hn::Set(d, T(0.25)), dot(radius, radius));
+  return {f, middle, radius, hn::Sqrt(hn::Max(room, hn::Zero(d)))};
 }
 
-/// Of a sphere's `radius`, to a length of 1, which a highlight's power demands, by a step of
-/// Newton's method from 1/2.
-template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-HWY_INLINE V3<V> normal_along(D d, const V3<V>& radius) {
-  return scale(radius, hn::NegMulAdd(hn::Set(d, T(4)), dot(radius, radius), hn::Set(d, T(3))));
+/// Notes that lanes meet their spheres at t, as far from the middle as `beyond` says.
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
+HWY_INLINE void meet_cell(D d, const CellPass<V>& pass, const V3<V>& direction, V t, V beyond,
+                          CellHit<V, M>& found) {
+  found.t = t;
+  const V3<V> radius = mul_add(direction, beyond, pass.radius);
+  // To a length of 1, which a highlight's power demands, by a step of Newton's method from 1/2.
+  const V lengthen = hn::NegMulAdd(hn::Set(d, T(4)), dot(radius, radius), hn::Set(d, T(3)));
+  found.normal = scale(radius, lengthen);
 }
 
 /// Notes the distance to the sphere that was found, in the residual form of sphere_terms(), so
 /// that it is as far as the same one that is in no lattice, and its normal.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
 HWY_INLINE void measure(D d, const V3<V>& origin, const V3<V>& direction, CellHit<V, M>& found) {
-  const V zero = hn::Zero(d);
-  const V quarter = hn::Set(d, T(0.25));
-  const V3<V> f = from_cell(origin, found.first, found.second);
-  const V b = hn::Neg(dot(f, direction));
-  const V3<V> l = mul_add(direction, b, f);
-  const V root = hn::Sqrt(hn::Max(hn::Sub(quarter, dot(l, l)), zero));
-  const V c = hn::Max(hn::Sub(dot(f, f), quarter), zero);
-  found.t = hn::Div(c, hn::Add(b, root));
-  found.normal = normal_along(d, mul_add(direction, hn::Neg(root), l));
+  const CellPass<V> pass = pass_of(d, origin, direction, found.first, found.second);
+  const V3<V>& f = pass.from_center;
+  const V c = hn::Max(hn::Sub(dot(f, f), hn::Set(d, T(0.25))), hn::Zero(d));
+  meet_cell(d, pass, direction, hn::Div(c, hn::Add(pass.middle, pass.half)), hn::Neg(pass.half),
+            found);
 }
 
-/// The same of rays inside of that sphere: where they leave it. Those of `is_left` begin on it, as
-/// far before the middle of their way as the end is behind it, however short that is.
+/// The same of rays inside of that sphere: where they leave it.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>, typename T = hn::TFromD<D>>
-HWY_INLINE void measure_way_out(D d, const V3<V>& origin, const V3<V>& direction, M is_left,
+HWY_INLINE void measure_way_out(D d, const V3<V>& origin, const V3<V>& direction,
                                 CellHit<V, M>& found) {
-  const V3<V> f = from_cell(origin, found.first, found.second);
-  const V b = hn::Neg(dot(f, direction));
-  const V3<V> l = mul_add(direction, b, f);
-  const V root = hn::Sqrt(hn::Max(hn::Sub(hn::Set(d, T(0.25)), dot(l, l)), hn::Zero(d)));
-  const V half = hn::IfThenElse(is_left, b, root);
-  found.t = hn::Add(b, half);
-  found.normal = normal_along(d, mul_add(direction, half, l));
+  const CellPass<V> pass = pass_of(d, origin, direction, found.first, found.second);
+  meet_cell(d, pass, direction, hn::Add(pass.middle, pass.half), pass.half, found);
 }
 
 /// Steps before a walk is finished by the reference, far more than a ray takes that comes from
