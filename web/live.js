@@ -1,11 +1,11 @@
 // The picture while something moves: small promises kept often. One request is under way at a time,
 // each for the newest state, within a time budget; frames that come late are drawn smaller.
+import { frameSize } from "./frame.js";
 
 const budget_ms = 8;       // of tracing, for each frame
 const late_ms = 42;        // slower than this, and the next frames are smaller: 20 a second need 50 ms
 const early_ms = 22;       // faster than this, and they may grow again
 const scales = [1, 0.75, 0.55, 0.4, 0.28, 0.2];
-const most_pixels = 1e6;   // of a frame
 const rest_ms = 160;       // without a movement, the hand rests
 const black = 0xff000000;  // as a word of ImageData
 const lasting = 0.7;       // of the mean latency, at each frame
@@ -24,12 +24,8 @@ export function createLive(canvas, { ask, size, onFrame, onRest, onFail }) {
 
   async function draw(signal) {
     const started_ms = performance.now();
-    const { width, height } = size();
-    const scale = scales[scaleIndex] * Math.min(1, Math.sqrt(most_pixels / (width * height)));
-    const settings = {
-      width: Math.max(1, Math.round(width * scale)), height: Math.max(1, Math.round(height * scale)), budget_ms,
-    };
-    const image = await ask(settings, signal);
+    const scale = scales[scaleIndex];
+    const image = await ask({ ...frameSize(size(), scale), budget_ms }, signal);
     if (signal.aborted) return;
     paint(image);
     const { duration } = performance.measure("frame", { start: started_ms, detail: scale });

@@ -2,10 +2,10 @@
 // What takes no longer than its first preview is worth is one request; what does is a job, whose
 // picture is seen as it comes.
 import { jobFrame, jobImage, plan, render, renderFrame } from "./api.js";
+import { frameSize } from "./frame.js";
 import { withJob } from "./job.js";
 
 const previews_ms = [150, 1000];  // of tracing
-const most_pixels = 700_000;      // of a preview
 const worth = 4;                  // times as long the picture has to take, for a preview
 const rest = 3;                   // times as long as a look at the unfinished picture took, until the next
 
@@ -17,12 +17,10 @@ export async function refine({ source, text, view, settings, size, onPlan, onPre
     const planned = await plan(what, signal);
     onPlan(planned);
     const { samples, target_rmse, ...others } = what.query;
-    const part = Math.min(1, Math.sqrt(most_pixels / (size.width * size.height)));
-    const [width, height] = [size.width, size.height].map((length) => Math.max(1, Math.round(length * part)));
     const worthwhile = previews_ms.filter((budget_ms) => planned.prediction.trace_ms >= worth * budget_ms);
     if (worthwhile.length === 0) return render(what, signal);
     for (const budget_ms of worthwhile)
-      onPreview(await renderFrame({ ...what, query: { ...others, width, height, budget_ms } }, signal));
+      onPreview(await renderFrame({ ...what, query: { ...others, ...frameSize(size), budget_ms } }, signal));
     return withJob("render", what, signal, watch(onPart, signal), (id) => jobImage(id, signal));
   });
 }
