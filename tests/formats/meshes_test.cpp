@@ -75,6 +75,46 @@ TEST(Meshes, materials_of_an_obj_shine_as_their_file_says_and_what_is_lost_is_to
   EXPECT_NE(missing.omissions[0].one.find("not found"), std::string::npos);
 }
 
+TEST(Meshes, mistake_in_a_file_of_materials_is_told_with_its_place) {
+  const TemporaryFolder folder;
+  const auto reading_with = [&](const std::string& materials) {
+    folder.write("paints.mtl", materials);
+    const std::string path = folder.write("one.obj",
+                                          "v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib paints.mtl\n"
+                                          "usemtl a\nf 1 2 3\nusemtl b\nf 1 3 2\n");
+    return client::format_of(path)
+        ->open({client::source_of_file(path), path}, client::ImportOptions())
+        ->next_frame()
+        .value();
+  };
+  const std::string right = "newmtl a\nKd 1 .5 0\nKs 0.5\nNs 80 \nd 1\nillum 2\n";
+  struct Mistake {
+    std::string statement;
+    std::string says;
+  };
+  for (const auto& [statement, says] : std::vector<Mistake>{
+           {"Kd red 0 0", "paints.mtl:8: 'red' stands where a number is to be; write Kd R G B"},
+           {"Ks 1 1", "paints.mtl:8: Ks has 2 numbers; write Ks R G B"},
+           {"Ns", "paints.mtl:8: Ns has 0 numbers; write Ns EXPONENT"},
+           {"d -halo 0.5",
+            "paints.mtl:8: '-halo' stands where a number is to be; write d OPACITY"}}) {
+    const client::Reading reading = reading_with(right + "newmtl b\n" + statement + "\n");
+    ASSERT_EQ(reading.errors.size(), 1U) << statement;
+    EXPECT_EQ(reading.errors[0].what, says);
+    EXPECT_EQ(reading.errors[0].line, 4);
+  }
+  for (const std::string& harmless :
+       {std::string("newmtl b\nfoo bar\nmap_Kd b.png\n"), std::string("newmtl  b \nillum two\n")}) {
+    const client::Reading reading = reading_with(right + harmless);
+    EXPECT_TRUE(reading.errors.empty()) << reading.errors[0].what;
+  }
+  // A material that the file does not have.
+  const client::Reading reading = reading_with(right);
+  ASSERT_EQ(reading.omissions.size(), 1U);
+  EXPECT_EQ(reading.omissions[0].one, "material left out that no mtllib says");
+  EXPECT_EQ(reading.omissions[0].first_line, 7);
+}
+
 TEST(Meshes, glass_of_an_obj_bends_light_if_its_model_of_illumination_does) {
   const TemporaryFolder folder;
   const auto ior_of = [&](const std::string& statements) {

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cstdint>
+#include <filesystem>
 
 namespace raytracer::client {
 namespace {
@@ -29,12 +30,18 @@ bool AssimpFiles::Exists(const char* path) const {
   return path == name_ || (has_folder_ && DefaultIOSystem::Exists(path));
 }
 
+Assimp::IOStream* AssimpFiles::open_beside(const std::string& path, const char* mode) {
+  std::error_code unknown;
+  if (!has_folder_ || std::filesystem::is_directory(path, unknown)) return nullptr;
+  return DefaultIOSystem::Open(path.c_str(), mode);
+}
+
 Assimp::IOStream* AssimpFiles::Open(const char* path, const char* mode) {
   if (path == name_)
     return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes_.data()),
                                       bytes_.size());
-  Assimp::IOStream* file = has_folder_ ? DefaultIOSystem::Open(path, mode) : nullptr;
-  if (!file && has_folder_) file = DefaultIOSystem::Open(beside(path).c_str(), mode);
+  Assimp::IOStream* file = open_beside(path, mode);
+  if (!file) file = open_beside(beside(path), mode);
   if (!file) ++missing_;
   return file;
 }

@@ -19,6 +19,8 @@ class AssimpFiles : public Assimp::DefaultIOSystem {
   Assimp::IOStream* Open(const char* path, const char* mode) override;
 
  private:
+  /// Null: it cannot be opened, or is a folder.
+  Assimp::IOStream* open_beside(const std::string& path, const char* mode);
   /// What a URI of glTF, in which a blank is %20, means beside the file.
   std::string beside(std::string_view path) const;
 

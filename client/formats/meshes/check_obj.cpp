@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 
+#include "client/formats/meshes/check_mtl.h"
 #include "client/formats/meshes/line_errors.h"
 #include "client/formats/meshes/line_words.h"
 #include "client/formats/meshes/obj_statements.h"
@@ -28,8 +31,8 @@ void count(ObjStatement statement, ObjCounts& counts) {
 
 class ObjCheck {
  public:
-  ObjCheck(std::string_view text, Reading& reading)
-      : text_(text), words_(text, true), reading_(reading), errors_(reading) {}
+  ObjCheck(std::string_view text, const FileBeside& beside, Reading& reading)
+      : text_(text), words_(text, true), beside_(beside), reading_(reading), errors_(reading) {}
 
   void run() {
     for (; !words_.at_end() && !errors_.are_enough(); words_.next_line()) {
@@ -38,7 +41,7 @@ class ObjCheck {
     }
     // Without faces they are what there is to show.
     if (has_faces_ && points_.count > 0) reading_.omissions.push_back(points_);
-    if (!has_library_ && materials_.count > 0) reading_.omissions.push_back(materials_);
+    if (!lacks_library_) omit_materials();
   }
 
  private:
@@ -68,10 +71,10 @@ class ObjCheck {
         return reading_.omit(line, "statement left out that is not known",
                              "statements left out that are not known");
       case ObjStatement::material:
-        return note_material(line);
-      case ObjStatement::material_library:
-        has_library_ = true;
+        used_materials_.try_emplace(material_name(words_.rest()), line);
         return;
+      case ObjStatement::material_library:
+        return check_library(line);
       case ObjStatement::name:
       case ObjStatement::curve_part:
       case ObjStatement::display:
@@ -94,9 +97,26 @@ class ObjCheck {
     return found;
   }
 
-  void note_material(int line) {
-    if (material_names_.emplace(words_.rest()).second && materials_.count++ == 0)
-      materials_.first_line = line;
+  void check_library(int line) {
+    const std::string name = material_name(words_.rest());
+    const auto text = beside_(name);
+    if (!text) {
+      lacks_library_ = true;  // which is told, and not what it would have
+      return;
+    }
+    MaterialLibrary library = check_mtl(*text, name);
+    materials_.merge(library.names);
+    for (std::string& error : library.errors) errors_.add(line, std::move(error));
+  }
+
+  void omit_materials() {
+    std::vector<int> lines;
+    for (const auto& [name, line] : used_materials_)
+      if (materials_.count(name) == 0) lines.push_back(line);
+    std::sort(lines.begin(), lines.end());
+    for (const int line : lines)
+      reading_.omit(line, "material left out that no mtllib says",
+                    "materials left out that no mtllib says");
   }
 
   void check_vertex() {
@@ -194,20 +214,22 @@ class ObjCheck {
 
   std::string_view text_;
   LineWords words_;
+  const FileBeside& beside_;
   Reading& reading_;
   LineErrors errors_;
   bool has_faces_ = false;
   Omission points_{"point beside faces left out", "points beside faces left out", 0, 0};
-  bool has_library_ = false;
-  std::set<std::string> material_names_;
-  Omission materials_{"material left out that no mtllib says",
-                      "materials left out that no mtllib says", 0, 0};
-  ObjCounts counts_{};               ///< so far
-  std::optional<ObjCounts> totals_;  ///< of the file; known once they are asked for
+  bool lacks_library_ = false;
+  std::set<std::string> materials_;            ///< of all libraries
+  std::map<std::string, int> used_materials_;  ///< by the line of the first use
+  ObjCounts counts_{};                         ///< so far
+  std::optional<ObjCounts> totals_;            ///< of the file; known once they are asked for
 };
 
 }  // namespace
 
-void check_obj(std::string_view text, Reading& reading) { ObjCheck(text, reading).run(); }
+void check_obj(std::string_view text, const FileBeside& beside, Reading& reading) {
+  ObjCheck(text, beside, reading).run();
+}
 
 }  // namespace raytracer::client

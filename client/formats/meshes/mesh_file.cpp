@@ -3,6 +3,9 @@
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -31,12 +34,23 @@ ImportMeshes& importer() {
   return *reinterpret_cast<ImportMeshes*>(function);
 }
 
-void check(MeshFormat format, std::string_view bytes, Reading& reading) {
+/// A file of that name beside one that is read from `path`.
+std::optional<std::string> file_beside(const std::string& path, std::string_view name) {
+  const std::filesystem::path beside = std::filesystem::path(path).parent_path() / name;
+  std::error_code unknown;
+  if (path.empty() || !std::filesystem::is_regular_file(beside, unknown)) return std::nullopt;
+  std::ifstream file(beside, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  return file ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
+void check(MeshFormat format, std::string_view bytes, const std::string& path, Reading& reading) {
   switch (format) {
     case MeshFormat::ply:
       return check_ply(bytes, reading);
     case MeshFormat::obj:
-      return check_obj(bytes, reading);
+      return check_obj(
+          bytes, [&](std::string_view name) { return file_beside(path, name); }, reading);
     case MeshFormat::stl:
       return check_stl(bytes, reading);
     case MeshFormat::gltf:
@@ -78,7 +92,7 @@ class MeshFile : public SceneFile {
     Reading reading = reading_of(in_own_process(limits, [&] {
       if (is_read_there) bytes = read_plain(*source, known_size);
       Reading imported;
-      check(format_, bytes, imported);
+      check(format_, bytes, input_.path, imported);
       if (imported.errors.empty()) import(bytes, imported);
       return bytes_of(imported);
     }));
