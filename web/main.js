@@ -224,7 +224,8 @@ async function revise(text, what) {
   editor.revise(text);
   await takeText();
   if (own) move();
-  else instead(rest);
+  else if (what !== null) instead(rest);
+  else if (status.state === "done") status.say(edited);  // as after the keys that are undone
 }
 
 async function load(signal) {
