@@ -14,8 +14,8 @@
 namespace raytracer {
 namespace {
 
-/// Before any pixel is chosen, an edge along a row of pixels must be found, too, which passes all
-/// of their samples alike if they have the same places.
+/// An edge along a row of pixels must be found, too, which passes all of their samples alike if
+/// they have the same places.
 SamplePattern pilot_pattern(int samples) {
   return samples > 1 ? jittered_pattern(samples) : sample_pattern(samples);
 }

@@ -138,7 +138,7 @@ bool RefinedImage::refine(std::vector<PixelSamples> pixels) {
   });
   for (const RefinementTask& task : tasks)
     if (!patterns_.contains(task.samples_per_pixel))
-      patterns_[task.samples_per_pixel] = sample_pattern(task.samples_per_pixel);
+      patterns_[task.samples_per_pixel] = jittered_pattern(task.samples_per_pixel);
   // Their errors are taken through the transfer before the multiplier is known, too.
   after_ms_ +=
       transfer_ms_ * static_cast<double>(pixels.size()) / (static_cast<double>(width_) * height_);

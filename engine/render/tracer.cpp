@@ -72,22 +72,18 @@ PixelValue sample_pixel(const ReferenceTracer& tracer, const SamplePattern& patt
                         Transfer transfer, int x, int y, int channels) {
   const View& view = tracer.scene->view;
   const int sets = tracer.scene->light_sets;
-  const SamplePoint moved = jitter_of(x, y);
   PixelValue pixel;
   Mean half_a{{}, 0};
   Mean half_b{{}, 0};
   Rgb origin{};        // a sample
   double squares = 0;  // of the others' differences from it
   for (std::size_t i = 0; i < pattern.points.size(); ++i) {
-    const SamplePoint& sample = pattern.points[i];
+    const SamplePoint sample = sample_in(x, y, pattern.points[i], pattern.jitter);
     const int light_set = light_set_of_sample(i, pattern.half_a_count, sets);
-    const double across = away_from_middle(sample.x, pattern.jitter) * moved.x;
-    const double up = away_from_middle(sample.y, pattern.jitter) * moved.y;
-    const Sight sight =
-        see(*tracer.scene, tracer.finder,
-            view.direction(x + sample.x + across, view.height - 1 - y + sample.y + up),
-            static_cast<std::size_t>(light_set_of(x, y, light_set, sets)),
-            static_cast<std::size_t>(light_set));
+    const Sight sight = see(*tracer.scene, tracer.finder,
+                            view.direction(x + sample.x, view.height - 1 - y + sample.y),
+                            static_cast<std::size_t>(light_set_of(x, y, light_set, sets)),
+                            static_cast<std::size_t>(light_set));
     const Rgb seen = clamped(sight.radiance);
     pixel.seen += beyond_range(sight.radiance);
     Mean& half = i < pattern.half_a_count ? half_a : half_b;

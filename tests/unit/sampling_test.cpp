@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "engine/image/pixel_spreads.h"
@@ -87,44 +88,105 @@ TEST(SamplePattern, jittered_moves_each_pixels_places_within_their_columns_and_r
   EXPECT_EQ(pattern.points.size(), 16U);
   std::set<double> across;
   std::set<double> up;
-  for (int y = 0; y < 4; ++y)
-    for (int x = 0; x < 4; ++x) {
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) {
       const SamplePoint moved = jitter_of(x, y);
       EXPECT_LT(std::abs(moved.x) * pattern.jitter, 0.5 / 16);
       EXPECT_LT(std::abs(moved.y) * pattern.jitter, 0.5 / 16);
       across.insert(moved.x);
       up.insert(moved.y);
     }
-  EXPECT_EQ(across.size(), 16U);
-  EXPECT_EQ(up.size(), 16U);
+  EXPECT_EQ(across.size(), 256U);
+  EXPECT_EQ(up.size(), 256U);
 }
 
-/// A slope is no error: all places together are moved nowhere.
-TEST(SamplePattern, jittered_keeps_the_middle) {
-  const SamplePattern pattern = jittered_pattern(16);
-  double across = 0;
-  double up = 0;
-  for (const SamplePoint& point : pattern.points) {
-    across += away_from_middle(point.x, pattern.jitter);
-    up += away_from_middle(point.y, pattern.jitter);
+/// A slope is no error: in no pixel are the places of a half moved, all together.
+TEST(SamplePattern, jittered_keeps_the_middle_of_both_halves) {
+  for (const int count : {4, 8, 16, 64}) {
+    const SamplePattern pattern = jittered_pattern(count);
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x) {
+        std::vector<SamplePoint> points;
+        for (const SamplePoint& point : pattern.points)
+          points.push_back(sample_in(x, y, point, pattern.jitter));
+        for (const auto& [begin, end] : {std::pair(std::size_t{0}, pattern.half_a_count),
+                                         {pattern.half_a_count, points.size()}}) {
+          const SamplePoint middle = middle_of(points, begin, end);
+          EXPECT_NEAR(middle.x, 0.5, 1e-12);
+          EXPECT_NEAR(middle.y, 0.5, 1e-12);
+        }
+      }
   }
-  EXPECT_EQ(across, 0);
-  EXPECT_EQ(up, 0);
 }
 
-/// Along a row of four the places differ by a quarter in y, and along a column in x: that is what
-/// finds an edge that runs along it.
+/// In every pixel each of as many columns and rows as there are places has one.
+TEST(SamplePattern, jittered_is_spread_evenly_in_every_pixel) {
+  for (const int count : {4, 16, 64}) {
+    const SamplePattern pattern = jittered_pattern(count);
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x) {
+        std::set<int> columns;
+        std::set<int> rows;
+        for (const SamplePoint& point : pattern.points) {
+          const SamplePoint at = sample_in(x, y, point, pattern.jitter);
+          columns.insert(static_cast<int>(at.x * count));
+          rows.insert(static_cast<int>(at.y * count));
+        }
+        EXPECT_EQ(columns.size(), static_cast<std::size_t>(count));
+        EXPECT_EQ(rows.size(), static_cast<std::size_t>(count));
+      }
+  }
+}
+
+/// The parts, so many of equal size, that values from -1/2 to 1/2 fall into.
+std::size_t count_parts(int parts, const std::vector<double>& values) {
+  std::set<int> met;
+  for (const double value : values) met.insert(static_cast<int>((value + 0.5) * parts));
+  return met.size();
+}
+
+/// Along a row the places differ in y, and along a column in x: that is what finds an edge that
+/// runs along it.
 TEST(SamplePattern, neighbours_are_jittered_across_their_row_or_column) {
-  for (int k = 0; k < 4; ++k) {
-    std::set<int> quarters_of_row;
-    std::set<int> quarters_of_column;
-    for (int i = 0; i < 4; ++i) {
-      quarters_of_row.insert(static_cast<int>((jitter_of(i, k).y + 0.5) * 4));
-      quarters_of_column.insert(static_cast<int>((jitter_of(k, i).x + 0.5) * 4));
+  for (int k = 0; k < 16; ++k)
+    for (const int count : {4, 16})
+      for (int first = 0; first < 16; first += count) {
+        std::vector<double> of_row;
+        std::vector<double> of_column;
+        for (int i = first; i < first + count; ++i) {
+          of_row.push_back(jitter_of(i, k).y);
+          of_column.push_back(jitter_of(k, i).x);
+        }
+        EXPECT_EQ(count_parts(count, of_row), static_cast<std::size_t>(count));
+        EXPECT_EQ(count_parts(count, of_column), static_cast<std::size_t>(count));
+      }
+}
+
+/// The largest gap that values leave between -1/2 and 1/2.
+double largest_gap(std::vector<double> values) {
+  values.insert(values.end(), {-0.5, 0.5});
+  std::sort(values.begin(), values.end());
+  double largest = 0;
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (values[i] > -0.5 && values[i - 1] < 0.5)
+      largest = std::max(largest, std::min(values[i], 0.5) - std::max(values[i - 1], -0.5));
+  return largest;
+}
+
+/// Places that moved alike along a diagonal would not find an edge along it.
+TEST(SamplePattern, diagonal_neighbours_are_jittered_across_their_diagonal) {
+  for (const int slope : {1, -1})
+    for (int begin = 0; begin < 16; ++begin) {
+      std::vector<double> sums;
+      std::vector<double> differences;
+      for (int i = 0; i < 16; ++i) {
+        const SamplePoint moved = jitter_of(i, begin + slope * i + 16);
+        sums.push_back(moved.x + moved.y);
+        differences.push_back(moved.x - moved.y);
+      }
+      EXPECT_LT(largest_gap(sums), 1.0 / 3) << slope << ' ' << begin;
+      EXPECT_LT(largest_gap(differences), 1.0 / 3) << slope << ' ' << begin;
     }
-    EXPECT_EQ(quarters_of_row.size(), 4U);
-    EXPECT_EQ(quarters_of_column.size(), 4U);
-  }
 }
 
 SceneStatistics statistics_with(double subpixel) {

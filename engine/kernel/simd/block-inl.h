@@ -98,21 +98,22 @@ struct LaneOffsets {
   }
 };
 
-/// jitter_of() the lanes' pixels.
+/// Where in the lanes' pixels a sample is: sample_in().
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
-struct Jitters {
+struct LaneSamples {
   V x;
   V y;
 
-  HWY_INLINE Jitters(D d, const PacketPlace<D>& place) {
+  HWY_INLINE LaneSamples(D d, const PacketPlace<D>& place, const SamplePoint& sample,
+                         double jitter) {
     using Shape = PacketShape<D>;
     HWY_ALIGN T across[Shape::lanes];
     HWY_ALIGN T up[Shape::lanes];
     for (int lane = 0; lane < Shape::lanes; ++lane) {
-      const SamplePoint moved =
-          jitter_of(place.x + lane % Shape::width, place.y + lane / Shape::width);
-      across[lane] = static_cast<T>(moved.x);
-      up[lane] = static_cast<T>(moved.y);
+      const SamplePoint at =
+          sample_in(place.x + lane % Shape::width, place.y + lane / Shape::width, sample, jitter);
+      across[lane] = static_cast<T>(at.x);
+      up[lane] = static_cast<T>(at.y);
     }
     x = hn::Load(d, across);
     y = hn::Load(d, up);

@@ -19,25 +19,17 @@ class BlockRays {
   /// Of `sample` in the packet's pixels.
   HWY_INLINE ImagePoints<V> image_points(D d, const PacketPlace<D>& place,
                                          const SamplePoint& sample) const {
-    ImagePoints<V> points{block_.x_begin + place.x + sample.x,
-                          height_ - 1 - block_.y_begin - place.y + sample.y, offsets_.x,
-                          offsets_.y};
-    if (jitter_ > 0) {
-      const Jitters<D> jitters(d, place);
-      points.most_moved_x = away_from_middle(sample.x, jitter_);
-      points.most_moved_y = away_from_middle(sample.y, jitter_);
-      points.moved_x = jitters.x;
-      points.moved_y = jitters.y;
-    }
-    return points;
+    const double left = block_.x_begin + place.x;
+    const double low = height_ - 1 - block_.y_begin - place.y;
+    if (!(jitter_ > 0)) return {left + sample.x, low + sample.y, offsets_.x, offsets_.y};
+    const LaneSamples<D> in_lanes(d, place, sample, jitter_);
+    return {left, low, hn::Add(offsets_.x, in_lanes.x), hn::Sub(offsets_.y, in_lanes.y)};
   }
 
   /// As image_points(), of one pixel: from the image's lower left corner, in pixels.
   HWY_INLINE SamplePoint image_point(const PixelPlace<D>& pixel, const SamplePoint& sample) const {
-    const SamplePoint moved = jitter_of(pixel.x, pixel.y);
-    return {block_.x_begin + pixel.x + sample.x + away_from_middle(sample.x, jitter_) * moved.x,
-            height_ - 1 - block_.y_begin - pixel.y + sample.y +
-                away_from_middle(sample.y, jitter_) * moved.y};
+    const SamplePoint at = sample_in(pixel.x, pixel.y, sample, jitter_);
+    return {block_.x_begin + pixel.x + at.x, height_ - 1 - block_.y_begin - pixel.y + at.y};
   }
 
   /// The lanes whose pixels are in the block, and wanted.

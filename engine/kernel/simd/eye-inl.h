@@ -252,19 +252,15 @@ HWY_NOINLINE void set_rests(D d, const PacketScene<double>& scene, const ImagePo
   const hn::ScalableTag<double> doubles;
   const hn::Rebind<float, decltype(doubles)> singles;
   const EyeRays<decltype(doubles)> eye(doubles, scene);
-  alignas(64) float lanes[4][hn::MaxLanes(D())];
+  alignas(64) float lanes[2][hn::MaxLanes(D())];
   hn::Store(points.right, d, lanes[0]);
   hn::Store(points.down, d, lanes[1]);
-  hn::Store(points.moved_x, d, lanes[2]);
-  hn::Store(points.moved_y, d, lanes[3]);
   for (std::size_t i = 0; i < hn::Lanes(d); i += hn::Lanes(doubles)) {
     const auto promoted = [&](const float* values) HWY_ATTR {
       return hn::PromoteTo(doubles, hn::Load(singles, values));
     };
     const auto through =
-        eye.through(doubles, {points.x, points.y, promoted(lanes[0] + i), promoted(lanes[1] + i),
-                              points.most_moved_x, points.most_moved_y, promoted(lanes[2] + i),
-                              promoted(lanes[3] + i)});
+        eye.through(doubles, {points.x, points.y, promoted(lanes[0] + i), promoted(lanes[1] + i)});
     // To a length of 1, by a step of Newton's method from what single makes of it.
     const auto square = dot(through, through);
     const auto rough = hn::PromoteTo(

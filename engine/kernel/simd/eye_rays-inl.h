@@ -6,17 +6,13 @@ HWY_BEFORE_NAMESPACE();
 namespace raytracer::HWY_NAMESPACE {
 
 /// Points of the image that a packet's rays go through, in pixels: `right` of and `down` from
-/// (x, y), where y = 0 is the image's lower edge, and moved from there, right and up.
+/// (x, y), where y = 0 is the image's lower edge.
 template <class V>
 struct ImagePoints {
   double x;
   double y;
   V right;
   V down;
-  double most_moved_x = 0;  ///< times `moved_x`
-  double most_moved_y = 0;
-  V moved_x{};
-  V moved_y{};
 };
 
 /// The directions from the eye through an image's points, and what is seen along them.
@@ -34,15 +30,9 @@ class EyeRays {
 
   /// The same, but of any length.
   HWY_INLINE V3<V> through(D d, const ImagePoints<V>& points) const {
-    V right = points.right;
-    V down = points.down;
-    if (points.most_moved_x != 0) {
-      right = hn::MulAdd(points.moved_x, hn::Set(d, static_cast<T>(points.most_moved_x)), right);
-      down = hn::NegMulAdd(points.moved_y, hn::Set(d, static_cast<T>(points.most_moved_y)), down);
-    }
-    const V across = hn::MulAdd(right, hn::Set(d, static_cast<T>(step_x_)),
+    const V across = hn::MulAdd(points.right, hn::Set(d, static_cast<T>(step_x_)),
                                 hn::Set(d, static_cast<T>(points.x * step_x_ - 1)));
-    const V up = hn::NegMulAdd(down, hn::Set(d, static_cast<T>(step_y_)),
+    const V up = hn::NegMulAdd(points.down, hn::Set(d, static_cast<T>(step_y_)),
                                hn::Set(d, static_cast<T>(points.y * step_y_ - 1)));
     return mul_add(broadcast(d, scene_.right), across,
                    mul_add(broadcast(d, scene_.up), up, broadcast(d, scene_.forward)));

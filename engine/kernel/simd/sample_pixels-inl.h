@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "engine/kernel/simd/sample_pixels.h"
 
@@ -30,29 +31,57 @@ struct SampleLanes {
   }
 };
 
+/// A pixel's place in its block, from the upper left.
+struct BlockPlace {
+  int x;
+  int y;
+};
+
 /// Packets of a pixel's samples, and the candidates, as SubtileCandidates, of what they go through.
 template <class D, class Candidates, typename T = hn::TFromD<D>>
 class PixelPackets {
  public:
-  /// Of the pixel whose lower left corner is (x, y), y = 0 at the bottom.
+  /// Of the pixel whose lower left corner is (x, y), y = 0 at the bottom; `place` is its place in
+  /// its block, from the top.
   HWY_INLINE PixelPackets(const EyeRays<D>& eye, const SampleLanes<T>& samples, double x, double y,
-                          Candidates& candidates)
-      : eye_(eye), samples_(samples), x_(x), y_(y), candidates_(candidates) {}
+                          const BlockPlace& place, double jitter, Candidates& candidates)
+      : eye_(eye),
+        samples_(samples),
+        x_(x),
+        y_(y),
+        place_(place),
+        jitter_(jitter),
+        candidates_(candidates) {}
 
   HWY_INLINE int count() const { return static_cast<int>((samples_.count + lanes - 1) / lanes); }
   static constexpr bool is_in(int /*i*/) { return true; }
   static constexpr std::size_t first_pixel() { return 0; }
   HWY_INLINE LightSets<T> light_sets() const { return LightSets<T>({}); }  // there is no soft light
   HWY_INLINE Candidates& candidates(int /*i*/) const { return candidates_; }
+  /// Where sample_in() has them.
   HWY_INLINE ImagePoints<hn::Vec<D>> image_points(D d, int i) const {
-    return {x_, y_, hn::Load(d, samples_.right + first(i)),
-            hn::Neg(hn::Load(d, samples_.up + first(i)))};
+    using V = hn::Vec<D>;
+    V right = hn::Load(d, samples_.right + first(i));
+    V up = hn::Load(d, samples_.up + first(i));
+    if (!(jitter_ > 0)) return {x_, y_, right, hn::Neg(up)};
+    const PatternTurn turn(place_.x, place_.y);
+    if (turn.is_transposed) std::swap(right, up);
+    if (turn.is_mirrored) right = hn::Sub(hn::Set(d, T(1)), right);
+    const SamplePoint moved = jitter_of(place_.x, place_.y);
+    const auto away = [&](V at, double by) HWY_ATTR {
+      const V middle = hn::Set(d, T(0.5));
+      const V side = hn::CopySign(hn::Set(d, T(1)), hn::Sub(at, middle));
+      return hn::MulAdd(side, hn::Set(d, static_cast<T>(jitter_ * by)), at);
+    };
+    return {x_, y_, away(right, moved.x), hn::Neg(away(up, moved.y))};
   }
   HWY_INLINE hn::Mask<D> active(D d, int i) const {
     return hn::FirstN(d, samples_.count - first(i));
   }
   HWY_INLINE SamplePoint image_point(int ray) const {
-    return {x_ + samples_.right[ray], y_ + samples_.up[ray]};
+    const SamplePoint at =
+        sample_in(place_.x, place_.y, {samples_.right[ray], samples_.up[ray]}, jitter_);
+    return {x_ + at.x, y_ + at.y};
   }
 
  private:
@@ -63,6 +92,8 @@ class PixelPackets {
   const SampleLanes<T>& samples_;
   double x_;
   double y_;
+  BlockPlace place_;
+  double jitter_;
   Candidates& candidates_;
 };
 
@@ -179,7 +210,7 @@ void sample_each(const PacketScene<T>& scene, const SamplePattern& pattern, Tran
       SubtileCandidates<T> subtile{candidates, subtile_index(x, y)};
       const auto sample = [&](auto& own) HWY_ATTR {
         const PixelPackets<D, std::decay_t<decltype(own)>> packets(eye, samples, x_left, y_low,
-                                                                   own);
+                                                                   {x, y}, pattern.jitter, own);
         sample_pixel(d, eye, packets, samples, begin == 0, has_cover, i, queues, sums);
       };
       if (narrows) {

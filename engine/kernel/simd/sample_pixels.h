@@ -15,8 +15,8 @@
 
 namespace raytracer {
 
-/// Traces one sample at each place of `pattern`, which has half buffers and is not jittered, in
-/// each of the blocks' pixels, and leaves what they come to after `transfer` in `results`, one for
+/// Traces one sample at each place of `pattern`, which has half buffers, in each of the
+/// blocks' pixels, and leaves what they come to after `transfer` in `results`, one for
 /// each, block by block.
 void sample_pixels(const PacketScene<float>& scene, const SamplePattern& pattern, Transfer transfer,
                    std::span<const BlockPixels> blocks, std::int64_t target,
