@@ -1,7 +1,9 @@
-// Contracts keep their targets where soft lights make every pixel err: against pictures of many
-// more samples.
+// Contracts keep their targets where soft lights make every pixel err, and where a single straight
+// edge makes all of its pixels err alike: against pictures of many more samples.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -56,6 +58,41 @@ INSTANTIATE_TEST_SUITE_P(
                     R"({"type": "distant", "direction": [-0.3, -1, 0.4], "angle": 0.5})",
                     R"({"type": "point", "position": [15, 25, -20], "radius": 6,
                         "falloff": "none"})"));
+
+/// A floor under nothing: the horizon is all that there is to see, `slope` columns to a row.
+json horizon(double slope, double height) {
+  json text = document(camera_json(96, 72, 0.8, {0, 2, 0}, {0, 2 - height, 10}),
+                       {{{"type", "plane"}, {"point", {0, 0, 0}}, {"normal", {0, 1, 0}}}},
+                       {distant_json({0.2, -1, 0.3})});
+  const double angle = std::atan(slope);
+  text["camera"]["up"] = {std::sin(angle), std::cos(angle), 0};
+  text["background"] = {0.9, 0.4, 0.3};
+  return text;
+}
+
+TEST(EdgeContract, keeps_its_target_whatever_the_slope) {
+  WorkerPool pool(2);
+  int misses = 0;
+  int count = 0;
+  for (const double slope : {0.0, 1e-3, 0.5, 1.0, 1.7, 1e9})
+    for (int i = 0; i < 12; ++i) {
+      json text = horizon(slope, 0.0171 * i);
+      const auto rendered = [&](const json& settings) {
+        text["render"] = settings;
+        RenderProgress progress;
+        return render(scene_of(text), Limits{}, pool, progress);
+      };
+      const Image exact = rendered({{"samples", 400}}).image;
+      for (const double target : {0.01, 0.003}) {
+        const Rendering rendering = rendered({{"target_rmse", target}});
+        const double error = rms_difference(rendering.image, exact);
+        ++count;
+        if (error > target) ++misses;
+        EXPECT_LT(error, 1.5 * target) << slope << ' ' << i;
+      }
+    }
+  EXPECT_LE(100 * misses, 2 * count) << "of " << count;
+}
 
 }  // namespace
 }  // namespace raytracer::test

@@ -81,7 +81,7 @@ void expect_as_together(const Scene& scene, const Plan& plan, int samples, float
   WorkerPool pool(1);
   const Tracer tracer = make_tracer(plan, pack_scene(scene, &pool), pool);
   const int channels = channel_count(scene);
-  const SamplePattern pattern = sample_pattern(samples);
+  const SamplePattern pattern = jittered_pattern(samples);
   Image whole(width, height, channels);
   PixelSpreads spreads(width, height);
   render_tile(tracer, pattern, whole_image(width, height),
