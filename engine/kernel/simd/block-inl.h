@@ -98,7 +98,38 @@ struct LaneOffsets {
   }
 };
 
-/// Where in the lanes' pixels a sample is: sample_in().
+/// What sample_in() does in the pixels of a block, packet by packet.
+template <class D, typename T = hn::TFromD<D>>
+struct PatternTurns {
+  alignas(64) T is_transposed[block_pixels] = {};  ///< 1 or 0
+  alignas(64) T is_mirrored[block_pixels] = {};
+  alignas(64) T moved_x[block_pixels] = {};  ///< jitter_of()
+  alignas(64) T moved_y[block_pixels] = {};
+
+  constexpr PatternTurns() {
+    for (int y = 0; y < block_side; ++y)
+      for (int x = 0; x < block_side; ++x) {
+        const std::size_t at = PacketShape<D>::index_of(x, y);
+        const PatternTurn turn(x, y);
+        const SamplePoint moved = jitter_of(x, y);
+        is_transposed[at] = turn.is_transposed ? T(1) : T(0);
+        is_mirrored[at] = turn.is_mirrored ? T(1) : T(0);
+        moved_x[at] = static_cast<T>(moved.x);
+        moved_y[at] = static_cast<T>(moved.y);
+      }
+  }
+};
+template <class D>
+inline constexpr PatternTurns<D> pattern_turns{};
+
+/// Moves coordinates in pixels away from the middle, by so much.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V moved_away(D d, V at, V by) {
+  const V one = hn::Set(d, T(1));
+  return hn::MulAdd(hn::CopySign(one, hn::Sub(at, hn::Set(d, T(0.5)))), by, at);
+}
+
+/// Where in the lanes' pixels a sample is: sample_in(), with a jitter.
 template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 struct LaneSamples {
   V x;
@@ -106,17 +137,19 @@ struct LaneSamples {
 
   HWY_INLINE LaneSamples(D d, const PacketPlace<D>& place, const SamplePoint& sample,
                          double jitter) {
-    using Shape = PacketShape<D>;
-    HWY_ALIGN T across[Shape::lanes];
-    HWY_ALIGN T up[Shape::lanes];
-    for (int lane = 0; lane < Shape::lanes; ++lane) {
-      const SamplePoint at =
-          sample_in(place.x + lane % Shape::width, place.y + lane / Shape::width, sample, jitter);
-      across[lane] = static_cast<T>(at.x);
-      up[lane] = static_cast<T>(at.y);
-    }
-    x = hn::Load(d, across);
-    y = hn::Load(d, up);
+    const PatternTurns<D>& turns = pattern_turns<D>;
+    const std::size_t first = PacketShape<D>::index_of(place.x, place.y);
+    const V zero = hn::Zero(d);
+    const V right = hn::Set(d, static_cast<T>(sample.x));
+    const V up = hn::Set(d, static_cast<T>(sample.y));
+    const auto is_transposed = hn::Gt(hn::Load(d, turns.is_transposed + first), zero);
+    const auto is_mirrored = hn::Gt(hn::Load(d, turns.is_mirrored + first), zero);
+    const V most = hn::Set(d, static_cast<T>(jitter));
+    x = hn::IfThenElse(is_transposed, up, right);
+    x = hn::IfThenElse(is_mirrored, hn::Sub(hn::Set(d, T(1)), x), x);
+    x = moved_away(d, x, hn::Mul(most, hn::Load(d, turns.moved_x + first)));
+    y = hn::IfThenElse(is_transposed, right, up);
+    y = moved_away(d, y, hn::Mul(most, hn::Load(d, turns.moved_y + first)));
   }
 };
 

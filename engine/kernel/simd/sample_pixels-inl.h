@@ -68,12 +68,9 @@ class PixelPackets {
     if (turn.is_transposed) std::swap(right, up);
     if (turn.is_mirrored) right = hn::Sub(hn::Set(d, T(1)), right);
     const SamplePoint moved = jitter_of(place_.x, place_.y);
-    const auto away = [&](V at, double by) HWY_ATTR {
-      const V middle = hn::Set(d, T(0.5));
-      const V side = hn::CopySign(hn::Set(d, T(1)), hn::Sub(at, middle));
-      return hn::MulAdd(side, hn::Set(d, static_cast<T>(jitter_ * by)), at);
-    };
-    return {x_, y_, away(right, moved.x), hn::Neg(away(up, moved.y))};
+    const auto by = [&](double part)
+                        HWY_ATTR { return hn::Set(d, static_cast<T>(jitter_ * part)); };
+    return {x_, y_, moved_away(d, right, by(moved.x)), hn::Neg(moved_away(d, up, by(moved.y)))};
   }
   HWY_INLINE hn::Mask<D> active(D d, int i) const {
     return hn::FirstN(d, samples_.count - first(i));

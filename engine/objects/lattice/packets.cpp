@@ -38,7 +38,7 @@ LatticeItem<T> PacketLayout<LatticeKind, T>::item(const PackedLattice& l, std::i
   const double cell = 2 * l.radius;
   // In cells from the centre, from which a whole number of them leads to the corner; cell i from
   // there is centred on i + 1/2.
-  const auto half = static_cast<double>(l.side / 2);
+  const double half = static_cast<double>(l.side) / 2;  // a whole number
   const double first = -component(l.center, l.first_axis) / cell;
   const double second = -component(l.center, l.second_axis) / cell;
   const double first_cell = std::floor(first);
