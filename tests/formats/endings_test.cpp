@@ -13,7 +13,8 @@ namespace raytracer::test {
 namespace {
 
 TEST(Endings, page_says_of_every_files_ending_that_the_client_reads_it) {
-  const std::string script = read_file(std::filesystem::path(RAYTRACER_SOURCE_DIR) / "web/files.js");
+  const std::string script =
+      read_file(std::filesystem::path(RAYTRACER_SOURCE_DIR) / "web/files.js");
   std::smatch table;
   ASSERT_TRUE(
       std::regex_search(script, table, std::regex(R"(read_by_client = /\(\\\.\(([a-z|]+)\))")));
