@@ -145,6 +145,14 @@ function stop() {
   live.stop();
 }
 
+// What is under way comes to nothing, in these words.
+function leaveOff(words) {
+  stop();
+  live.hide();
+  problemPanel.showDate();
+  status.enter("done", words);
+}
+
 function fail(problem, text = editor.text) {
   live.hide();
   status.enter("error", problemPanel.show(problem, text));
@@ -225,7 +233,7 @@ async function revise(text, what) {
   await takeText();
   if (own) move();
   else if (what !== null) instead(rest);
-  else if (status.state === "done") status.say(edited);  // as after the keys that are undone
+  else if (status.state !== "error") leaveOff(edited);  // as after the keys that are undone
 }
 
 async function load(signal) {
@@ -290,12 +298,7 @@ acceptFiles({ gallery: at("gallery"), opener: at("open-file"), chooser: at("file
   onProblem: (error) => status.say(problemPanel.say(problemFrom(error))),
 });
 window.addEventListener("hashchange", () => instead(load));
-at("cancel").addEventListener("click", () => {
-  stop();
-  live.hide();
-  problemPanel.showDate();
-  status.enter("done", "Cancelled");
-});
+at("cancel").addEventListener("click", () => leaveOff("Cancelled"));
 
 if (isMac) at("shortcut").textContent = "⌘ ↵";
 chooseTab("tab-form");
