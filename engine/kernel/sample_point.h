@@ -33,8 +33,8 @@ constexpr double away_from_middle(double coordinate, double distance) {
 /// For pixels of a square of 16 x 16, a block: from -1/2 to 1/2, each value once. Along rows in y
 /// and along columns in x they are as even as possible, four neighbours that begin at a multiple of
 /// four in each quarter once; along diagonals, x + y and x - y leave gaps of no more than a third.
-/// An edge along any of these passes its pixels' places otherwise than alike. Both orders are the
-/// best of 6,000 at random.
+/// An edge along any of these passes its pixels' places otherwise than alike. Both orders are
+/// chosen among random ones, for the smallest gaps.
 constexpr SamplePoint jitter_of(int x, int y) {
   constexpr int side = 16;
   constexpr std::array<int, side> of_row{9, 1, 13, 5, 12, 4, 2, 8, 10, 3, 6, 14, 15, 11, 7, 0};

@@ -20,6 +20,14 @@ class Editing : public BrowserPage {
     open("/#scene=first-sphere");
     show_panel("json");
   }
+
+  /// The scene's text after a control of the form has changed a value.
+  static std::string text_edited_by_form() {
+    browser().run(
+        "const ambient = document.querySelector('[aria-label=\"Ambient light\"]');"
+        "ambient.value = 0.9; ambient.dispatchEvent(new Event('input'));");
+    return text();
+  }
 };
 
 TEST_F(Editing, ctrl_enter_renders_the_edited_text) {
@@ -47,10 +55,7 @@ TEST_F(Editing, edit_is_said_to_be_newer_than_the_picture) {
 
 TEST_F(Editing, undo_knows_keys_as_well_as_the_form) {
   const std::string original = text();
-  browser().run(
-      "const ambient = document.querySelector('[aria-label=\"Ambient light\"]');"
-      "ambient.value = 0.9; ambient.dispatchEvent(new Event('input'));");
-  const std::string by_form = text();
+  const std::string by_form = text_edited_by_form();
   ASSERT_NE(by_form, original);
   browser().type("#editor", "typed");
   ASSERT_EQ(text(), by_form + "typed");
@@ -69,10 +74,7 @@ TEST_F(Editing, undo_knows_keys_as_well_as_the_form) {
 
 TEST_F(Editing, key_that_undoes_goes_on_where_typing_began) {
   const std::string original = text();
-  browser().run(
-      "const ambient = document.querySelector('[aria-label=\"Ambient light\"]');"
-      "ambient.value = 0.9; ambient.dispatchEvent(new Event('input'));");
-  const std::string by_form = text();
+  const std::string by_form = text_edited_by_form();
   const auto press_with_control = [](const char* key) {
     browser().type("#editor", std::string(key_control) + key + key_release);
   };
